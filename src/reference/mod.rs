@@ -1,0 +1,1 @@
+//! f64 ground truth on the CPU.
