@@ -2,11 +2,18 @@
 #![doc = ""]
 
 pub mod atmosphere;
+pub mod backend;
 pub mod error;
+pub mod passes;
 pub mod phase;
 pub mod reference;
+pub mod shaders;
 pub mod view;
 
 pub use atmosphere::{AtmosphereParams, MiePhase};
 pub use error::{Error, Result};
-pub use view::{Camera, DepthConvention, Scene};
+pub use passes::picture::{PictureRenderer, PictureSettings};
+pub use passes::sky::{SkyRenderer, SkySettings};
+pub use passes::terrain::TerrainStyle;
+pub use passes::tone::ToneMap;
+pub use view::{Camera, DepthConvention, Pose, Scene};

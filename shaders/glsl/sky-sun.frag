@@ -1,0 +1,107 @@
+#version 300 es
+
+precision highp float;
+precision highp int;
+
+struct Medium {
+    vec3 rayleigh;
+    float rayleigh_inv_height;
+    vec3 mie_scattering;
+    float mie_inv_height;
+    vec3 mie_extinction;
+    float ozone_center;
+    vec3 mie_asymmetry;
+    float ozone_inv_half_width;
+    vec3 ozone;
+    float radius;
+    vec3 irradiance;
+    float thickness;
+};
+struct Frame {
+    Medium medium;
+    vec3 ray_forward;
+    float altitude;
+    vec3 ray_right;
+    float sky_weight;
+    vec3 ray_up;
+    float shell_weight;
+    vec3 sun;
+    float sun_chord;
+    vec2 size;
+    float sun_disk;
+    float pixel_angle;
+    float depth_scale;
+    float depth_bias;
+    float depth_log;
+    float depth_background;
+    uint view_samples;
+    uint light_samples;
+    uint low_resolution;
+    float camera_altitude;
+};
+const float INV_4PI = 0.07957747;
+const float HALF_MAX = 65000.0;
+
+layout(std140) uniform Frame_block_0Fragment { Frame _group_0_binding_0_fs; };
+
+layout(location = 0) out vec4 _fs2p_location0;
+
+vec3 pixel_ray(Frame f, vec2 pixel) {
+    vec2 ndc = (((pixel / f.size) * vec2(2.0, -2.0)) + vec2(-1.0, 1.0));
+    return ((f.ray_forward + (f.ray_right * ndc.x)) + (f.ray_up * ndc.y));
+}
+
+float excess_of(float h, float radius) {
+    return (h * ((2.0 * radius) + h));
+}
+
+bool hits_planet(vec3 dir, float h_1, float radius_1, float thickness) {
+    float r = (radius_1 + h_1);
+    if ((dir.z >= 0.0)) {
+        return false;
+    }
+    if ((h_1 <= thickness)) {
+        float b = (r * dir.z);
+        float _e13 = excess_of(h_1, radius_1);
+        return (((b * b) - _e13) >= 0.0);
+    }
+    return ((radius_1 - (r * length(dir.xy))) >= 0.0);
+}
+
+float disk_coverage(vec3 offset, float chord, float pixel_1) {
+    return clamp((((chord - length(offset)) / pixel_1) + 0.5), 0.0, 1.0);
+}
+
+void main() {
+    vec4 position = gl_FragCoord;
+    vec3 light = vec3(0.0);
+    vec3 through = vec3(1.0);
+    Frame _e2 = _group_0_binding_0_fs;
+    vec3 _e4 = pixel_ray(_e2, position.xy);
+    vec3 dir_1 = normalize(_e4);
+    Medium m = _group_0_binding_0_fs.medium;
+    float _e11 = _group_0_binding_0_fs.altitude;
+    bool _e14 = hits_planet(dir_1, _e11, m.radius, m.thickness);
+    if (_e14) {
+        uint _e17 = _group_0_binding_0_fs.low_resolution;
+        if ((_e17 == 0u)) {
+            discard;
+        }
+        _fs2p_location0 = vec4(0.0, 0.0, 0.0, -1.0);
+        return;
+    }
+    vec3 _e27 = _group_0_binding_0_fs.sun;
+    vec3 offset_1 = (dir_1 - _e27);
+    vec3 _e35 = light;
+    vec3 _e36 = through;
+    float _e39 = _group_0_binding_0_fs.sun_disk;
+    float _e42 = _group_0_binding_0_fs.sun_chord;
+    float _e45 = _group_0_binding_0_fs.pixel_angle;
+    float _e46 = disk_coverage(offset_1, _e42, _e45);
+    light = (_e35 + (_e36 * (_e39 * _e46)));
+    vec3 _e50 = light;
+    vec3 _e56 = through;
+    _fs2p_location0 = vec4(min((_e50 * m.irradiance), vec3(65000.0)), (1.0 - dot(_e56, vec3(0.33333334))));
+    return;
+}
+

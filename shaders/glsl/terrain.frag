@@ -1,0 +1,122 @@
+#version 300 es
+
+precision highp float;
+precision highp int;
+
+struct Medium {
+    vec3 rayleigh;
+    float rayleigh_inv_height;
+    vec3 mie_scattering;
+    float mie_inv_height;
+    vec3 mie_extinction;
+    float ozone_center;
+    vec3 mie_asymmetry;
+    float ozone_inv_half_width;
+    vec3 ozone;
+    float radius;
+    vec3 irradiance;
+    float thickness;
+};
+struct Frame {
+    Medium medium;
+    vec3 ray_forward;
+    float altitude;
+    vec3 ray_right;
+    float sky_weight;
+    vec3 ray_up;
+    float shell_weight;
+    vec3 sun;
+    float sun_chord;
+    vec2 size;
+    float sun_disk;
+    float pixel_angle;
+    float depth_scale;
+    float depth_bias;
+    float depth_log;
+    float depth_background;
+    uint view_samples;
+    uint light_samples;
+    uint low_resolution;
+    float camera_altitude;
+};
+struct Terrain {
+    Frame frame;
+    vec3 axis;
+    float amplitude;
+    vec3 grid_x;
+    float arc_scale;
+    vec3 grid_y;
+    float arc_rate;
+    vec3 planet_x;
+    float sea;
+    vec3 planet_y;
+    float offset_x;
+    vec3 planet_z;
+    float offset_y;
+    vec3 low_albedo;
+    float mountain_rate;
+    vec3 high_albedo;
+    float snow_line;
+    vec3 sky_share;
+    float pad;
+};
+struct Varyings {
+    vec4 clip;
+    vec3 position;
+    vec3 light;
+    vec2 surface;
+};
+struct Shaded {
+    vec4 color;
+    float depth;
+};
+const float INV_4PI = 0.07957747;
+const uint RINGS = 256u;
+const uint SEGMENTS = 384u;
+const float TAU = 6.2831855;
+
+layout(std140) uniform Terrain_block_0Fragment { Terrain _group_0_binding_0_fs; };
+
+smooth in vec3 _vs2fs_location0;
+smooth in vec3 _vs2fs_location1;
+smooth in vec2 _vs2fs_location2;
+layout(location = 0) out vec4 _fs2p_location0;
+
+float depth_of(Frame f, float z) {
+    if ((f.depth_log > 0.0)) {
+        return (log2((1.0 + (z * 1000.0))) / f.depth_log);
+    }
+    return (((1.0 / z) - f.depth_bias) / f.depth_scale);
+}
+
+void main() {
+    Varyings in_ = Varyings(gl_FragCoord, _vs2fs_location0, _vs2fs_location1, _vs2fs_location2);
+    vec3 albedo = vec3(0.0);
+    Shaded out_ = Shaded(vec4(0.0), 0.0);
+    Frame f_1 = _group_0_binding_0_fs.frame;
+    float h = in_.surface.x;
+    vec3 _e8 = _group_0_binding_0_fs.low_albedo;
+    vec3 _e11 = _group_0_binding_0_fs.high_albedo;
+    float _e14 = _group_0_binding_0_fs.amplitude;
+    albedo = mix(_e8, _e11, smoothstep(0.05, 0.6, (h / _e14)));
+    vec3 _e23 = _group_0_binding_0_fs.high_albedo;
+    vec3 _e24 = albedo;
+    albedo = mix(_e23, _e24, smoothstep(0.8, 0.95, in_.surface.y));
+    vec3 _e31 = albedo;
+    float _e36 = _group_0_binding_0_fs.snow_line;
+    float _e39 = _group_0_binding_0_fs.snow_line;
+    albedo = mix(_e31, vec3(0.8), smoothstep(_e36, (_e39 * 1.15), h));
+    vec3 _e44 = albedo;
+    float _e51 = _group_0_binding_0_fs.sea;
+    albedo = mix(_e44, vec3(0.02, 0.04, 0.06), (_e51 * (1.0 - smoothstep(0.0, 0.004, h))));
+    vec3 _e61 = albedo;
+    out_.color = vec4((((_e61 * in_.light) * f_1.medium.irradiance) * 0.31830987), 1.0);
+    vec3 _e75 = _group_0_binding_0_fs.axis;
+    float _e79 = depth_of(f_1, max(dot(in_.position, _e75), 1e-9));
+    out_.depth = clamp(_e79, 0.0, 1.0);
+    Shaded _e83 = out_;
+    _fs2p_location0 = _e83.color;
+    gl_FragDepth = _e83.depth;
+    return;
+}
+

@@ -1,0 +1,334 @@
+#version 300 es
+
+precision highp float;
+precision highp int;
+
+struct Medium {
+    vec3 rayleigh;
+    float rayleigh_inv_height;
+    vec3 mie_scattering;
+    float mie_inv_height;
+    vec3 mie_extinction;
+    float ozone_center;
+    vec3 mie_asymmetry;
+    float ozone_inv_half_width;
+    vec3 ozone;
+    float radius;
+    vec3 irradiance;
+    float thickness;
+};
+struct Frame {
+    Medium medium;
+    vec3 ray_forward;
+    float altitude;
+    vec3 ray_right;
+    float sky_weight;
+    vec3 ray_up;
+    float shell_weight;
+    vec3 sun;
+    float sun_chord;
+    vec2 size;
+    float sun_disk;
+    float pixel_angle;
+    float depth_scale;
+    float depth_bias;
+    float depth_log;
+    float depth_background;
+    uint view_samples;
+    uint light_samples;
+    uint low_resolution;
+    float camera_altitude;
+};
+struct Terrain {
+    Frame frame;
+    vec3 axis;
+    float amplitude;
+    vec3 grid_x;
+    float arc_scale;
+    vec3 grid_y;
+    float arc_rate;
+    vec3 planet_x;
+    float sea;
+    vec3 planet_y;
+    float offset_x;
+    vec3 planet_z;
+    float offset_y;
+    vec3 low_albedo;
+    float mountain_rate;
+    vec3 high_albedo;
+    float snow_line;
+    vec3 sky_share;
+    float pad;
+};
+struct Varyings {
+    vec4 clip;
+    vec3 position;
+    vec3 light;
+    vec2 surface;
+};
+const float INV_4PI = 0.07957747;
+const uint RINGS = 256u;
+const uint SEGMENTS = 384u;
+const float TAU = 6.2831855;
+
+layout(std140) uniform Terrain_block_0Vertex { Terrain _group_0_binding_0_vs; };
+
+smooth out vec3 _vs2fs_location0;
+smooth out vec3 _vs2fs_location1;
+smooth out vec2 _vs2fs_location2;
+
+float altitude_of(float x, float radius) {
+    return (x / (radius + sqrt(max(((radius * radius) + x), 0.0))));
+}
+
+float excess_of(float h, float radius_1) {
+    return (h * ((2.0 * radius_1) + h));
+}
+
+float distance_to_top(float x_1, float b, float x_top) {
+    float c = max((x_top - x_1), 0.0);
+    float root = sqrt(((b * b) + c));
+    if ((b > 0.0)) {
+        return (c / (b + root));
+    }
+    return (root - b);
+}
+
+vec3 densities(Medium m, float h_1) {
+    vec3 d = vec3(0.0);
+    d.x = exp((-(h_1) * m.rayleigh_inv_height));
+    d.y = exp((-(h_1) * m.mie_inv_height));
+    d.z = max(0.0, (1.0 - (abs((h_1 - m.ozone_center)) * m.ozone_inv_half_width)));
+    vec3 _e25 = d;
+    return _e25;
+}
+
+vec3 extinction(Medium m_1, vec3 d_1) {
+    vec3 sum = vec3(0.0);
+    vec3 _e5 = sum;
+    sum = (_e5 + (m_1.rayleigh * d_1.x));
+    vec3 _e10 = sum;
+    sum = (_e10 + (m_1.mie_extinction * d_1.y));
+    vec3 _e15 = sum;
+    sum = (_e15 + (m_1.ozone * d_1.z));
+    vec3 _e20 = sum;
+    return _e20;
+}
+
+float warp(float low, float u) {
+    return (low + (u * abs(u)));
+}
+
+vec3 path_densities(Medium m_2, float x_2, float b_1, float distance_, uint samples) {
+    vec3 sum_1 = vec3(0.0);
+    float t0_ = 0.0;
+    uint i = 0u;
+    float low_1 = clamp(-(b_1), 0.0, distance_);
+    float u0_ = -(sqrt(low_1));
+    float du = ((sqrt((distance_ - low_1)) - u0_) / float(samples));
+    bool loop_init = true;
+    while(true) {
+        if (!loop_init) {
+            uint _e50 = i;
+            i = (_e50 + 1u);
+        }
+        loop_init = false;
+        uint _e22 = i;
+        if ((_e22 < samples)) {
+        } else {
+            break;
+        }
+        {
+            uint _e24 = i;
+            float u_1 = (u0_ + (du * float(_e24)));
+            float _e31 = warp(low_1, (u_1 + (0.5 * du)));
+            float _e33 = warp(low_1, (u_1 + du));
+            float _e40 = altitude_of((x_2 + (_e31 * ((2.0 * b_1) + _e31))), m_2.radius);
+            float h_3 = max(_e40, 0.0);
+            vec3 _e43 = sum_1;
+            vec3 _e44 = densities(m_2, h_3);
+            float _e45 = t0_;
+            sum_1 = (_e43 + (_e44 * (_e33 - _e45)));
+            t0_ = _e33;
+        }
+    }
+    vec3 _e52 = sum_1;
+    return _e52;
+}
+
+vec3 sun_transmittance(Medium m_3, float x_3, float sun_b, uint samples_1) {
+    float _e6 = excess_of(m_3.thickness, m_3.radius);
+    float _e7 = distance_to_top(x_3, sun_b, _e6);
+    vec3 _e8 = path_densities(m_3, x_3, sun_b, _e7, samples_1);
+    vec3 _e9 = extinction(m_3, _e8);
+    return exp(-(_e9));
+}
+
+float lattice(ivec3 p) {
+    uint h_2 = 0u;
+    h_2 = (((uint(p.x) * 2376512323u) ^ (uint(p.y) * 3625334849u)) ^ (uint(p.z) * 3407524639u));
+    uint _e16 = h_2;
+    uint _e17 = h_2;
+    h_2 = ((_e16 ^ (_e17 >> 13u)) * 1540483477u);
+    uint _e23 = h_2;
+    uint _e24 = h_2;
+    h_2 = ((_e23 ^ (_e24 >> 15u)) * 739982445u);
+    uint _e30 = h_2;
+    uint _e31 = h_2;
+    h_2 = (_e30 ^ (_e31 >> 14u));
+    uint _e35 = h_2;
+    return (float((_e35 >> 8u)) * 5.9604645e-8);
+}
+
+vec4 noise(vec3 p_1) {
+    vec3 cell = floor(p_1);
+    ivec3 i_1 = ivec3(cell);
+    vec3 f = (p_1 - cell);
+    vec3 w = (((f * f) * f) * ((f * ((f * 6.0) - vec3(15.0))) + vec3(10.0)));
+    vec3 dw = (((30.0 * f) * f) * ((f * (f - vec3(2.0))) + vec3(1.0)));
+    float _e27 = lattice(i_1);
+    float _e33 = lattice((i_1 + ivec3(1, 0, 0)));
+    float _e39 = lattice((i_1 + ivec3(0, 1, 0)));
+    float _e45 = lattice((i_1 + ivec3(1, 1, 0)));
+    float _e51 = lattice((i_1 + ivec3(0, 0, 1)));
+    float _e57 = lattice((i_1 + ivec3(1, 0, 1)));
+    float _e63 = lattice((i_1 + ivec3(0, 1, 1)));
+    float _e69 = lattice((i_1 + ivec3(1, 1, 1)));
+    float x00_ = mix(_e27, _e33, w.x);
+    float x10_ = mix(_e39, _e45, w.x);
+    float x01_ = mix(_e51, _e57, w.x);
+    float x11_ = mix(_e63, _e69, w.x);
+    float y0_ = mix(x00_, x10_, w.y);
+    float y1_ = mix(x01_, x11_, w.y);
+    float dx = mix(mix((_e33 - _e27), (_e45 - _e39), w.y), mix((_e57 - _e51), (_e69 - _e63), w.y), w.z);
+    float dy = mix((x10_ - x00_), (x11_ - x01_), w.z);
+    return vec4((vec3(dx, dy, (y1_ - y0_)) * dw), mix(y0_, y1_, w.z));
+}
+
+vec4 height_field(vec3 n, float amplitude, float rate, float sea) {
+    vec4 land = vec4(0.0);
+    vec4 ridge = vec4(0.0);
+    float frequency = 0.0;
+    float gain = 0.55;
+    int octave = 0;
+    vec4 _e9 = noise(((n * 2.3) + vec3(11.0)));
+    land = ((_e9 * vec4(vec3(2.3), 1.0)) * 0.6);
+    vec4 _e18 = land;
+    vec4 _e24 = noise(((n * 5.1) + vec3(5.0)));
+    land = (_e18 + ((_e24 * vec4(vec3(5.1), 1.0)) * 0.3));
+    vec4 _e33 = land;
+    vec4 _e39 = noise(((n * 13.7) + vec3(3.0)));
+    land = (_e33 + ((_e39 * vec4(vec3(13.7), 1.0)) * 0.1));
+    float coast = mix(0.25, 0.48, sea);
+    float _e53 = land.w;
+    float rise = ((_e53 - coast) * 4.0);
+    if ((rise <= 0.0)) {
+        return vec4(0.0);
+    }
+    float above = min(rise, 1.0);
+    vec4 _e64 = land;
+    vec3 d_above = ((rise < 1.0) ? (_e64.xyz * 4.0) : vec3(0.0));
+    frequency = rate;
+    bool loop_init_1 = true;
+    while(true) {
+        if (!loop_init_1) {
+            int _e123 = octave;
+            octave = (_e123 + 1);
+        }
+        loop_init_1 = false;
+        int _e78 = octave;
+        if ((_e78 < 6)) {
+        } else {
+            break;
+        }
+        {
+            float _e81 = frequency;
+            int _e83 = octave;
+            vec4 _e89 = noise(((n * _e81) + vec3((float(_e83) * 17.0))));
+            float _e90 = frequency;
+            vec4 v = (_e89 * vec4(vec3(_e90), 1.0));
+            float s = ((v.w < 0.5) ? 2.0 : -2.0);
+            vec4 _e101 = ridge;
+            float _e113 = gain;
+            ridge = (_e101 + (vec4((v.xyz * s), (1.0 - abs(((2.0 * v.w) - 1.0)))) * _e113));
+            float _e116 = frequency;
+            frequency = (_e116 * 2.03);
+            float _e119 = gain;
+            gain = (_e119 * 0.45);
+        }
+    }
+    float _e127 = ridge.w;
+    float w_1 = ((above * above) * _e127);
+    float _e133 = ridge.w;
+    vec4 _e136 = ridge;
+    vec3 d_2 = ((((2.0 * above) * d_above) * _e133) + ((above * above) * _e136.xyz));
+    return (vec4(d_2, w_1) * amplitude);
+}
+
+void main() {
+    uint index = uint(gl_VertexID);
+    vec3 light = vec3(0.0);
+    Varyings out_ = Varyings(vec4(0.0), vec3(0.0), vec3(0.0), vec2(0.0));
+    Frame f_1 = _group_0_binding_0_vs.frame;
+    Medium m_4 = f_1.medium;
+    uint k = min((max((index % 772u), 1u) - 1u), (772u - 3u));
+    uint ring = ((index / 772u) + (k & 1u));
+    float azimuth = ((TAU * float(((k / 2u) % SEGMENTS))) / 384.0);
+    float _e29 = _group_0_binding_0_vs.arc_rate;
+    float s_1 = (_e29 * float(ring));
+    float _e34 = _group_0_binding_0_vs.arc_scale;
+    float arc = min(((_e34 * 0.5) * (exp(s_1) - exp(-(s_1)))), 3.1415927);
+    vec3 _e46 = _group_0_binding_0_vs.grid_x;
+    vec3 _e51 = _group_0_binding_0_vs.grid_y;
+    vec3 flat_ = ((_e46 * cos(azimuth)) + (_e51 * sin(azimuth)));
+    vec3 up = vec3(0.0, 0.0, 1.0);
+    float half_sin = sin((0.5 * arc));
+    vec3 n_1 = ((flat_ * sin(arc)) + (up * cos(arc)));
+    vec3 _e69 = _group_0_binding_0_vs.planet_x;
+    vec3 _e73 = _group_0_binding_0_vs.planet_y;
+    vec3 _e77 = _group_0_binding_0_vs.planet_z;
+    vec3 planet_n = vec3(dot(_e69, n_1), dot(_e73, n_1), dot(_e77, n_1));
+    float _e82 = _group_0_binding_0_vs.amplitude;
+    float _e85 = _group_0_binding_0_vs.mountain_rate;
+    float _e88 = _group_0_binding_0_vs.sea;
+    vec4 _e89 = height_field(planet_n, _e82, _e85, _e88);
+    float h_4 = _e89.w;
+    vec3 position = (((flat_ * ((m_4.radius + h_4) * sin(arc))) - (up * ((((m_4.radius + h_4) * 2.0) * half_sin) * half_sin))) + (up * (h_4 - f_1.camera_altitude)));
+    vec3 _e110 = _group_0_binding_0_vs.planet_x;
+    vec3 _e115 = _group_0_binding_0_vs.planet_y;
+    vec3 _e121 = _group_0_binding_0_vs.planet_z;
+    vec3 g = (((_e110 * _e89.x) + (_e115 * _e89.y)) + (_e121 * _e89.z));
+    vec3 tangential = ((g - (n_1 * dot(g, n_1))) / vec3(m_4.radius));
+    vec3 normal = normalize((n_1 - tangential));
+    float _e134 = excess_of(h_4, m_4.radius);
+    float sun_b_1 = ((m_4.radius + h_4) * dot(n_1, f_1.sun));
+    float dip = (sqrt(_e134) / (m_4.radius + h_4));
+    float above_1 = ((dot(n_1, f_1.sun) + dip) / f_1.sun_chord);
+    float visible = smoothstep(-1.0, 1.0, above_1);
+    vec3 _e154 = _group_0_binding_0_vs.sky_share;
+    light = ((_e154 * clamp(((dot(n_1, f_1.sun) + 0.1) / 1.1), 0.0, 1.0)) * (0.5 + (0.5 * dot(normal, n_1))));
+    if ((visible > 0.0)) {
+        vec3 _e174 = light;
+        vec3 _e176 = sun_transmittance(m_4, _e134, sun_b_1, 8u);
+        light = (_e174 + (_e176 * (visible * max(dot(normal, f_1.sun), 0.0))));
+    }
+    vec3 _e187 = _group_0_binding_0_vs.axis;
+    float z = dot(position, _e187);
+    float _e197 = _group_0_binding_0_vs.offset_x;
+    float right = ((dot(position, f_1.ray_right) / dot(f_1.ray_right, f_1.ray_right)) - (_e197 * z));
+    float _e208 = _group_0_binding_0_vs.offset_y;
+    float top = ((dot(position, f_1.ray_up) / dot(f_1.ray_up, f_1.ray_up)) - (_e208 * z));
+    out_.clip = vec4(right, top, (0.5 * z), z);
+    out_.position = position;
+    vec3 _e217 = light;
+    out_.light = _e217;
+    out_.surface = vec2(h_4, dot(normal, n_1));
+    Varyings _e221 = out_;
+    gl_Position = _e221.clip;
+    _vs2fs_location0 = _e221.position;
+    _vs2fs_location1 = _e221.light;
+    _vs2fs_location2 = _e221.surface;
+    gl_Position.yz = vec2(-gl_Position.y, gl_Position.z * 2.0 - gl_Position.w);
+    return;
+}
+

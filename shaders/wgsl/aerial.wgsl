@@ -1,0 +1,35 @@
+//#include view
+//#include scattering
+// Air between the camera and the scene: the scene dimmed by transmittance, per channel, plus the light
+// scattered into the ray on the way. Where there is no scene it draws the shell's share of the sky
+// (all of it from orbit, none of it near the ground, where the background pass has drawn it).
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+@group(0) @binding(1) var scene: texture_2d<f32>;
+@group(0) @binding(2) var depth: texture_2d<f32>;
+
+@fragment
+fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
+    let pixel = vec2i(position.xy);
+    let behind = textureLoad(scene, pixel, 0);
+    let direction = pixel_ray(frame, position.xy);
+    let ray_length = length(direction);
+    let distance = depth_distance(frame, textureLoad(depth, pixel, 0).x, ray_length);
+    let dir = direction / ray_length;
+    let m = frame.medium;
+    let ray = air_ray(dir, frame.altitude, m.radius, m.thickness, frame.sun);
+    var end = ray.length;
+    var weight = 1.0;
+    if distance >= 0.0 {
+        end = min(end, distance - ray.start);
+    } else if !ray.ground {
+        weight = frame.shell_weight;
+    }
+    if end <= 0.0 || weight <= 0.0 {
+        return behind;
+    }
+    let offset = dir - frame.sun;
+    let s = single_scattering(m, ray, end, 0.5 * dot(offset, offset), frame.view_samples, frame.light_samples);
+    let color = behind.rgb * mix(vec3f(1.0), s.transmittance, weight) + s.radiance * m.irradiance * weight;
+    return vec4f(color, behind.a);
+}

@@ -1,0 +1,41 @@
+// The one uniform block of the atmosphere's passes. Lengths in km, coefficients in 1/km, angles as
+// vectors in the zenith frame: z from the planet's centre to the camera, the sun in the x-z plane.
+// Rust twin: `FrameUniform` in src/passes/frame.rs, checked against naga's layout by a test.
+
+struct Medium {
+    rayleigh: vec3f,            // Rayleigh scattering at altitude 0, 1/km
+    rayleigh_inv_height: f32,   // 1 / scale height, 1/km
+    mie_scattering: vec3f,      // aerosol scattering at altitude 0, 1/km
+    mie_inv_height: f32,        // 1 / scale height, 1/km
+    mie_extinction: vec3f,      // aerosol scattering + absorption at altitude 0, 1/km
+    ozone_center: f32,          // altitude of the tent's tip, km
+    mie_asymmetry: vec3f,       // g of the aerosol's phase function, per channel
+    ozone_inv_half_width: f32,  // 1 / (tip to foot of the tent), 1/km
+    ozone: vec3f,               // absorption at the tent's tip, 1/km
+    radius: f32,                // planet, km
+    irradiance: vec3f,          // sun at the top of the atmosphere, per channel
+    thickness: f32,             // top of the atmosphere above the surface, km
+}
+
+struct Frame {
+    medium: Medium,
+    ray_forward: vec3f,         // ray through the middle of the picture, axial part 1
+    altitude: f32,              // camera above the surface, km, never negative
+    ray_right: vec3f,           // added from the middle to the right edge
+    sky_weight: f32,            // share of the background pass in the sky's light, 0 to 1
+    ray_up: vec3f,              // added from the middle to the top edge
+    shell_weight: f32,          // share of the depth-aware pass, 1 - sky_weight
+    sun: vec3f,                 // towards the sun, unit
+    sun_chord: f32,             // chord of the disk's angular radius, 2 sin(radius / 2)
+    size: vec2f,                // of the target, pixels
+    sun_disk: f32,              // radiance of the disk per unit of irradiance, 1/sr
+    pixel_angle: f32,           // angle of one pixel in the middle of the picture, rad
+    depth_scale: f32,           // 1 / z = depth_scale * depth + depth_bias, 1/km
+    depth_bias: f32,            // 1/km
+    depth_log: f32,             // log2(1 + far in m), or 0 for the other conventions
+    depth_background: f32,      // stored depth of the background
+    view_samples: u32,          // steps along the view ray
+    light_samples: u32,         // steps towards the sun
+    low_resolution: u32,        // 1: mark planet pixels with alpha -1 instead of discarding them
+    camera_altitude: f32,       // camera above the surface, km, may be negative (terrain only)
+}

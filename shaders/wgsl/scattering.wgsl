@@ -1,0 +1,114 @@
+//#include frame
+//#include geometry
+//#include medium
+//#include phase
+// Single scattering along a ray through a spherical atmosphere (Nishita et al. 1993, eq. 3 to 9), with the
+// planet's own shadow. Per unit of the sun's irradiance: radiance in 1/sr.
+
+// Steps are even in u, with distance = low + u |u| from the lowest point of the path: they crowd
+// quadratically where the air is densest, wherever that is, and move continuously with the ray.
+fn warp(low: f32, u: f32) -> f32 {
+    return low + u * abs(u);
+}
+
+fn unwarp(low: f32, t: f32) -> f32 {
+    return sign(t - low) * sqrt(abs(t - low));
+}
+
+// Densities integrated (km) from a point (x = r^2 - R^2, b = r cos of the direction's zenith angle)
+// over a distance (km), by the midpoint rule in u.
+fn path_densities(m: Medium, x: f32, b: f32, distance: f32, samples: u32) -> vec3f {
+    let low = clamp(-b, 0.0, distance);
+    let u0 = -sqrt(low);
+    let du = (sqrt(distance - low) - u0) / f32(samples);
+    var sum = vec3f(0.0);
+    var t0 = 0.0;
+    for (var i = 0u; i < samples; i++) {
+        let u = u0 + du * f32(i);
+        let t = warp(low, u + 0.5 * du);
+        let t1 = warp(low, u + du);
+        let h = max(altitude_of(x + t * (2.0 * b + t), m.radius), 0.0);
+        sum += densities(m, h) * (t1 - t0);
+        t0 = t1;
+    }
+    return sum;
+}
+
+// Transmittance from a point to the sun, whose disk's centre is above the point's horizon.
+fn sun_transmittance(m: Medium, x: f32, sun_b: f32, samples: u32) -> vec3f {
+    let distance = distance_to_top(x, sun_b, excess_of(m.thickness, m.radius));
+    return exp(-extinction(m, path_densities(m, x, sun_b, distance, samples)));
+}
+
+// (1 - exp(-tau)) / tau, which is 1 at 0: the mean of exp(-s) over 0..tau.
+fn mean_transmittance(tau: vec3f) -> vec3f {
+    let series = 1.0 - tau * (0.5 - tau * (1.0 / 6.0));
+    return select((1.0 - exp(-tau)) / tau, series, tau < vec3f(1e-2));
+}
+
+struct Scattered {
+    radiance: vec3f,       // 1/sr
+    transmittance: vec3f,  // 0 to 1
+}
+
+// Light scattered into a ray over its first `length` km, and what the ray lets through.
+// away: 1 - cos of the angle between ray and sun.
+fn single_scattering(m: Medium, ray: AirRay, length: f32, away: f32, view_samples: u32, light_samples: u32) -> Scattered {
+    var out: Scattered;
+    out.radiance = vec3f(0.0);
+    out.transmittance = vec3f(1.0);
+    let mu = 1.0 - away;
+    //#if RAYLEIGH
+    let rayleigh = m.rayleigh * rayleigh_phase(mu);
+    //#endif
+    //#if MIE_HG
+    let mie = m.mie_scattering * henyey_greenstein_phase(away, m.mie_asymmetry);
+    //#endif
+    //#if MIE_CS
+    let mie = m.mie_scattering * cornette_shanks_phase(mu, away, m.mie_asymmetry);
+    //#endif
+    let low = clamp(-ray.b, 0.0, length);
+    let u0 = -sqrt(low);
+    let du = (sqrt(length - low) - u0) / f32(view_samples);
+    //#if SCATTER
+    let shadow = shadow_stretch(ray);
+    //#endif
+    var t0 = 0.0;
+    for (var i = 0u; i < view_samples; i++) {
+        let u = u0 + du * f32(i);
+        let t1 = warp(low, u + du);
+        let step = t1 - t0;
+        let t = warp(low, u + 0.5 * du);
+        let h = max(altitude_of(ray.x + t * (2.0 * ray.b + t), m.radius), 0.0);
+        let tau = extinction(m, densities(m, h)) * step;
+        //#if SCATTER
+        // The part of the step that the sun reaches, and a point in its middle.
+        let dark0 = clamp(shadow.x, t0, t1);
+        let dark1 = clamp(shadow.y, t0, t1);
+        let dark = select(0.0, max(dark1 - dark0, 0.0), shadow.y > shadow.x);
+        if dark < step {
+            var lit_t = t;
+            if dark > 0.0 {
+                let first = dark0 - t0 > t1 - dark1;
+                let lit0 = select(dark1, t0, first);
+                let lit1 = select(t1, dark0, first);
+                lit_t = warp(low, 0.5 * (unwarp(low, lit0) + unwarp(low, lit1)));
+            }
+            let x = ray.x + lit_t * (2.0 * ray.b + lit_t);
+            let d = densities(m, max(altitude_of(x, m.radius), 0.0));
+            var source = vec3f(0.0);
+            //#if RAYLEIGH
+            source += rayleigh * d.x;
+            //#endif
+            //#if MIE
+            source += mie * d.y;
+            //#endif
+            source *= sun_transmittance(m, x, ray.sun_b + ray.nu * lit_t, light_samples);
+            out.radiance += out.transmittance * mean_transmittance(tau) * source * (step - dark);
+        }
+        //#endif
+        out.transmittance *= exp(-tau);
+        t0 = t1;
+    }
+    return out;
+}

@@ -1,0 +1,40 @@
+//#include view
+//#include scattering
+// The background sky: what a ray sees that meets no ground. Drawn first, depth ALWAYS, no depth write.
+// Out: premultiplied radiance, and in alpha the grey share of what lies behind that the air takes away.
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+
+const HALF_MAX: f32 = 65000.0; // just under the largest 16-bit float, 65504: the sun's disk is brighter
+
+// Share of a pixel that the sun's disk covers; offset: ray minus sun direction, both unit.
+fn disk_coverage(offset: vec3f, chord: f32, pixel: f32) -> f32 {
+    return clamp((chord - length(offset)) / pixel + 0.5, 0.0, 1.0);
+}
+
+@fragment
+fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
+    let dir = normalize(pixel_ray(frame, position.xy));
+    let m = frame.medium;
+    if hits_planet(dir, frame.altitude, m.radius, m.thickness) {
+        if frame.low_resolution == 0u {
+            discard;
+        }
+        return vec4f(0.0, 0.0, 0.0, -1.0);
+    }
+    let offset = dir - frame.sun;
+    var light = vec3f(0.0);
+    var through = vec3f(1.0);
+    //#if AIR
+    let ray = air_ray(dir, frame.altitude, m.radius, m.thickness, frame.sun);
+    if ray.length > 0.0 {
+        let s = single_scattering(m, ray, ray.length, 0.5 * dot(offset, offset), frame.view_samples, frame.light_samples);
+        light = s.radiance * frame.sky_weight;
+        through = mix(vec3f(1.0), s.transmittance, frame.sky_weight);
+    }
+    //#endif
+    //#if SUN
+    light += through * (frame.sun_disk * disk_coverage(offset, frame.sun_chord, frame.pixel_angle));
+    //#endif
+    return vec4f(min(light * m.irradiance, vec3f(HALF_MAX)), 1.0 - dot(through, vec3f(1.0 / 3.0)));
+}

@@ -1,0 +1,83 @@
+// Scene-linear radiance to a display: exposure, one of three operators, sRGB encoding.
+// Rust twin for the CPU renderer: src/passes/tone.rs; a test holds the two together.
+
+struct Tone {
+    exposure: f32, // display units per unit of radiance
+    pad0: f32,
+    pad1: f32,
+    pad2: f32,
+}
+
+@group(0) @binding(0) var<uniform> tone: Tone;
+@group(0) @binding(1) var scene: texture_2d<f32>;
+
+//#if ACES
+// Academy Color Encoding System: Stephen Hill's fit of RRT + sRGB ODT (BakingLab, 2016), sRGB primaries.
+fn tone_curve(color: vec3f) -> vec3f {
+    let input = mat3x3f(
+        vec3f(0.59719, 0.07600, 0.02840),
+        vec3f(0.35458, 0.90834, 0.13383),
+        vec3f(0.04823, 0.01566, 0.83777),
+    );
+    let output = mat3x3f(
+        vec3f(1.60475, -0.10208, -0.00327),
+        vec3f(-0.53108, 1.10813, -0.07276),
+        vec3f(-0.07367, -0.00605, 1.07602),
+    );
+    let v = input * color;
+    let a = v * (v + 0.0245786) - 0.000090537;
+    let b = v * (0.983729 * v + 0.4329510) + 0.238081;
+    return output * (a / b);
+}
+//#endif
+//#if AGX
+// AgX (Troy Sobotka), base look, in Benjamin Wrensch's minimal form (2023): log2 encoding over
+// -12.47393 to 4.026069 stops and a sixth-order polynomial.
+fn tone_curve(color: vec3f) -> vec3f {
+    let inset = mat3x3f(
+        vec3f(0.842479062253094, 0.0423282422610123, 0.0423756549057051),
+        vec3f(0.0784335999999992, 0.878468636469772, 0.0784336),
+        vec3f(0.0792237451477643, 0.0791661274605434, 0.879142973793104),
+    );
+    let outset = mat3x3f(
+        vec3f(1.19687900512017, -0.0528968517574562, -0.0529716355144438),
+        vec3f(-0.0980208811401368, 1.15190312990417, -0.0980434501171241),
+        vec3f(-0.0990297440797205, -0.0989611768448433, 1.15107367264116),
+    );
+    let stops = clamp(log2(max(inset * color, vec3f(1e-10))), vec3f(-12.47393), vec3f(4.026069));
+    let x = (stops + 12.47393) / 16.499999;
+    let x2 = x * x;
+    let x4 = x2 * x2;
+    let y = 15.5 * x4 * x2 - 40.14 * x4 * x + 31.96 * x4 - 6.868 * x2 * x + 0.4298 * x2 + 0.1191 * x - 0.00232;
+    return pow(max(outset * y, vec3f(0.0)), vec3f(2.2));
+}
+//#endif
+//#if NEUTRAL
+// Khronos PBR Neutral (2024): exact for base colours, compresses and desaturates only highlights.
+fn tone_curve(color: vec3f) -> vec3f {
+    let start = 0.8 - 0.04;
+    let low = min(color.r, min(color.g, color.b));
+    let shifted = color - select(0.04, low - 6.25 * low * low, low < 0.08);
+    let peak = max(shifted.r, max(shifted.g, shifted.b));
+    if peak < start {
+        return shifted;
+    }
+    let d = 1.0 - start;
+    let compressed = 1.0 - d * d / (peak + d - start);
+    let g = 1.0 - 1.0 / (0.15 * (peak - compressed) + 1.0);
+    return mix(shifted * (compressed / peak), vec3f(compressed), g);
+}
+//#endif
+
+// IEC 61966-2-1.
+fn srgb_encode(linear: vec3f) -> vec3f {
+    let c = clamp(linear, vec3f(0.0), vec3f(1.0));
+    let high = 1.055 * pow(max(c, vec3f(1e-10)), vec3f(1.0 / 2.4)) - 0.055;
+    return select(high, c * 12.92, c <= vec3f(0.0031308));
+}
+
+@fragment
+fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
+    let color = textureLoad(scene, vec2i(position.xy), 0).rgb * tone.exposure;
+    return vec4f(srgb_encode(tone_curve(max(color, vec3f(0.0)))), 1.0);
+}

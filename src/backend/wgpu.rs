@@ -1,0 +1,687 @@
+//! Passes on WebGPU through wgpu: Vulkan natively, WebGPU in a browser.
+//!
+//! [`WgpuBackend::new`] makes its own device. [`WgpuBackend::from_device`] takes yours: import your
+//! views with [`WgpuBackend::import_view`] and record passes into your own encoder with
+//! [`WgpuBackend::encode`].
+
+use std::collections::HashMap;
+use std::num::NonZeroU64;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use slotmap::SlotMap;
+
+use super::{
+    AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, ProgramId, ReadId, TextureDesc, TextureId, TimerId,
+    TimerKind, UNIFORM_MAX, check_pass, decode_texels, encode_texels, unknown,
+};
+use crate::error::{Error, Result};
+use crate::shaders::Program;
+
+const NAME: &str = "webgpu";
+
+/// Passes that may be recorded between two submissions of the same queue: uniform blocks live in a ring.
+pub const RING_PASSES: u32 = 256;
+
+struct Texture {
+    desc: TextureDesc,
+    view: wgpu::TextureView,
+    /// `None` for a user's view.
+    texture: Option<wgpu::Texture>,
+}
+
+struct Compiled {
+    program: Program,
+    module: wgpu::ShaderModule,
+    layout: wgpu::BindGroupLayout,
+    pipeline_layout: wgpu::PipelineLayout,
+}
+
+type Slot<T> = Arc<Mutex<Option<T>>>;
+
+struct Read {
+    desc: TextureDesc,
+    buffer: wgpu::Buffer,
+    row_bytes: u32,
+    done: Slot<Result<(), wgpu::BufferAsyncError>>,
+}
+
+struct Timer {
+    labels: Vec<&'static str>,
+    buffer: wgpu::Buffer,
+    done: Slot<Result<(), wgpu::BufferAsyncError>>,
+    /// Filled at once where times come from a clock.
+    times: Option<Vec<PassTime>>,
+}
+
+/// See the [module](self).
+pub struct WgpuBackend {
+    device: wgpu::Device,
+    queue: wgpu::Queue,
+    info: AdapterInfo,
+    textures: SlotMap<TextureId, Texture>,
+    programs: SlotMap<ProgramId, Compiled>,
+    pipelines: HashMap<(ProgramId, Format, Option<DepthUse>), wgpu::RenderPipeline>,
+    bind_groups: HashMap<(ProgramId, [Option<TextureId>; 2]), wgpu::BindGroup>,
+    reads: SlotMap<ReadId, Read>,
+    timers: SlotMap<TimerId, Timer>,
+    ring: wgpu::Buffer,
+    ring_stride: u32,
+    ring_next: u32,
+    lost: Slot<String>,
+    failure: Slot<String>,
+}
+
+fn lock<T>(slot: &Slot<T>) -> std::sync::MutexGuard<'_, Option<T>> {
+    slot.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+fn format(format: Format) -> wgpu::TextureFormat {
+    match format {
+        Format::Rgba8 => wgpu::TextureFormat::Rgba8Unorm,
+        Format::Bgra8 => wgpu::TextureFormat::Bgra8Unorm,
+        Format::Rgba16Float => wgpu::TextureFormat::Rgba16Float,
+        Format::Rgba32Float => wgpu::TextureFormat::Rgba32Float,
+        Format::R32Float => wgpu::TextureFormat::R32Float,
+        Format::Depth32Float => wgpu::TextureFormat::Depth32Float,
+    }
+}
+
+fn bytes_per_texel(format: Format) -> u32 {
+    match format {
+        Format::Rgba8 | Format::Bgra8 | Format::R32Float | Format::Depth32Float => 4,
+        Format::Rgba16Float => 8,
+        Format::Rgba32Float => 16,
+    }
+}
+
+impl WgpuBackend {
+    /// An instance with the APIs that this crate was built for.
+    pub fn instance() -> wgpu::Instance {
+        wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle())
+    }
+
+    /// Makes a device of its own on the adapter that can present to `surface` (any, if `None`), best first.
+    ///
+    /// # Errors
+    /// [`Error::Unavailable`] with the reason if there is no adapter or no device.
+    pub async fn new(instance: &wgpu::Instance, surface: Option<&wgpu::Surface<'_>>) -> Result<Self> {
+        let unavailable = |reason: String| Error::Unavailable { backend: NAME, reason };
+        let adapter = instance
+            .request_adapter(&wgpu::RequestAdapterOptions {
+                power_preference: wgpu::PowerPreference::HighPerformance,
+                compatible_surface: surface,
+                ..Default::default()
+            })
+            .await
+            .map_err(|e| unavailable(e.to_string()))?;
+        let wanted = wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::FLOAT32_BLENDABLE;
+        let limits = wgpu::Limits {
+            max_texture_dimension_2d: adapter.limits().max_texture_dimension_2d,
+            ..wgpu::Limits::downlevel_defaults()
+        };
+        let (device, queue) = adapter
+            .request_device(&wgpu::DeviceDescriptor {
+                label: Some("welkin"),
+                required_features: adapter.features() & wanted,
+                required_limits: limits,
+                ..Default::default()
+            })
+            .await
+            .map_err(|e| unavailable(e.to_string()))?;
+        let about = adapter.get_info();
+        let driver = format!("{:?} {} {}", about.backend, about.driver, about.driver_info);
+        let name = if about.name.is_empty() { "unnamed adapter".to_owned() } else { about.name };
+        let mut backend = Self::from_device(device, queue, &name)?;
+        driver.trim_end().clone_into(&mut backend.info.driver);
+        let lost = backend.lost.clone();
+        backend.device.set_device_lost_callback(move |reason, text| *lock(&lost) = Some(format!("{reason:?}: {text}")));
+        let failure = backend.failure.clone();
+        backend.device.on_uncaptured_error(Arc::new(move |e: wgpu::Error| {
+            lock(&failure).get_or_insert_with(|| e.to_string());
+        }));
+        Ok(backend)
+    }
+
+    /// As [`Self::new`] without a surface, waiting for it.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub fn headless() -> Result<Self> {
+        pollster::block_on(Self::new(&Self::instance(), None))
+    }
+
+    /// On a user's own device. Handlers for lost devices and errors stay the user's.
+    /// `name` is what [`AdapterInfo::adapter`] shall say.
+    pub fn from_device(device: wgpu::Device, queue: wgpu::Queue, name: &str) -> Result<Self> {
+        let limits = device.limits();
+        let timer = if device.features().contains(wgpu::Features::TIMESTAMP_QUERY) {
+            TimerKind::Timestamps
+        } else if cfg!(target_arch = "wasm32") {
+            TimerKind::None
+        } else {
+            TimerKind::Clock
+        };
+        let ring_stride = (UNIFORM_MAX as u32).next_multiple_of(limits.min_uniform_buffer_offset_alignment);
+        let ring = device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("welkin uniforms"),
+            size: u64::from(ring_stride * RING_PASSES),
+            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        Ok(Self {
+            info: AdapterInfo {
+                backend: NAME,
+                adapter: name.to_owned(),
+                driver: "user's device".into(),
+                timer,
+                max_texture_size: limits.max_texture_dimension_2d,
+            },
+            device,
+            queue,
+            textures: SlotMap::with_key(),
+            programs: SlotMap::with_key(),
+            pipelines: HashMap::new(),
+            bind_groups: HashMap::new(),
+            reads: SlotMap::with_key(),
+            timers: SlotMap::with_key(),
+            ring,
+            ring_stride,
+            ring_next: 0,
+            lost: Slot::default(),
+            failure: Slot::default(),
+        })
+    }
+
+    /// The device that it draws with.
+    pub fn device(&self) -> &wgpu::Device {
+        &self.device
+    }
+
+    /// The queue that it submits to.
+    pub fn queue(&self) -> &wgpu::Queue {
+        &self.queue
+    }
+
+    /// Makes a user's view known as a texture; release it with [`Backend::destroy_texture`].
+    /// The view must match `desc`; what it may be used for is the user's choice of usages.
+    pub fn import_view(&mut self, view: wgpu::TextureView, desc: TextureDesc) -> Result<TextureId> {
+        desc.validate(self.info.max_texture_size)?;
+        Ok(self.textures.insert(Texture { desc, view, texture: None }))
+    }
+
+    /// Records passes into a user's encoder. At most [`RING_PASSES`] between two submissions.
+    pub fn encode(&mut self, encoder: &mut wgpu::CommandEncoder, passes: &[Pass]) -> Result<()> {
+        self.encode_timed(encoder, passes, None)
+    }
+
+    fn encode_timed(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        passes: &[Pass],
+        queries: Option<&wgpu::QuerySet>,
+    ) -> Result<()> {
+        self.check()?;
+        for pass in passes {
+            self.prepare(pass)?;
+        }
+        for (index, pass) in passes.iter().enumerate() {
+            self.record(encoder, pass, queries.map(|q| (q, index as u32)))?;
+        }
+        Ok(())
+    }
+
+    /// Everything that can fail, before anything is recorded.
+    fn prepare(&mut self, pass: &Pass) -> Result<()> {
+        let color = self.textures.get(pass.target.color).ok_or_else(|| unknown(NAME, "target"))?.desc;
+        if let Some(depth) = pass.target.depth {
+            let depth = self.textures.get(depth).ok_or_else(|| unknown(NAME, "depth target"))?.desc;
+            if depth.format != Format::Depth32Float || (depth.width, depth.height) != (color.width, color.height) {
+                return Err(Error::invalid(
+                    format_args!("pass {} depth target", pass.label),
+                    format_args!("{depth:?}"),
+                    "Depth32Float and as large as the colour target",
+                ));
+            }
+        }
+        let Some(program) = pass.program else { return self.check() };
+        let compiled = self.programs.get(program).ok_or_else(|| unknown(NAME, "program"))?;
+        check_pass(NAME, pass, compiled.program)?;
+        if !self.bind_groups.contains_key(&(program, pass.textures)) {
+            let mut entries = Vec::with_capacity(3);
+            if compiled.program.uniform_size() > 0 {
+                entries.push(wgpu::BindGroupEntry {
+                    binding: 0,
+                    resource: wgpu::BindingResource::Buffer(wgpu::BufferBinding {
+                        buffer: &self.ring,
+                        offset: 0,
+                        size: NonZeroU64::new(compiled.program.uniform_size() as u64),
+                    }),
+                });
+            }
+            for (binding, id) in (1..).zip(pass.textures.iter().flatten()) {
+                let texture = self.textures.get(*id).ok_or_else(|| unknown(NAME, "texture"))?;
+                entries.push(wgpu::BindGroupEntry {
+                    binding,
+                    resource: wgpu::BindingResource::TextureView(&texture.view),
+                });
+            }
+            let group = self.device.create_bind_group(&wgpu::BindGroupDescriptor {
+                label: Some(pass.label),
+                layout: &compiled.layout,
+                entries: &entries,
+            });
+            self.bind_groups.insert((program, pass.textures), group);
+        }
+        let key = (program, color.format, pass.target.depth.map(|_| pass.depth));
+        if !self.pipelines.contains_key(&key) {
+            let pipeline = self.pipeline(compiled, color.format, key.2);
+            self.pipelines.insert(key, pipeline);
+        }
+        self.check()
+    }
+
+    fn pipeline(&self, compiled: &Compiled, color: Format, depth: Option<DepthUse>) -> wgpu::RenderPipeline {
+        let program = compiled.program;
+        let label = program.name();
+        self.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: Some(&label),
+            layout: Some(&compiled.pipeline_layout),
+            vertex: wgpu::VertexState {
+                module: &compiled.module,
+                entry_point: Some("vertex_main"),
+                compilation_options: Default::default(),
+                buffers: &[],
+            },
+            primitive: wgpu::PrimitiveState {
+                topology: if program == Program::Terrain {
+                    wgpu::PrimitiveTopology::TriangleStrip
+                } else {
+                    wgpu::PrimitiveTopology::TriangleList
+                },
+                ..Default::default()
+            },
+            depth_stencil: depth.map(|depth| wgpu::DepthStencilState {
+                format: wgpu::TextureFormat::Depth32Float,
+                depth_write_enabled: Some(depth != DepthUse::Always),
+                depth_compare: Some(match depth {
+                    DepthUse::Always => wgpu::CompareFunction::Always,
+                    DepthUse::Nearer { reversed: false } => wgpu::CompareFunction::Less,
+                    DepthUse::Nearer { reversed: true } => wgpu::CompareFunction::Greater,
+                }),
+                stencil: Default::default(),
+                bias: Default::default(),
+            }),
+            multisample: Default::default(),
+            fragment: Some(wgpu::FragmentState {
+                module: &compiled.module,
+                entry_point: Some("fragment_main"),
+                compilation_options: Default::default(),
+                targets: &[Some(wgpu::ColorTargetState {
+                    format: format(color),
+                    blend: program.blends().then_some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING),
+                    write_mask: wgpu::ColorWrites::ALL,
+                })],
+            }),
+            multiview_mask: None,
+            cache: None,
+        })
+    }
+
+    fn record(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        pass: &Pass,
+        query: Option<(&wgpu::QuerySet, u32)>,
+    ) -> Result<()> {
+        let color = self.textures.get(pass.target.color).ok_or_else(|| unknown(NAME, "target"))?;
+        let depth = pass.target.depth.and_then(|d| self.textures.get(d));
+        let mut render = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some(pass.label),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: &color.view,
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations {
+                    load: pass.target.clear.map_or(wgpu::LoadOp::Load, |[r, g, b, a]| {
+                        wgpu::LoadOp::Clear(wgpu::Color { r: r.into(), g: g.into(), b: b.into(), a: a.into() })
+                    }),
+                    store: wgpu::StoreOp::Store,
+                },
+            })],
+            depth_stencil_attachment: depth.map(|d| wgpu::RenderPassDepthStencilAttachment {
+                view: &d.view,
+                depth_ops: Some(wgpu::Operations {
+                    load: pass.target.clear_depth.map_or(wgpu::LoadOp::Load, wgpu::LoadOp::Clear),
+                    store: wgpu::StoreOp::Store,
+                }),
+                stencil_ops: None,
+            }),
+            timestamp_writes: query.map(|(query_set, index)| wgpu::RenderPassTimestampWrites {
+                query_set,
+                beginning_of_pass_write_index: Some(2 * index),
+                end_of_pass_write_index: Some(2 * index + 1),
+            }),
+            ..Default::default()
+        });
+        let Some(program) = pass.program else { return Ok(()) };
+        let key = (program, color.desc.format, depth.map(|_| pass.depth));
+        let (Some(pipeline), Some(group), Some(compiled)) =
+            (self.pipelines.get(&key), self.bind_groups.get(&(program, pass.textures)), self.programs.get(program))
+        else {
+            return Err(unknown(NAME, pass.label));
+        };
+        render.set_pipeline(pipeline);
+        let offset = self.ring_next * self.ring_stride;
+        if pass.uniform.bytes().is_empty() {
+            render.set_bind_group(0, group, &[]);
+        } else {
+            self.queue.write_buffer(&self.ring, u64::from(offset), pass.uniform.bytes());
+            render.set_bind_group(0, group, &[offset]);
+        }
+        render.draw(0..compiled.program.vertices(), 0..1);
+        drop(render);
+        self.ring_next = (self.ring_next + 1) % RING_PASSES;
+        Ok(())
+    }
+
+    /// The device's loss or first error since the last call.
+    fn check(&self) -> Result<()> {
+        if let Some(reason) = self.lost() {
+            return Err(Error::Lost { backend: NAME, reason });
+        }
+        match lock(&self.failure).take() {
+            Some(reason) => Err(Error::Driver { backend: NAME, what: "device".into(), reason }),
+            None => Ok(()),
+        }
+    }
+
+    fn encoder(&self) -> wgpu::CommandEncoder {
+        self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("welkin") })
+    }
+
+    /// Lets the device make progress; waits for it natively.
+    fn poll(&self) -> Result<()> {
+        #[cfg(not(target_arch = "wasm32"))]
+        self.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| Error::Driver {
+            backend: NAME,
+            what: "wait".into(),
+            reason: e.to_string(),
+        })?;
+        self.check()
+    }
+
+    fn map(&self, buffer: &wgpu::Buffer) -> Slot<Result<(), wgpu::BufferAsyncError>> {
+        let done: Slot<_> = Slot::default();
+        let slot = done.clone();
+        buffer.map_async(wgpu::MapMode::Read, .., move |result| *lock(&slot) = Some(result));
+        done
+    }
+
+    fn read_buffer(&self, label: &str, size: u64, extra: wgpu::BufferUsages) -> wgpu::Buffer {
+        self.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some(label),
+            size,
+            usage: wgpu::BufferUsages::COPY_DST | extra,
+            mapped_at_creation: false,
+        })
+    }
+
+    fn mapped<T>(buffer: &wgpu::Buffer, f: impl FnOnce(&[u8]) -> T) -> Result<T> {
+        let failed = |reason: String| Error::Driver { backend: NAME, what: "read back".into(), reason };
+        let range = buffer.get_mapped_range(..).map_err(|e| failed(e.to_string()))?;
+        let value = f(&range);
+        drop(range);
+        buffer.unmap();
+        Ok(value)
+    }
+
+    /// Draws and waits pass by pass with a wall clock.
+    #[cfg(not(target_arch = "wasm32"))]
+    fn clock(&mut self, passes: &[Pass]) -> Result<Vec<PassTime>> {
+        self.poll()?;
+        passes
+            .iter()
+            .map(|pass| {
+                let start = std::time::Instant::now();
+                self.run(std::slice::from_ref(pass))?;
+                self.poll()?;
+                Ok(PassTime { label: pass.label, nanoseconds: start.elapsed().as_nanos() as f64 })
+            })
+            .collect()
+    }
+}
+
+impl Backend for WgpuBackend {
+    fn info(&self) -> &AdapterInfo {
+        &self.info
+    }
+
+    fn create_texture(&mut self, desc: &TextureDesc) -> Result<TextureId> {
+        desc.validate(self.info.max_texture_size)?;
+        self.check()?;
+        let mut usage = wgpu::TextureUsages::RENDER_ATTACHMENT
+            | wgpu::TextureUsages::TEXTURE_BINDING
+            | wgpu::TextureUsages::COPY_SRC;
+        if desc.format != Format::Depth32Float {
+            usage |= wgpu::TextureUsages::COPY_DST;
+        }
+        let texture = self.device.create_texture(&wgpu::TextureDescriptor {
+            label: Some(desc.label),
+            size: wgpu::Extent3d { width: desc.width, height: desc.height, depth_or_array_layers: 1 },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: format(desc.format),
+            usage,
+            view_formats: &[],
+        });
+        let view = texture.create_view(&Default::default());
+        self.check()?;
+        Ok(self.textures.insert(Texture { desc: *desc, view, texture: Some(texture) }))
+    }
+
+    fn texture(&self, id: TextureId) -> Option<TextureDesc> {
+        self.textures.get(id).map(|t| t.desc)
+    }
+
+    fn destroy_texture(&mut self, id: TextureId) {
+        self.bind_groups.retain(|(_, textures), _| !textures.contains(&Some(id)));
+        // Dropping the last reference frees it once the GPU is done with it.
+        self.textures.remove(id);
+    }
+
+    fn write_texture(&mut self, id: TextureId, texels: &[f32]) -> Result<()> {
+        let t = self.textures.get(id).ok_or_else(|| unknown(NAME, "texture"))?;
+        let want = t.desc.texels() * t.desc.format.channels();
+        if texels.len() != want || t.desc.format == Format::Depth32Float {
+            return Err(Error::invalid(
+                format_args!("texels for {}", t.desc.label),
+                texels.len(),
+                format_args!("{want} values, and not for a depth buffer"),
+            ));
+        }
+        let texture = t.texture.as_ref().ok_or_else(|| unknown(NAME, "an imported view"))?;
+        self.queue.write_texture(
+            texture.as_image_copy(),
+            &encode_texels(t.desc.format, texels),
+            wgpu::TexelCopyBufferLayout {
+                offset: 0,
+                bytes_per_row: Some(t.desc.width * bytes_per_texel(t.desc.format)),
+                rows_per_image: None,
+            },
+            texture.size(),
+        );
+        self.check()
+    }
+
+    fn create_program(&mut self, program: Program) -> Result<ProgramId> {
+        if let Some((id, _)) = self.programs.iter().find(|(_, c)| c.program == program) {
+            return Ok(id);
+        }
+        self.check()?;
+        let label = program.name();
+        let module = self.device.create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some(&label),
+            source: wgpu::ShaderSource::Wgsl(program.wgsl().into()),
+        });
+        let mut entries = Vec::with_capacity(3);
+        if program.uniform_size() > 0 {
+            entries.push(wgpu::BindGroupLayoutEntry {
+                binding: 0,
+                visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
+                ty: wgpu::BindingType::Buffer {
+                    ty: wgpu::BufferBindingType::Uniform,
+                    has_dynamic_offset: true,
+                    min_binding_size: NonZeroU64::new(program.uniform_size() as u64),
+                },
+                count: None,
+            });
+        }
+        for binding in 1..=program.textures() as u32 {
+            entries.push(wgpu::BindGroupLayoutEntry {
+                binding,
+                visibility: wgpu::ShaderStages::FRAGMENT,
+                ty: wgpu::BindingType::Texture {
+                    sample_type: wgpu::TextureSampleType::Float { filterable: false },
+                    view_dimension: wgpu::TextureViewDimension::D2,
+                    multisampled: false,
+                },
+                count: None,
+            });
+        }
+        let layout = self
+            .device
+            .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(&label), entries: &entries });
+        let pipeline_layout = self.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: Some(&label),
+            bind_group_layouts: &[Some(&layout)],
+            immediate_size: 0,
+        });
+        self.check()?;
+        Ok(self.programs.insert(Compiled { program, module, layout, pipeline_layout }))
+    }
+
+    fn destroy_program(&mut self, id: ProgramId) {
+        self.pipelines.retain(|(program, ..), _| *program != id);
+        self.bind_groups.retain(|(program, _), _| *program != id);
+        self.programs.remove(id);
+    }
+
+    fn run(&mut self, passes: &[Pass]) -> Result<()> {
+        for chunk in passes.chunks(RING_PASSES as usize) {
+            let mut encoder = self.encoder();
+            self.encode(&mut encoder, chunk)?;
+            self.queue.submit([encoder.finish()]);
+        }
+        self.check()
+    }
+
+    fn begin_read(&mut self, id: TextureId) -> Result<ReadId> {
+        self.check()?;
+        let t = self.textures.get(id).ok_or_else(|| unknown(NAME, "texture"))?;
+        let texture = t.texture.as_ref().ok_or_else(|| unknown(NAME, "an imported view"))?;
+        let row_bytes =
+            (t.desc.width * bytes_per_texel(t.desc.format)).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+        let size = u64::from(row_bytes) * u64::from(t.desc.height);
+        let buffer = self.read_buffer("welkin read back", size, wgpu::BufferUsages::MAP_READ);
+        let mut encoder = self.encoder();
+        encoder.copy_texture_to_buffer(
+            texture.as_image_copy(),
+            wgpu::TexelCopyBufferInfo {
+                buffer: &buffer,
+                layout: wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row_bytes), rows_per_image: None },
+            },
+            texture.size(),
+        );
+        self.queue.submit([encoder.finish()]);
+        let done = self.map(&buffer);
+        Ok(self.reads.insert(Read { desc: t.desc, buffer, row_bytes, done }))
+    }
+
+    fn poll_read(&mut self, id: ReadId) -> Result<Option<Vec<f32>>> {
+        self.poll()?;
+        let ready = lock(&self.reads.get(id).ok_or_else(|| unknown(NAME, "read"))?.done).take();
+        let Some(ready) = ready else { return Ok(None) };
+        let Some(read) = self.reads.remove(id) else { return Ok(None) };
+        ready.map_err(|e| Error::Driver { backend: NAME, what: "read back".into(), reason: e.to_string() })?;
+        let row = (read.desc.width * bytes_per_texel(read.desc.format)) as usize;
+        Self::mapped(&read.buffer, |bytes| {
+            let mut out = Vec::with_capacity(read.desc.texels() * read.desc.format.channels());
+            for line in bytes.chunks_exact(read.row_bytes as usize) {
+                decode_texels(read.desc.format, &line[..row], &mut out);
+            }
+            Some(out)
+        })
+    }
+
+    fn begin_times(&mut self, passes: &[Pass]) -> Result<TimerId> {
+        let labels = passes.iter().map(|p| p.label).collect();
+        let size = 16 * passes.len().max(1) as u64;
+        let buffer = self.read_buffer("welkin times", size, wgpu::BufferUsages::MAP_READ);
+        if self.info.timer != TimerKind::Timestamps {
+            #[cfg(not(target_arch = "wasm32"))]
+            {
+                let times = Some(self.clock(passes)?);
+                return Ok(self.timers.insert(Timer { labels, buffer, done: Slot::default(), times }));
+            }
+            #[cfg(target_arch = "wasm32")]
+            return Err(Error::Unavailable {
+                backend: NAME,
+                reason: "this device has no timestamps and a page cannot wait".into(),
+            });
+        }
+        let count = 2 * passes.len().max(1) as u32;
+        let queries = self.device.create_query_set(&wgpu::QuerySetDescriptor {
+            label: Some("welkin times"),
+            ty: wgpu::QueryType::Timestamp,
+            count,
+        });
+        let resolved = self.read_buffer(
+            "welkin timestamps",
+            size,
+            wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC,
+        );
+        let mut encoder = self.encoder();
+        self.encode_timed(&mut encoder, passes, Some(&queries))?;
+        encoder.resolve_query_set(&queries, 0..2 * passes.len() as u32, &resolved, 0);
+        encoder.copy_buffer_to_buffer(&resolved, 0, &buffer, 0, size);
+        self.queue.submit([encoder.finish()]);
+        let done = self.map(&buffer);
+        Ok(self.timers.insert(Timer { labels, buffer, done, times: None }))
+    }
+
+    fn poll_times(&mut self, id: TimerId) -> Result<Option<Vec<PassTime>>> {
+        self.poll()?;
+        let timer = self.timers.get_mut(id).ok_or_else(|| unknown(NAME, "timer"))?;
+        if let Some(times) = timer.times.take() {
+            self.timers.remove(id);
+            return Ok(Some(times));
+        }
+        let ready = lock(&timer.done).take();
+        let Some(ready) = ready else { return Ok(None) };
+        let Some(timer) = self.timers.remove(id) else { return Ok(None) };
+        ready.map_err(|e| Error::Driver { backend: NAME, what: "times".into(), reason: e.to_string() })?;
+        let period = f64::from(self.queue.get_timestamp_period());
+        Self::mapped(&timer.buffer, |bytes| {
+            let stamp =
+                |i: usize| bytes.get(8 * i..8 * i + 8).and_then(|b| b.try_into().ok()).map_or(0, u64::from_le_bytes);
+            let times = timer.labels.iter().enumerate().map(|(i, &label)| PassTime {
+                label,
+                nanoseconds: stamp(2 * i + 1).saturating_sub(stamp(2 * i)) as f64 * period,
+            });
+            Some(times.collect())
+        })
+    }
+
+    fn lost(&self) -> Option<String> {
+        lock(&self.lost).clone()
+    }
+
+    fn live(&self) -> Live {
+        Live {
+            textures: self.textures.len(),
+            programs: self.programs.len(),
+            framebuffers: 0,
+            pipelines: self.pipelines.len(),
+            bind_groups: self.bind_groups.len(),
+        }
+    }
+}

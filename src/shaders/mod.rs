@@ -1,0 +1,344 @@
+//! The shader programs: their names and variants, the WGSL that wgpu gets, and the GLSL ES 3.00 that
+//! naga made of it beforehand.
+//!
+//! `shaders/wgsl/` is the only source. A module is plain WGSL with three directives in comments:
+//!
+//! * `//#include name`: the module `name.wgsl`, once, before this point;
+//! * `//#if FLAG` … `//#endif`: lines that exist only in variants with that flag.
+//!
+//! An effect that is off is therefore not in the text that a driver sees. [`Program::all`] is the finite
+//! list of variants; `welkin shaders` translates each of them into `shaders/glsl/`.
+
+#[cfg(feature = "glow")]
+#[rustfmt::skip]
+mod generated;
+#[cfg(feature = "translate")]
+pub mod translate;
+
+use crate::atmosphere::{AtmosphereParams, MiePhase};
+
+/// Which constituents of the air a shader holds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Constituents {
+    /// Gas that scatters after Rayleigh.
+    pub rayleigh: bool,
+    /// Aerosol, with its phase function.
+    pub mie: Option<MiePhase>,
+    /// The absorbing layer.
+    pub ozone: bool,
+}
+
+impl Constituents {
+    /// Those whose coefficients are not all zero.
+    pub fn of(params: &AtmosphereParams) -> Self {
+        let some = |c: &[f64; 3]| c.iter().any(|&v| v > 0.0);
+        Self {
+            rayleigh: some(&params.rayleigh_scattering),
+            mie: (some(&params.mie_scattering) || some(&params.mie_absorption)).then_some(params.mie_phase),
+            ozone: some(&params.ozone_absorption),
+        }
+    }
+
+    /// Whether there is any air at all.
+    pub fn any(self) -> bool {
+        self.rayleigh || self.mie.is_some() || self.ozone
+    }
+
+    fn each() -> impl Iterator<Item = Self> {
+        [false, true].into_iter().flat_map(|rayleigh| {
+            [None, Some(MiePhase::HenyeyGreenstein), Some(MiePhase::CornetteShanks)]
+                .into_iter()
+                .flat_map(move |mie| [false, true].into_iter().map(move |ozone| Self { rayleigh, mie, ozone }))
+        })
+    }
+
+    fn flags(self, flags: &mut Vec<&'static str>) {
+        let mut add = |on: bool, names: &[&'static str]| {
+            if on {
+                flags.extend(names);
+            }
+        };
+        add(self.any(), &["AIR"]);
+        add(self.rayleigh || self.mie.is_some(), &["SCATTER"]);
+        add(self.rayleigh, &["RAYLEIGH"]);
+        add(self.mie == Some(MiePhase::HenyeyGreenstein), &["MIE", "MIE_HG"]);
+        add(self.mie == Some(MiePhase::CornetteShanks), &["MIE", "MIE_CS"]);
+        add(self.ozone, &["OZONE"]);
+    }
+}
+
+/// How scene radiance becomes display values.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum ToneMap {
+    /// ACES filmic, Stephen Hill's fit: strong contrast, the film look.
+    #[default]
+    Aces,
+    /// AgX: bright colours go to white without changing hue.
+    AgX,
+    /// Khronos PBR Neutral: leaves everything below the highlights as it is.
+    Neutral,
+}
+
+impl ToneMap {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Aces, Self::AgX, Self::Neutral];
+
+    /// Name in lower case.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Aces => "aces",
+            Self::AgX => "agx",
+            Self::Neutral => "neutral",
+        }
+    }
+
+    /// By its name; the error lists the names.
+    pub fn from_name(name: &str) -> crate::Result<Self> {
+        Self::ALL
+            .into_iter()
+            .find(|t| t.name() == name)
+            .ok_or_else(|| crate::Error::invalid("tone_map", format_args!("{name:?}"), "one of aces, agx, neutral"))
+    }
+}
+
+/// A shader program: one WGSL module with its variant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Program {
+    /// The background sky, `sky.wgsl`.
+    Sky {
+        /// What the air holds; none of them leaves the sun's disk in empty space.
+        air: Constituents,
+        /// Whether the sun's disk is drawn.
+        sun: bool,
+    },
+    /// Air before the scene, `aerial.wgsl`.
+    Aerial {
+        /// What the air holds.
+        air: Constituents,
+    },
+    /// A low-resolution sky brought to full size, `upsample.wgsl`.
+    Upsample,
+    /// Exposure, tone mapping and sRGB, `tonemap.wgsl`.
+    ToneMap(ToneMap),
+    /// The demonstration's terrain, `terrain.wgsl`; it holds every constituent.
+    Terrain,
+    /// A plain copy, `copy.wgsl`.
+    Copy,
+}
+
+/// Vertices of the terrain's one triangle strip; the constants are RINGS and SEGMENTS in `terrain.wgsl`.
+pub(crate) const TERRAIN_RINGS: u32 = 256;
+const TERRAIN_SEGMENTS: u32 = 384;
+
+impl Program {
+    /// Every program that can be asked for.
+    pub fn all() -> Vec<Self> {
+        let mut all = vec![Self::Copy, Self::Upsample, Self::Terrain];
+        all.extend(ToneMap::ALL.map(Self::ToneMap));
+        for air in Constituents::each() {
+            if air.any() {
+                all.push(Self::Sky { air, sun: false });
+                all.push(Self::Aerial { air });
+            }
+            all.push(Self::Sky { air, sun: true });
+        }
+        all
+    }
+
+    /// Unique name, also of the files in `shaders/glsl/`.
+    pub fn name(self) -> String {
+        let flags = self.flags();
+        let part = |flag: &str, text: &'static str| if flags.contains(&flag) { text } else { "" };
+        match self {
+            Self::Copy | Self::Upsample | Self::Terrain => self.module().to_owned(),
+            Self::ToneMap(t) => format!("tonemap-{}", t.name()),
+            Self::Sky { .. } | Self::Aerial { .. } => [
+                self.module(),
+                part("RAYLEIGH", "-rayleigh"),
+                part("MIE_HG", "-mie_hg"),
+                part("MIE_CS", "-mie_cs"),
+                part("OZONE", "-ozone"),
+                part("SUN", "-sun"),
+            ]
+            .concat(),
+        }
+    }
+
+    /// The WGSL module that holds the entry points.
+    pub fn module(self) -> &'static str {
+        match self {
+            Self::Sky { .. } => "sky",
+            Self::Aerial { .. } => "aerial",
+            Self::Upsample => "upsample",
+            Self::ToneMap(_) => "tonemap",
+            Self::Terrain => "terrain",
+            Self::Copy => "copy",
+        }
+    }
+
+    fn flags(self) -> Vec<&'static str> {
+        let mut flags = Vec::new();
+        match self {
+            Self::Sky { air, sun } => {
+                air.flags(&mut flags);
+                if sun {
+                    flags.push("SUN");
+                }
+            }
+            Self::Aerial { air } => air.flags(&mut flags),
+            Self::ToneMap(t) => flags.push(match t {
+                ToneMap::Aces => "ACES",
+                ToneMap::AgX => "AGX",
+                ToneMap::Neutral => "NEUTRAL",
+            }),
+            Self::Terrain => {
+                Constituents { rayleigh: true, mie: Some(MiePhase::HenyeyGreenstein), ozone: true }.flags(&mut flags)
+            }
+            Self::Upsample | Self::Copy => {}
+        }
+        flags
+    }
+
+    /// The complete WGSL of this variant.
+    pub fn wgsl(self) -> String {
+        let mut text = String::new();
+        let mut seen = Vec::new();
+        if self != Self::Terrain {
+            link("fullscreen", &[], &mut seen, &mut text);
+        }
+        link(self.module(), &self.flags(), &mut seen, &mut text);
+        text
+    }
+
+    /// How many textures it reads, at bindings 1, 2, …; none is filtered.
+    pub fn textures(self) -> usize {
+        match self {
+            Self::Sky { .. } | Self::Terrain => 0,
+            Self::Upsample | Self::ToneMap(_) | Self::Copy => 1,
+            Self::Aerial { .. } => 2,
+        }
+    }
+
+    /// Size of its uniform block at binding 0 in bytes; 0 for none.
+    pub fn uniform_size(self) -> usize {
+        use crate::passes::{frame::FrameUniform, terrain::TerrainUniform, tone::ToneUniform};
+        match self {
+            Self::Sky { .. } | Self::Aerial { .. } | Self::Upsample => size_of::<FrameUniform>(),
+            Self::Terrain => size_of::<TerrainUniform>(),
+            Self::ToneMap(_) => size_of::<ToneUniform>(),
+            Self::Copy => 0,
+        }
+    }
+
+    /// Vertices to draw.
+    pub fn vertices(self) -> u32 {
+        match self {
+            Self::Terrain => TERRAIN_RINGS * (2 * (TERRAIN_SEGMENTS + 1) + 2),
+            _ => 3,
+        }
+    }
+
+    /// Whether the output is laid over the target by its (premultiplied) alpha.
+    pub fn blends(self) -> bool {
+        matches!(self, Self::Sky { .. } | Self::Upsample)
+    }
+
+    /// The translated shaders and the names naga gave to what they bind.
+    #[cfg(feature = "glow")]
+    pub(crate) fn glsl(self) -> Option<&'static Glsl> {
+        let name = self.name();
+        generated::GLSL.iter().find(|g| g.name == name)
+    }
+}
+
+/// A program in GLSL ES 3.00.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Glsl {
+    /// [`Program::name`].
+    pub name: &'static str,
+    /// Vertex shader.
+    pub vertex: &'static str,
+    /// Fragment shader.
+    pub fragment: &'static str,
+    /// Names of the uniform block in the vertex and in the fragment shader; empty where there is none.
+    pub blocks: [&'static str; 2],
+    /// Sampler names of the textures at bindings 1, 2, …; empty where a shader does not read one.
+    pub textures: [&'static str; 2],
+}
+
+macro_rules! modules {
+    ($($name:literal),* $(,)?) => {
+        &[$(($name, include_str!(concat!("../../shaders/wgsl/", $name, ".wgsl")))),*]
+    };
+}
+
+/// Name and text of every WGSL module.
+pub const MODULES: &[(&str, &str)] = modules![
+    "aerial",
+    "copy",
+    "frame",
+    "fullscreen",
+    "geometry",
+    "medium",
+    "noise",
+    "phase",
+    "scattering",
+    "sky",
+    "terrain",
+    "tonemap",
+    "upsample",
+    "view",
+];
+
+/// Appends a module and what it includes, less the lines whose flag is off. An unknown name adds a line
+/// that no WGSL front end accepts, so that the mistake is reported where shaders are compiled.
+fn link(name: &'static str, flags: &[&str], seen: &mut Vec<&'static str>, out: &mut String) {
+    if seen.contains(&name) {
+        return;
+    }
+    seen.push(name);
+    let Some((_, text)) = MODULES.iter().find(|(n, _)| *n == name) else {
+        *out += "#error unknown module ";
+        *out += name;
+        return;
+    };
+    let mut hidden = Vec::new();
+    for line in text.lines() {
+        let word = line.trim_start();
+        if let Some(flag) = word.strip_prefix("//#if ") {
+            hidden.push(!flags.contains(&flag.trim()));
+        } else if word.starts_with("//#endif") {
+            hidden.pop();
+        } else if hidden.contains(&true) {
+            // Left out of this variant.
+        } else if let Some(include) = word.strip_prefix("//#include ") {
+            link(include.trim(), flags, seen, out);
+        } else if !word.starts_with("//") {
+            // Comments stay in the source: drivers and the wasm module need none.
+            *out += line.split("//").next().unwrap_or_default().trim_end();
+            *out += "\n";
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_unique_and_variants_hold_only_their_effects() {
+        let all = Program::all();
+        let names: std::collections::BTreeSet<_> = all.iter().map(|p| p.name()).collect();
+        assert_eq!(names.len(), all.len());
+        for program in all {
+            let text = program.wgsl();
+            assert!(!text.contains("#error"), "{}", program.name());
+            if let Program::Sky { air, sun } = program {
+                assert_eq!(text.contains("m.ozone "), air.ozone, "{}", program.name());
+                assert_eq!(text.contains("rayleigh_inv_height)"), air.rayleigh, "{}", program.name());
+                assert_eq!(text.contains("mie_inv_height)"), air.mie.is_some(), "{}", program.name());
+                assert_eq!(text.contains("disk_coverage(offset, frame"), sun, "{}", program.name());
+            }
+        }
+    }
+}

@@ -1,0 +1,136 @@
+//! WGSL to GLSL ES 3.00 through naga, ahead of time, with the names that naga gave to what is bound.
+//!
+//! A uniform block's layout is taken from naga too, so that the Rust twins can be checked against it.
+
+use naga::back::glsl;
+use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
+
+use super::Program;
+use crate::error::{Error, Result};
+
+/// A translated program, owned; see [`super::Glsl`] for the fields.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub struct Translated {
+    pub name: String,
+    pub vertex: String,
+    pub fragment: String,
+    pub blocks: [String; 2],
+    pub textures: [String; 2],
+}
+
+fn driver_error(what: &str, program: Program, reason: impl ToString) -> Error {
+    Error::Driver { backend: "webgl2", what: format!("{what} {}", program.name()), reason: reason.to_string() }
+}
+
+/// Parses and validates a program's WGSL.
+pub fn parse(program: Program) -> Result<naga::Module> {
+    let text = program.wgsl();
+    let module =
+        naga::front::wgsl::parse_str(&text).map_err(|e| driver_error("parse", program, e.emit_to_string(&text)))?;
+    validate(program, &module)?;
+    Ok(module)
+}
+
+fn validate(program: Program, module: &naga::Module) -> Result<ModuleInfo> {
+    Validator::new(ValidationFlags::all(), Capabilities::empty())
+        .validate(module)
+        .map_err(|e| driver_error("validate", program, e.emit_to_string(&program.wgsl())))
+}
+
+/// Translates both stages of a program.
+pub fn translate(program: Program) -> Result<Translated> {
+    // naga leaves unused structs in; the full-screen triangle is the same for all, so it is taken from the
+    // program that has none.
+    let triangle = if program == Program::Terrain { program } else { Program::Copy };
+    let (vertex, vertex_block, _) = stage(triangle, naga::ShaderStage::Vertex, "vertex_main")?;
+    let (fragment, fragment_block, textures) = stage(program, naga::ShaderStage::Fragment, "fragment_main")?;
+    Ok(Translated { name: program.name(), vertex, fragment, blocks: [vertex_block, fragment_block], textures })
+}
+
+fn stage(program: Program, stage: naga::ShaderStage, entry: &str) -> Result<(String, String, [String; 2])> {
+    let mut module = parse(program)?;
+    module.entry_points.retain(|e| e.name == entry);
+    // The writer asks for features of every function left in the module, reachable or not.
+    naga::compact::compact(&mut module, naga::compact::KeepUnused::No);
+    let info = validate(program, &module)?;
+    let options = glsl::Options {
+        version: glsl::Version::Embedded { version: 300, is_webgl: true },
+        writer_flags: glsl::WriterFlags::ADJUST_COORDINATE_SPACE,
+        ..Default::default()
+    };
+    let pipeline = glsl::PipelineOptions { shader_stage: stage, entry_point: entry.into(), multiview: None };
+    let mut text = String::new();
+    let reflection =
+        glsl::Writer::new(&mut text, &module, &info, &options, &pipeline, naga::proc::BoundsCheckPolicies::default())
+            .and_then(|mut writer| writer.write())
+            .map_err(|e| driver_error("translate", program, e))?;
+    let block = reflection.uniforms.values().next().cloned().unwrap_or_default();
+    let mut textures = [String::new(), String::new()];
+    for (name, mapping) in &reflection.texture_mapping {
+        let binding = module.global_variables[mapping.texture].binding.as_ref().map_or(0, |b| b.binding);
+        if let Some(slot) = textures.get_mut((binding as usize).wrapping_sub(1)) {
+            slot.clone_from(name);
+        }
+    }
+    Ok((text, block, textures))
+}
+
+/// File name (below `shaders/glsl/`) and text of everything generated, and the Rust table last, whose name
+/// is `generated.rs` (below `src/shaders/`). Equal vertex shaders share a file.
+pub fn generate() -> Result<Vec<(String, String)>> {
+    let mut files: Vec<(String, String)> = Vec::new();
+    let mut table = String::from(
+        "// Made by `cargo run --features cli -- shaders` from shaders/wgsl/; do not edit.\n\nuse super::Glsl;\n\n\
+         pub(super) static GLSL: &[Glsl] = &[\n",
+    );
+    for program in Program::all() {
+        let t = translate(program)?;
+        let own = format!("{}.vert", program.module());
+        let vertex_file = if program == Program::Terrain { own } else { "fullscreen.vert".to_owned() };
+        let fragment_file = format!("{}.frag", t.name);
+        for (file, text) in [(&vertex_file, &t.vertex), (&fragment_file, &t.fragment)] {
+            match files.iter().find(|(f, _)| f == file) {
+                None => files.push((file.clone(), text.clone())),
+                Some((_, known)) if known == text => {}
+                Some(_) => return Err(driver_error("two different texts for", program, file)),
+            }
+        }
+        table += &format!(
+            "    Glsl {{ name: {:?}, vertex: include_str!(\"../../shaders/glsl/{vertex_file}\"), fragment: include_str!(\"../../shaders/glsl/{fragment_file}\"), blocks: {:?}, textures: {:?} }},\n",
+            t.name, t.blocks, t.textures,
+        );
+    }
+    table += "];\n";
+    files.push(("generated.rs".to_owned(), table));
+    Ok(files)
+}
+
+/// Name and byte offset of every member of a struct in a program's WGSL, and the struct's size, as naga
+/// lays it out; nested members as `outer.inner`. `None` if there is no such struct.
+pub fn struct_layout(program: Program, name: &str) -> Result<Option<(Vec<(String, u32)>, u32)>> {
+    let module = parse(program)?;
+    let mut members = Vec::new();
+    let found = module.types.iter().find(|(_, t)| t.name.as_deref() == Some(name));
+    Ok(found.and_then(|(handle, _)| {
+        let size = walk(&module, handle, "", 0, &mut members)?;
+        Some((members, size))
+    }))
+}
+
+fn walk(
+    module: &naga::Module,
+    ty: naga::Handle<naga::Type>,
+    prefix: &str,
+    base: u32,
+    out: &mut Vec<(String, u32)>,
+) -> Option<u32> {
+    let naga::TypeInner::Struct { members, span } = &module.types[ty].inner else { return None };
+    for m in members {
+        let name = format!("{prefix}{}", m.name.as_deref().unwrap_or("?"));
+        if walk(module, m.ty, &format!("{name}."), base + m.offset, out).is_none() {
+            out.push((name, base + m.offset));
+        }
+    }
+    Some(*span)
+}
