@@ -17,3 +17,6 @@ pub use passes::sky::{SkyRenderer, SkySettings};
 pub use passes::terrain::TerrainStyle;
 pub use passes::tone::ToneMap;
 pub use view::{Camera, DepthConvention, Pose, Scene};
+
+#[cfg(all(feature = "web", target_arch = "wasm32"))]
+pub mod web;

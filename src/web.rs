@@ -1,0 +1,384 @@
+//! The wasm module of the planet viewer in `web/`: one class, `Viewer`, over either backend.
+
+use std::rc::Rc;
+
+use glam::DVec3;
+use wasm_bindgen::prelude::*;
+use web_sys::{HtmlCanvasElement, WebGl2RenderingContext};
+
+use crate::backend::glow::GlowBackend;
+use crate::backend::wgpu::WgpuBackend;
+use crate::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform};
+use crate::passes::picture::{Drawn, PictureRenderer, PictureSettings};
+use crate::shaders::{Program, ToneMap};
+use crate::{AtmosphereParams, Camera, DepthConvention, Error, Pose, Result, Scene, SkySettings, TerrainStyle};
+
+impl From<Error> for JsValue {
+    fn from(e: Error) -> Self {
+        JsError::new(&e.to_string()).into()
+    }
+}
+
+/// Prints a panic's message to the console, should there ever be one.
+#[wasm_bindgen(start)]
+pub fn start() {
+    console_error_panic_hook::set_once();
+}
+
+/// A backend and how its picture gets to the canvas.
+enum Canvas {
+    WebGpu {
+        backend: WgpuBackend,
+        surface: wgpu::Surface<'static>,
+        config: wgpu::SurfaceConfiguration,
+        desc: TextureDesc,
+    },
+    WebGl2 {
+        backend: GlowBackend,
+        context: WebGl2RenderingContext,
+    },
+}
+
+impl Canvas {
+    fn backend(&mut self) -> &mut dyn Backend {
+        match self {
+            Self::WebGpu { backend, .. } => backend,
+            Self::WebGl2 { backend, .. } => backend,
+        }
+    }
+
+    fn info(&self) -> &crate::backend::AdapterInfo {
+        match self {
+            Self::WebGpu { backend, .. } => backend.info(),
+            Self::WebGl2 { backend, .. } => backend.info(),
+        }
+    }
+
+    fn lost(&mut self) -> Option<String> {
+        if let Self::WebGl2 { backend, context } = self {
+            if context.is_context_lost() && backend.lost().is_none() {
+                backend.set_lost("the browser took the WebGL context away");
+            }
+        }
+        self.backend().lost()
+    }
+
+    fn resize(&mut self, width: u32, height: u32) -> Result<()> {
+        if let Self::WebGpu { backend, surface, config, desc } = self {
+            (config.width, config.height) = (width, height);
+            (desc.width, desc.height) = (width, height);
+            surface.configure(backend.device(), config);
+        }
+        Ok(())
+    }
+
+    /// Copies a texture to the canvas, the right way up.
+    fn present(&mut self, display: TextureId) -> Result<()> {
+        match self {
+            Self::WebGl2 { backend, .. } => backend.present(display, None),
+            Self::WebGpu { backend, surface, desc, .. } => {
+                let texture = match surface.get_current_texture() {
+                    wgpu::CurrentSurfaceTexture::Success(t) | wgpu::CurrentSurfaceTexture::Suboptimal(t) => t,
+                    other => {
+                        return Err(Error::Driver {
+                            backend: "webgpu",
+                            what: "canvas".into(),
+                            reason: format!("{other:?}"),
+                        });
+                    }
+                };
+                let view = texture.texture.create_view(&Default::default());
+                let id = backend.import_view(view, *desc)?;
+                let program = Some(backend.create_program(Program::Copy)?);
+                let textures = [Some(display), None];
+                let pass = Pass {
+                    label: "present",
+                    program,
+                    textures,
+                    uniform: Uniform::NONE,
+                    target: Target { clear: Some([0.0; 4]), ..Target::color(id) },
+                    depth: DepthUse::Always,
+                };
+                let run = backend.run(&[pass]);
+                backend.destroy_texture(id);
+                run?;
+                backend.queue().present(texture);
+                Ok(())
+            }
+        }
+    }
+}
+
+async fn open_webgpu(canvas: HtmlCanvasElement) -> Result<Canvas> {
+    let unavailable = |reason: String| Error::Unavailable { backend: "webgpu", reason };
+    let (width, height) = (canvas.width().max(1), canvas.height().max(1));
+    let instance = WgpuBackend::instance();
+    let surface = instance
+        .create_surface(wgpu::SurfaceTarget::Canvas(canvas))
+        .map_err(|e| unavailable(format!("no WebGPU canvas: {e}")))?;
+    let backend = WgpuBackend::new(&instance, Some(&surface)).await?;
+    let config = wgpu::SurfaceConfiguration {
+        usage: wgpu::TextureUsages::RENDER_ATTACHMENT,
+        // A format that does not encode sRGB by itself: the tone-mapping pass does that.
+        format: wgpu::TextureFormat::Rgba8Unorm,
+        width,
+        height,
+        present_mode: wgpu::PresentMode::Fifo,
+        desired_maximum_frame_latency: 2,
+        alpha_mode: wgpu::CompositeAlphaMode::Opaque,
+        view_formats: vec![],
+        color_space: Default::default(),
+    };
+    surface.configure(backend.device(), &config);
+    let desc = TextureDesc::new("canvas", width, height, Format::Rgba8);
+    Ok(Canvas::WebGpu { backend, surface, config, desc })
+}
+
+fn open_webgl2(canvas: &HtmlCanvasElement) -> Result<Canvas> {
+    let unavailable = |reason: &str| Error::Unavailable { backend: "webgl2", reason: reason.into() };
+    let options = js_sys::Object::new();
+    for (key, value) in
+        [("antialias", false), ("depth", false), ("stencil", false), ("alpha", false), ("preserveDrawingBuffer", true)]
+    {
+        let _ = js_sys::Reflect::set(&options, &key.into(), &value.into());
+    }
+    let context = canvas
+        .get_context_with_context_options("webgl2", &options)
+        .ok()
+        .flatten()
+        .and_then(|c| c.dyn_into::<WebGl2RenderingContext>().ok())
+        .ok_or_else(|| unavailable("the browser gives no WebGL2 context"))?;
+    let gl = glow::Context::from_webgl2_context(context.clone());
+    let backend = GlowBackend::own(Rc::new(gl))?;
+    Ok(Canvas::WebGl2 { backend, context })
+}
+
+/// A planet and its sky on a canvas.
+#[wasm_bindgen]
+pub struct Viewer {
+    canvas: Canvas,
+    picture: PictureRenderer,
+    drawn: Option<Drawn>,
+    settings: PictureSettings,
+    params: AtmosphereParams,
+    dry: bool,
+    terrain: bool,
+    size: [u32; 2],
+    pose: Pose,
+    sun: (f64, f64),
+}
+
+fn check(field: &str, value: f64, lo: f64, hi: f64, unit: &str) -> Result<f64> {
+    crate::error::in_range(field, value, lo, hi, unit)
+}
+
+#[wasm_bindgen]
+impl Viewer {
+    /// Opens `"webgl2"` or `"webgpu"` on a canvas; rejects with the reason if that cannot be had.
+    pub async fn create(canvas: HtmlCanvasElement, backend: String) -> std::result::Result<Viewer, JsValue> {
+        let size = [canvas.width().max(1), canvas.height().max(1)];
+        let canvas = match backend.as_str() {
+            "webgl2" => open_webgl2(&canvas)?,
+            "webgpu" => open_webgpu(canvas).await?,
+            other => return Err(Error::invalid("backend", format_args!("{other:?}"), "webgl2 or webgpu").into()),
+        };
+        Ok(Viewer {
+            canvas,
+            picture: PictureRenderer::default(),
+            drawn: None,
+            settings: PictureSettings::default(),
+            params: AtmosphereParams::earth(),
+            dry: false,
+            terrain: true,
+            size,
+            pose: Pose { altitude: 100.0, pitch: 0.0, heading: 0.0, fov_y: 1.0 },
+            sun: (0.5, 0.0),
+        })
+    }
+
+    /// `webgl2` or `webgpu`.
+    #[wasm_bindgen(getter)]
+    pub fn backend(&self) -> String {
+        self.canvas.info().backend.into()
+    }
+
+    /// Backend, adapter, driver and timer in one line.
+    pub fn describe(&self) -> String {
+        self.canvas.info().to_string()
+    }
+
+    /// A preset by its name.
+    pub fn set_planet(&mut self, name: &str) -> std::result::Result<(), JsValue> {
+        self.params = AtmosphereParams::preset(name)?;
+        self.dry = !name.starts_with("earth");
+        Ok(())
+    }
+
+    /// Metres and degrees; pitch above the horizontal, heading from north to east, vertical field of view.
+    pub fn set_camera(
+        &mut self,
+        altitude: f64,
+        pitch: f64,
+        heading: f64,
+        fov: f64,
+    ) -> std::result::Result<(), JsValue> {
+        check("altitude", altitude, 0.0, 1e12, "m")?;
+        check("pitch", pitch, -90.0, 90.0, "degrees")?;
+        check("heading", heading, -36000.0, 36000.0, "degrees")?;
+        check("fov", fov, 0.001, 170.0, "degrees")?;
+        self.pose =
+            Pose { altitude, pitch: pitch.to_radians(), heading: heading.to_radians(), fov_y: fov.to_radians() };
+        Ok(())
+    }
+
+    /// Degrees; azimuth from north to east.
+    pub fn set_sun(&mut self, elevation: f64, azimuth: f64) -> std::result::Result<(), JsValue> {
+        check("sun elevation", elevation, -90.0, 90.0, "degrees")?;
+        check("sun azimuth", azimuth, -36000.0, 36000.0, "degrees")?;
+        self.sun = (elevation.to_radians(), azimuth.to_radians());
+        Ok(())
+    }
+
+    fn set_sky(&mut self, change: impl FnOnce(&mut SkySettings)) -> std::result::Result<(), JsValue> {
+        let mut sky = self.settings.sky;
+        change(&mut sky);
+        sky.validate()?;
+        self.settings.sky = sky;
+        Ok(())
+    }
+
+    /// Steps along the view ray (1 to 1024) and towards the sun (1 to 256).
+    pub fn set_samples(&mut self, view: f64, light: f64) -> std::result::Result<(), JsValue> {
+        check("view_samples", view, 1.0, 1024.0, "")?;
+        check("light_samples", light, 1.0, 256.0, "")?;
+        self.set_sky(|s| (s.view_samples, s.light_samples) = (view as u32, light as u32))
+    }
+
+    /// Turns the whole atmosphere on or off.
+    pub fn set_enabled(&mut self, on: bool) {
+        self.settings.sky.enabled = on;
+    }
+
+    /// Whether the atmosphere is on.
+    #[wasm_bindgen(getter)]
+    pub fn enabled(&self) -> bool {
+        self.settings.sky.enabled
+    }
+
+    /// Display units per unit of radiance.
+    pub fn set_exposure(&mut self, exposure: f64) -> std::result::Result<(), JsValue> {
+        self.settings.exposure = check("exposure", exposure, 0.0, 1e9, "")?;
+        Ok(())
+    }
+
+    /// `aces`, `agx` or `neutral`.
+    pub fn set_tone_map(&mut self, name: &str) -> std::result::Result<(), JsValue> {
+        self.settings.tone_map = ToneMap::from_name(name)?;
+        Ok(())
+    }
+
+    /// Background resolution as a share of the canvas', 0.125 to 1.
+    pub fn set_render_scale(&mut self, scale: f64) -> std::result::Result<(), JsValue> {
+        self.set_sky(|s| s.render_scale = scale)
+    }
+
+    /// Shows or hides the ground.
+    pub fn set_terrain(&mut self, on: bool) {
+        self.terrain = on;
+    }
+
+    /// Follows the canvas; pixels.
+    pub fn resize(&mut self, width: u32, height: u32) -> std::result::Result<(), JsValue> {
+        TextureDesc::new("canvas", width, height, Format::Rgba8).validate(self.canvas.info().max_texture_size)?;
+        self.canvas.resize(width, height)?;
+        self.size = [width, height];
+        Ok(())
+    }
+
+    /// Draws a frame and shows it.
+    pub fn render(&mut self) -> std::result::Result<(), JsValue> {
+        if let Some(reason) = self.canvas.lost() {
+            return Err(Error::Lost { backend: self.canvas.info().backend, reason }.into());
+        }
+        let scene = self.scene()?;
+        self.settings.terrain =
+            self.terrain.then(|| if self.dry { TerrainStyle::dry(&self.params) } else { TerrainStyle::earth() });
+        let drawn = self.picture.draw(self.canvas.backend(), &scene, &self.settings, self.size)?;
+        self.drawn = Some(drawn);
+        self.canvas.present(drawn.display)?;
+        Ok(())
+    }
+
+    /// Radiance of the last frame, RGBA, row 0 on top.
+    pub async fn read_pixels(&mut self) -> std::result::Result<Vec<f32>, JsValue> {
+        let drawn = self.drawn.ok_or_else(|| Error::invalid("read_pixels", "no frame", "called after render"))?;
+        let read = self.canvas.backend().begin_read(drawn.radiance)?;
+        loop {
+            if let Some(pixels) = self.canvas.backend().poll_read(read)? {
+                return Ok(pixels);
+            }
+            let pause = js_sys::Promise::new(&mut |resolve, _| {
+                if let Some(window) = web_sys::window() {
+                    let _ = window.set_timeout_with_callback_and_timeout_and_arguments_0(&resolve, 1);
+                }
+            });
+            wasm_bindgen_futures::JsFuture::from(pause).await?;
+        }
+    }
+
+    /// Why the device or context is gone, if it is.
+    pub fn lost(&mut self) -> Option<String> {
+        self.canvas.lost()
+    }
+
+    /// For tests: loses the device or the context on purpose.
+    pub fn lose(&mut self) {
+        match &self.canvas {
+            Canvas::WebGpu { backend, .. } => backend.device().destroy(),
+            Canvas::WebGl2 { context, .. } => {
+                let extension = context.get_extension("WEBGL_lose_context").ok().flatten();
+                let lose = extension.and_then(|e| js_sys::Reflect::get(&e, &"loseContext".into()).ok().map(|f| (e, f)));
+                if let Some((extension, function)) = lose {
+                    if let Ok(function) = function.dyn_into::<js_sys::Function>() {
+                        let _ = function.call0(&extension);
+                    }
+                }
+            }
+        }
+    }
+
+    fn scene(&self) -> Result<Scene> {
+        let (zenith, north) = (place(), DVec3::Z);
+        let center = DVec3::ZERO;
+        let aspect = f64::from(self.size[0]) / f64::from(self.size[1]);
+        let mut pose = self.pose;
+        if self.terrain {
+            // Altitude counts from the ground under the camera, so that nobody stands inside a hill.
+            let style = if self.dry { TerrainStyle::dry(&self.params) } else { TerrainStyle::earth() };
+            pose.altitude += style.height(zenith, self.params.planet_radius).0;
+        }
+        let camera = Camera::above(center, self.params.planet_radius, zenith, north, pose, aspect)?;
+        let (east, up) = (north.cross(zenith).normalize(), zenith);
+        let flat = up.cross(east) * self.sun.1.cos() + east * self.sun.1.sin();
+        let sun_direction = flat * self.sun.0.cos() + up * self.sun.0.sin();
+        Ok(Scene {
+            camera,
+            planet_center: center,
+            atmosphere: self.params.clone(),
+            sun_direction,
+            depth: DepthConvention::default(),
+        })
+    }
+}
+
+impl Drop for Viewer {
+    fn drop(&mut self) {
+        self.picture.destroy(self.canvas.backend());
+    }
+}
+
+/// Where the page stands: 46.5° north, 8° east, in the planet's own axes.
+fn place() -> DVec3 {
+    let (latitude, longitude) = (46.5_f64.to_radians(), 8.0_f64.to_radians());
+    DVec3::new(latitude.cos() * longitude.cos(), latitude.cos() * longitude.sin(), latitude.sin())
+}
