@@ -16,6 +16,7 @@ pub use passes::picture::{PictureRenderer, PictureSettings};
 pub use passes::sky::{SkyRenderer, SkySettings};
 pub use passes::terrain::TerrainStyle;
 pub use passes::tone::ToneMap;
+pub use reference::{clip_segment, compute_single_scatter, ray_sphere_intersect, ray_sphere_intersect_f32};
 pub use view::{Camera, DepthConvention, Pose, Scene};
 
 #[cfg(all(feature = "web", target_arch = "wasm32"))]

@@ -1,1 +1,19 @@
-//! f64 ground truth on the CPU.
+//! f64 ground truth on the CPU: the same physics as the shaders, written again from the equations.
+//!
+//! Nothing here shares code, tables or approximations with the shaders, so that agreement means
+//! something. It judges accuracy, and it renders where no GPU driver exists.
+//!
+//! * [`geometry`]: rays, spheres, and the chord form that keeps altitudes exact near the horizon.
+//! * [`single`]: transmittance and single scattering, adaptive to a stated [`single::Tolerance`].
+//!
+//! Radiance is given per unit solar irradiance (1/sr) and multiplied by
+//! [`AtmosphereParams::sun_intensity`](crate::AtmosphereParams::sun_intensity). No refraction, no
+//! polarisation, the sun's own disk is not part of the radiance.
+
+pub mod geometry;
+mod medium;
+mod quadrature;
+pub mod single;
+
+pub use geometry::{clip_segment, ray_sphere_intersect, ray_sphere_intersect_f32};
+pub use single::compute_single_scatter;
