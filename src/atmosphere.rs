@@ -103,6 +103,20 @@ impl AtmosphereParams {
         }
     }
 
+    /// Earth's gas alone, over black ground: [`Self::earth`] without aerosol and ozone.
+    ///
+    /// Conservative and with a phase function of two moments, so it is what other programs' results
+    /// are easiest to compare with.
+    pub fn rayleigh() -> Self {
+        Self {
+            mie_scattering: [0.0; 3],
+            mie_absorption: [0.0; 3],
+            ozone_absorption: [0.0; 3],
+            ground_albedo: [0.0; 3],
+            ..Self::earth()
+        }
+    }
+
     /// Mars on a day of ordinary dust.
     ///
     /// * Radius 3389.5 km, scale height 11.1 km, distance 1.524 au: NASA Mars fact sheet.
@@ -172,6 +186,7 @@ impl AtmosphereParams {
             "earth" => Ok(Self::earth()),
             "mars" => Ok(Self::mars()),
             "venus" => Ok(Self::venus()),
+            "rayleigh" => Ok(Self::rayleigh()),
             "earth-like" => Ok(Self::earth_like(6_371_000.0)),
             _ => Err(Error::invalid(
                 "planet",
@@ -182,7 +197,7 @@ impl AtmosphereParams {
     }
 
     /// The names that [`Self::preset`] knows.
-    pub const PRESETS: [&str; 4] = ["earth", "mars", "venus", "earth-like"];
+    pub const PRESETS: [&str; 5] = ["earth", "mars", "venus", "earth-like", "rayleigh"];
 
     /// Thickness of the shell, metres.
     pub fn thickness(&self) -> f64 {

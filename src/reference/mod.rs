@@ -10,6 +10,9 @@
 //! [`AtmosphereParams::sun_intensity`](crate::AtmosphereParams::sun_intensity). No refraction, no
 //! polarisation, the sun's own disk is not part of the radiance.
 
+// Loops over the three channels index several arrays at once.
+#![allow(clippy::needless_range_loop)]
+
 pub mod geometry;
 mod medium;
 mod quadrature;
