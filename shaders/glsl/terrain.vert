@@ -205,63 +205,76 @@ vec4 noise(vec3 p_1) {
     return vec4((vec3(dx, dy, (y1_ - y0_)) * dw), mix(y0_, y1_, w.z));
 }
 
-vec4 height_field(vec3 n, float amplitude, float rate, float sea) {
+vec4 height_field(vec3 n, float amplitude, float rate, float sea, float spacing) {
     vec4 land = vec4(0.0);
     vec4 ridge = vec4(0.0);
     float frequency = 0.0;
     float gain = 0.55;
     int octave = 0;
-    vec4 _e9 = noise(((n * 2.3) + vec3(11.0)));
-    land = ((_e9 * vec4(vec3(2.3), 1.0)) * 0.6);
-    vec4 _e18 = land;
-    vec4 _e24 = noise(((n * 5.1) + vec3(5.0)));
-    land = (_e18 + ((_e24 * vec4(vec3(5.1), 1.0)) * 0.3));
-    vec4 _e33 = land;
-    vec4 _e39 = noise(((n * 13.7) + vec3(3.0)));
-    land = (_e33 + ((_e39 * vec4(vec3(13.7), 1.0)) * 0.1));
+    vec4 _e10 = noise(((n * 2.3) + vec3(11.0)));
+    land = ((_e10 * vec4(vec3(2.3), 1.0)) * 0.6);
+    vec4 _e19 = land;
+    vec4 _e25 = noise(((n * 5.1) + vec3(5.0)));
+    land = (_e19 + ((_e25 * vec4(vec3(5.1), 1.0)) * 0.3));
+    vec4 _e34 = land;
+    vec4 _e40 = noise(((n * 13.7) + vec3(3.0)));
+    land = (_e34 + ((_e40 * vec4(vec3(13.7), 1.0)) * 0.1));
     float coast = mix(0.25, 0.48, sea);
-    float _e53 = land.w;
-    float rise = ((_e53 - coast) * 4.0);
+    float _e54 = land.w;
+    float rise = ((_e54 - coast) * 6.0);
     if ((rise <= 0.0)) {
         return vec4(0.0);
     }
     float above = min(rise, 1.0);
-    vec4 _e64 = land;
-    vec3 d_above = ((rise < 1.0) ? (_e64.xyz * 4.0) : vec3(0.0));
+    vec4 _e65 = land;
+    vec3 d_above = ((rise < 1.0) ? (_e65.xyz * 6.0) : vec3(0.0));
+    vec4 _e76 = noise(((n * 9.0) + vec3(29.0)));
+    vec4 belt_noise = (_e76 * vec4(vec3(9.0), 1.0));
+    float t = clamp(((belt_noise.w - 0.45) * 4.0), 0.0, 1.0);
+    float belt = (0.08 + (((0.92 * t) * t) * (3.0 - (2.0 * t))));
+    vec3 d_belt = (belt_noise.xyz * (((5.52 * t) * (1.0 - t)) * 4.0));
     frequency = rate;
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            int _e123 = octave;
-            octave = (_e123 + 1);
+            int _e183 = octave;
+            octave = (_e183 + 1);
         }
         loop_init_1 = false;
-        int _e78 = octave;
-        if ((_e78 < 6)) {
+        int _e117 = octave;
+        if ((_e117 < 6)) {
         } else {
             break;
         }
         {
-            float _e81 = frequency;
-            int _e83 = octave;
-            vec4 _e89 = noise(((n * _e81) + vec3((float(_e83) * 17.0))));
-            float _e90 = frequency;
-            vec4 v = (_e89 * vec4(vec3(_e90), 1.0));
-            float s = ((v.w < 0.5) ? 2.0 : -2.0);
-            vec4 _e101 = ridge;
-            float _e113 = gain;
-            ridge = (_e101 + (vec4((v.xyz * s), (1.0 - abs(((2.0 * v.w) - 1.0)))) * _e113));
-            float _e116 = frequency;
-            frequency = (_e116 * 2.03);
-            float _e119 = gain;
-            gain = (_e119 * 0.45);
+            float _e120 = frequency;
+            float seen = clamp(((0.5 / (_e120 * spacing)) - 0.5), 0.0, 1.0);
+            if ((seen > 0.0)) {
+                float _e131 = frequency;
+                int _e133 = octave;
+                vec4 _e139 = noise(((n * _e131) + vec3((float(_e133) * 17.0))));
+                float _e140 = frequency;
+                vec4 v = (_e139 * vec4(vec3(_e140), 1.0));
+                float s = ((v.w < 0.5) ? 2.0 : -2.0);
+                vec4 _e151 = ridge;
+                float _e163 = gain;
+                ridge = (_e151 + (vec4((v.xyz * s), (1.0 - abs(((2.0 * v.w) - 1.0)))) * (_e163 * seen)));
+            }
+            float _e168 = ridge.w;
+            float _e169 = gain;
+            ridge.w = (_e168 + ((0.6 * _e169) * (1.0 - seen)));
+            float _e176 = frequency;
+            frequency = (_e176 * 2.03);
+            float _e179 = gain;
+            gain = (_e179 * 0.45);
         }
     }
-    float _e127 = ridge.w;
-    float w_1 = ((above * above) * _e127);
-    float _e133 = ridge.w;
-    vec4 _e136 = ridge;
-    vec3 d_2 = ((((2.0 * above) * d_above) * _e133) + ((above * above) * _e136.xyz));
+    float _e187 = ridge.w;
+    float w_1 = ((above * belt) * _e187);
+    float _e191 = ridge.w;
+    float _e195 = ridge.w;
+    vec4 _e199 = ridge;
+    vec3 d_2 = ((((d_above * belt) * _e191) + ((above * d_belt) * _e195)) + ((above * belt) * _e199.xyz));
     return (vec4(d_2, w_1) * amplitude);
 }
 
@@ -288,46 +301,50 @@ void main() {
     vec3 _e73 = _group_0_binding_0_vs.planet_y;
     vec3 _e77 = _group_0_binding_0_vs.planet_z;
     vec3 planet_n = vec3(dot(_e69, n_1), dot(_e73, n_1), dot(_e77, n_1));
-    float _e82 = _group_0_binding_0_vs.amplitude;
-    float _e85 = _group_0_binding_0_vs.mountain_rate;
-    float _e88 = _group_0_binding_0_vs.sea;
-    vec4 _e89 = height_field(planet_n, _e82, _e85, _e88);
-    float h_4 = _e89.w;
+    float _e82 = _group_0_binding_0_vs.arc_rate;
+    float _e85 = _group_0_binding_0_vs.arc_scale;
+    float _e88 = _group_0_binding_0_vs.arc_scale;
+    float spacing_1 = max((_e82 * sqrt(((_e85 * _e88) + (arc * arc)))), (sin(arc) * 0.016362462));
+    float _e100 = _group_0_binding_0_vs.amplitude;
+    float _e103 = _group_0_binding_0_vs.mountain_rate;
+    float _e106 = _group_0_binding_0_vs.sea;
+    vec4 _e107 = height_field(planet_n, _e100, _e103, _e106, spacing_1);
+    float h_4 = _e107.w;
     vec3 position = (((flat_ * ((m_4.radius + h_4) * sin(arc))) - (up * ((((m_4.radius + h_4) * 2.0) * half_sin) * half_sin))) + (up * (h_4 - f_1.camera_altitude)));
-    vec3 _e110 = _group_0_binding_0_vs.planet_x;
-    vec3 _e115 = _group_0_binding_0_vs.planet_y;
-    vec3 _e121 = _group_0_binding_0_vs.planet_z;
-    vec3 g = (((_e110 * _e89.x) + (_e115 * _e89.y)) + (_e121 * _e89.z));
+    vec3 _e128 = _group_0_binding_0_vs.planet_x;
+    vec3 _e133 = _group_0_binding_0_vs.planet_y;
+    vec3 _e139 = _group_0_binding_0_vs.planet_z;
+    vec3 g = (((_e128 * _e107.x) + (_e133 * _e107.y)) + (_e139 * _e107.z));
     vec3 tangential = ((g - (n_1 * dot(g, n_1))) / vec3(m_4.radius));
     vec3 normal = normalize((n_1 - tangential));
-    float _e134 = excess_of(h_4, m_4.radius);
+    float _e152 = excess_of(h_4, m_4.radius);
     float sun_b_1 = ((m_4.radius + h_4) * dot(n_1, f_1.sun));
-    float dip = (sqrt(_e134) / (m_4.radius + h_4));
+    float dip = (sqrt(_e152) / (m_4.radius + h_4));
     float above_1 = ((dot(n_1, f_1.sun) + dip) / f_1.sun_chord);
     float visible = smoothstep(-1.0, 1.0, above_1);
-    vec3 _e154 = _group_0_binding_0_vs.sky_share;
-    light = ((_e154 * clamp(((dot(n_1, f_1.sun) + 0.1) / 1.1), 0.0, 1.0)) * (0.5 + (0.5 * dot(normal, n_1))));
+    vec3 _e172 = _group_0_binding_0_vs.sky_share;
+    light = ((_e172 * clamp(((dot(n_1, f_1.sun) + 0.1) / 1.1), 0.0, 1.0)) * (0.5 + (0.5 * dot(normal, n_1))));
     if ((visible > 0.0)) {
-        vec3 _e174 = light;
-        vec3 _e176 = sun_transmittance(m_4, _e134, sun_b_1, 8u);
-        light = (_e174 + (_e176 * (visible * max(dot(normal, f_1.sun), 0.0))));
+        vec3 _e192 = light;
+        vec3 _e194 = sun_transmittance(m_4, _e152, sun_b_1, 8u);
+        light = (_e192 + (_e194 * (visible * max(dot(normal, f_1.sun), 0.0))));
     }
-    vec3 _e187 = _group_0_binding_0_vs.axis;
-    float z = dot(position, _e187);
-    float _e197 = _group_0_binding_0_vs.offset_x;
-    float right = ((dot(position, f_1.ray_right) / dot(f_1.ray_right, f_1.ray_right)) - (_e197 * z));
-    float _e208 = _group_0_binding_0_vs.offset_y;
-    float top = ((dot(position, f_1.ray_up) / dot(f_1.ray_up, f_1.ray_up)) - (_e208 * z));
+    vec3 _e205 = _group_0_binding_0_vs.axis;
+    float z = dot(position, _e205);
+    float _e215 = _group_0_binding_0_vs.offset_x;
+    float right = ((dot(position, f_1.ray_right) / dot(f_1.ray_right, f_1.ray_right)) - (_e215 * z));
+    float _e226 = _group_0_binding_0_vs.offset_y;
+    float top = ((dot(position, f_1.ray_up) / dot(f_1.ray_up, f_1.ray_up)) - (_e226 * z));
     out_.clip = vec4(right, top, (0.5 * z), z);
     out_.position = position;
-    vec3 _e217 = light;
-    out_.light = _e217;
+    vec3 _e235 = light;
+    out_.light = _e235;
     out_.surface = vec2(h_4, dot(normal, n_1));
-    Varyings _e221 = out_;
-    gl_Position = _e221.clip;
-    _vs2fs_location0 = _e221.position;
-    _vs2fs_location1 = _e221.light;
-    _vs2fs_location2 = _e221.surface;
+    Varyings _e239 = out_;
+    gl_Position = _e239.clip;
+    _vs2fs_location0 = _e239.position;
+    _vs2fs_location1 = _e239.light;
+    _vs2fs_location2 = _e239.surface;
     gl_Position.yz = vec2(-gl_Position.y, gl_Position.z * 2.0 - gl_Position.w);
     return;
 }

@@ -34,34 +34,42 @@ struct Terrain {
 @group(0) @binding(0) var<uniform> terrain: Terrain;
 
 // Height above the surface (km, >= 0) in w and its gradient per radian in xyz, at a unit direction in the
-// planet's own axes.
-fn height_field(n: vec3f, amplitude: f32, rate: f32, sea: f32) -> vec4f {
+// planet's own axes. Ridges narrower than a few `spacing` (of the mesh, rad) count with their mean.
+fn height_field(n: vec3f, amplitude: f32, rate: f32, sea: f32, spacing: f32) -> vec4f {
     var land = noise(n * 2.3 + 11.0) * vec4f(vec3f(2.3), 1.0) * 0.6;
     land += noise(n * 5.1 + 5.0) * vec4f(vec3f(5.1), 1.0) * 0.3;
     land += noise(n * 13.7 + 3.0) * vec4f(vec3f(13.7), 1.0) * 0.1;
     // Below the coast 0, above it rising to 1.
     let coast = mix(0.25, 0.48, sea);
-    let slope = 4.0;
+    let slope = 6.0;
     let rise = (land.w - coast) * slope;
     if rise <= 0.0 {
         return vec4f(0.0);
     }
     let above = min(rise, 1.0);
     let d_above = select(vec3f(0.0), land.xyz * slope, rise < 1.0);
-    // Ridges: 1 - |2 noise - 1| over six octaves, height 0 to 1.
+    // Belts of mountains: from 0.08 in the plains to 1.
+    let belt_noise = noise(n * 9.0 + 29.0) * vec4f(vec3f(9.0), 1.0);
+    let t = clamp((belt_noise.w - 0.45) * 4.0, 0.0, 1.0);
+    let belt = 0.08 + 0.92 * t * t * (3.0 - 2.0 * t);
+    let d_belt = belt_noise.xyz * (0.92 * 6.0 * t * (1.0 - t) * 4.0);
+    // Ridges: 1 - |2 noise - 1| over six octaves, height 0 to 1; their mean is about 0.6.
     var ridge = vec4f(0.0);
     var frequency = rate;
     var gain = 0.55;
     for (var octave = 0; octave < 6; octave++) {
-        let v = noise(n * frequency + f32(octave) * 17.0) * vec4f(vec3f(frequency), 1.0);
-        let s = select(-2.0, 2.0, v.w < 0.5);
-        ridge += vec4f(v.xyz * s, 1.0 - abs(2.0 * v.w - 1.0)) * gain;
+        let seen = clamp(0.5 / (frequency * spacing) - 0.5, 0.0, 1.0);
+        if seen > 0.0 {
+            let v = noise(n * frequency + f32(octave) * 17.0) * vec4f(vec3f(frequency), 1.0);
+            let s = select(-2.0, 2.0, v.w < 0.5);
+            ridge += vec4f(v.xyz * s, 1.0 - abs(2.0 * v.w - 1.0)) * (gain * seen);
+        }
+        ridge.w += 0.6 * gain * (1.0 - seen);
         frequency *= 2.03;
         gain *= 0.45;
     }
-    // Mountains grow with the square of the distance from the coast.
-    let w = above * above * ridge.w;
-    let d = 2.0 * above * d_above * ridge.w + above * above * ridge.xyz;
+    let w = above * belt * ridge.w;
+    let d = d_above * belt * ridge.w + above * d_belt * ridge.w + above * belt * ridge.xyz;
     return vec4f(d, w) * amplitude;
 }
 
@@ -88,7 +96,9 @@ fn vertex_main(@builtin(vertex_index) index: u32) -> Varyings {
     let half_sin = sin(0.5 * arc);
     let n = flat * sin(arc) + up * cos(arc);
     let planet_n = vec3f(dot(terrain.planet_x, n), dot(terrain.planet_y, n), dot(terrain.planet_z, n));
-    let field = height_field(planet_n, terrain.amplitude, terrain.mountain_rate, terrain.sea);
+    // The mesh's widest step here: along a ring or from ring to ring.
+    let spacing = max(terrain.arc_rate * sqrt(terrain.arc_scale * terrain.arc_scale + arc * arc), sin(arc) * (TAU / f32(SEGMENTS)));
+    let field = height_field(planet_n, terrain.amplitude, terrain.mountain_rate, terrain.sea, spacing);
     let h = field.w;
     // (R + h) n - (R + camera altitude) up, without the two radii: n - up = flat sin - up 2 sin^2(arc / 2).
     let position = flat * ((m.radius + h) * sin(arc)) - up * ((m.radius + h) * 2.0 * half_sin * half_sin)

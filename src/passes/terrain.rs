@@ -124,13 +124,17 @@ impl TerrainStyle {
             let (v, g) = noise(n * rate + shift);
             land = (land.0 + v * gain, land.1 + g * (rate * gain));
         }
-        let (coast, slope) = (if self.sea { 0.48 } else { 0.25 }, 4.0);
+        let (coast, slope) = (if self.sea { 0.48 } else { 0.25 }, 6.0);
         let rise = (land.0 - coast) * slope;
         if rise <= 0.0 {
             return (0.0, DVec3::ZERO);
         }
         let above = rise.min(1.0);
         let d_above = if rise < 1.0 { land.1 * slope } else { DVec3::ZERO };
+        let (belt_noise, belt_gradient) = noise(n * 9.0 + 29.0);
+        let t = ((belt_noise - 0.45) * 4.0).clamp(0.0, 1.0);
+        let belt = 0.08 + 0.92 * t * t * (3.0 - 2.0 * t);
+        let d_belt = belt_gradient * (9.0 * 0.92 * 6.0 * t * (1.0 - t) * 4.0);
         let mut ridge = (0.0, DVec3::ZERO);
         let (mut frequency, mut gain) = (self.mountain_rate(planet_radius), 0.55);
         for octave in 0..6 {
@@ -140,8 +144,8 @@ impl TerrainStyle {
             frequency *= 2.03;
             gain *= 0.45;
         }
-        let height = above * above * ridge.0;
-        let gradient = 2.0 * above * d_above * ridge.0 + above * above * ridge.1;
+        let height = above * belt * ridge.0;
+        let gradient = d_above * (belt * ridge.0) + d_belt * (above * ridge.0) + ridge.1 * (above * belt);
         (height * self.amplitude, gradient * self.amplitude)
     }
 

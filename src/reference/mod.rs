@@ -5,6 +5,7 @@
 //!
 //! * [`geometry`]: rays, spheres, and the chord form that keeps altitudes exact near the horizon.
 //! * [`single`]: transmittance and single scattering, adaptive to a stated [`single::Tolerance`].
+//! * `picture` (feature `reference`): whole pictures on all cores.
 //!
 //! Radiance is given per unit solar irradiance (1/sr) and multiplied by
 //! [`AtmosphereParams::sun_intensity`](crate::AtmosphereParams::sun_intensity). No refraction, no
@@ -15,6 +16,8 @@
 
 pub mod geometry;
 mod medium;
+#[cfg(all(feature = "reference", not(target_arch = "wasm32")))]
+pub mod picture;
 mod quadrature;
 pub mod single;
 

@@ -1,6 +1,66 @@
-//! The command-line tool.
+//! `welkin`: skies from the command line. `welkin --help` tells what it can do.
+
+mod args;
+mod draw;
+mod info;
+mod output;
+mod progress;
+mod render;
 mod shaders;
-fn main() -> anyhow::Result<()> {
-    let args: Vec<String> = std::env::args().collect();
-    shaders::run(std::path::Path::new("."), args.iter().any(|a| a == "--check"))
+mod sheet;
+mod sun;
+mod views;
+
+use std::io::Write;
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use args::{Cli, Command, UsageError};
+
+/// Exit status after a request that cannot be carried out as it was put; clap uses the same.
+const USAGE: u8 = 2;
+/// Exit status after a fault of this program (`EX_SOFTWARE` of sysexits).
+const INTERNAL: u8 = 70;
+
+fn main() -> ExitCode {
+    // A fault in here or in a graphics driver's binding ends in one line, not in a backtrace.
+    std::panic::set_hook(Box::new(|info| {
+        complain(&format!("internal error, please report it: {info}"));
+    }));
+    std::panic::catch_unwind(|| exit_code(run(Cli::parse()))).unwrap_or(ExitCode::from(INTERNAL))
+}
+
+/// Carries out one subcommand.
+fn run(cli: Cli) -> anyhow::Result<()> {
+    match cli.command {
+        Command::Render(args) => render::run(&args),
+        Command::Info => info::run(),
+        Command::Shaders { check, root } => shaders::run(&root, check),
+    }
+}
+
+/// Says what went wrong, on stderr, and with which status to leave.
+fn exit_code(result: anyhow::Result<()>) -> ExitCode {
+    let Err(error) = result else { return ExitCode::SUCCESS };
+    if is_broken_pipe(&error) {
+        return ExitCode::SUCCESS;
+    }
+    complain(&format!("{error:#}"));
+    if error.is::<UsageError>() {
+        let _ = writeln!(std::io::stderr(), "\nFor what is accepted, try 'welkin render --help'.");
+        return ExitCode::from(USAGE);
+    }
+    ExitCode::FAILURE
+}
+
+/// Whether whoever read our output has gone, as `head` does; that is no error.
+fn is_broken_pipe(error: &anyhow::Error) -> bool {
+    let io = error.downcast_ref::<std::io::Error>();
+    io.is_some_and(|e| e.kind() == std::io::ErrorKind::BrokenPipe)
+}
+
+/// One line on stderr. Unlike `eprintln!` it does not panic when stderr is closed.
+fn complain(message: &str) {
+    let _ = writeln!(std::io::stderr(), "error: {message}");
 }

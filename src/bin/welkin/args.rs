@@ -1,0 +1,464 @@
+//! What the command line says, and what is accepted of it.
+
+use std::fmt;
+use std::path::PathBuf;
+
+use clap::builder::PossibleValuesParser;
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use welkin::{AtmosphereParams, ToneMap};
+
+use crate::draw::{BackendChoice, Shot};
+use crate::sun;
+use crate::views::{self, Place, View};
+
+/// Most pixels along one side of a picture: the smallest limit of WebGPU and of WebGL2 in practice.
+const MAX_SIDE: u32 = 8192;
+/// Most pixels in a picture; 16 bytes of radiance each.
+const MAX_PIXELS: u64 = 1 << 25;
+/// Most samples along a ray.
+const MAX_SAMPLES: u32 = 1024;
+/// Most samples towards the sun.
+const MAX_LIGHT_SAMPLES: u32 = 256;
+/// Farthest camera, metres.
+const MAX_ALTITUDE: f64 = 1e12;
+
+/// A request that cannot be carried out as it was put. Ends in exit status 2.
+#[derive(Debug)]
+pub struct UsageError(String);
+
+impl UsageError {
+    /// An error in plain words.
+    pub fn new(message: impl Into<String>) -> Self {
+        Self(message.into())
+    }
+
+    /// An error that names option, value and what is allowed, in clap's own form.
+    pub fn value(option: &str, value: impl fmt::Display, allowed: impl fmt::Display) -> Self {
+        Self(format!("invalid value '{value}' for '{option}': must be {allowed}"))
+    }
+}
+
+impl fmt::Display for UsageError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for UsageError {}
+
+/// Physically based skies, from the ground to orbit.
+#[derive(Debug, Parser)]
+#[command(name = "welkin", version, about, after_help = "Start with:  welkin render")]
+#[command(arg_required_else_help = true, subcommand_required = true, disable_help_subcommand = true)]
+pub struct Cli {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// The subcommands; each has a file of its own.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Draw a sky: a contact sheet of many views, or one picture
+    Render(Box<RenderArgs>),
+    /// List the backends and adapters that can draw here
+    Info,
+    /// Translate shaders/wgsl/ to shaders/glsl/ (for work on welkin itself)
+    Shaders {
+        /// Only compare, and fail if a file is stale, missing or left over
+        #[arg(long)]
+        check: bool,
+        /// The repository
+        #[arg(long, default_value = ".")]
+        root: PathBuf,
+    },
+}
+
+const RENDER_ABOUT: &str = "\
+Draw a sky: a contact sheet of many views, or one picture
+
+Without an option under \"View\", \"Sun\" or \"Picture\" this draws the contact sheet: the sky from the \
+ground to far orbit on Earth and Mars, and one view by every backend side by side with their largest \
+difference. Each of those options asks for a single picture instead.";
+
+const RENDER_EXAMPLES: &str = "\
+Examples:
+  welkin render
+      The contact sheet, to welkin.png
+  welkin render --view mars-sunset --size 1920x1080 -o mars.png
+      One of the contact sheet's views, alone and larger
+  welkin render --altitude 400km --pitch -20 --fov 40 --sun-elevation 25 --sun-azimuth 60 -o limb.exr
+      The limb from low orbit, as linear radiance
+  welkin render --place 46.55,7.98 --time 2024-06-20T04:00:00Z --altitude 3466 --heading 60
+      The sky over the Jungfraujoch on a summer morning, the sun where it was
+  welkin render --view noon --backend webgl2 --samples 8 --light-samples 4
+      A view by a backend and a quality of your choice
+
+Exit status: 0 drawn and written; 1 drawing or writing failed; 2 the request was not accepted, and
+nothing was written.";
+
+/// Options of `welkin render`.
+#[derive(Args, Debug)]
+#[command(long_about = RENDER_ABOUT, after_long_help = RENDER_EXAMPLES)]
+#[command(after_help = "Examples and more words: welkin render --help")]
+pub struct RenderArgs {
+    /// Start from this view of the contact sheet
+    #[arg(long, value_name = "NAME", help_heading = "View")]
+    #[arg(value_parser = PossibleValuesParser::new(views::VIEWS.iter().map(|v| v.name)))]
+    view: Option<String>,
+
+    /// The planet and its air [default: earth]
+    #[arg(long, value_name = "NAME", help_heading = "View")]
+    #[arg(value_parser = PossibleValuesParser::new(AtmosphereParams::PRESETS))]
+    planet: Option<String>,
+
+    /// Height above the ground (sea level with --no-terrain): metres, or as in 15km [default: 100m]
+    #[arg(long, value_name = "LENGTH", help_heading = "View", allow_hyphen_values = true)]
+    #[arg(value_parser = parse_length)]
+    altitude: Option<Length>,
+
+    /// Degrees above the horizontal that the camera looks, -90 to 90 [default: 10]
+    #[arg(long, value_name = "DEGREES", help_heading = "View", allow_hyphen_values = true)]
+    #[arg(value_parser = degrees(-90.0, 90.0))]
+    pitch: Option<f64>,
+
+    /// Where the camera looks: 0 is north, 90 east; -360 to 360 [default: 180]
+    #[arg(long, value_name = "DEGREES", help_heading = "View", allow_hyphen_values = true)]
+    #[arg(value_parser = degrees(-360.0, 360.0))]
+    heading: Option<f64>,
+
+    /// Vertical field of view, 0.01 to 179 degrees [default: 60]
+    #[arg(long, value_name = "DEGREES", help_heading = "View", allow_hyphen_values = true)]
+    #[arg(value_parser = degrees(0.01, 179.0))]
+    fov: Option<f64>,
+
+    /// Degrees of the sun above the horizontal, -90 to 90 [default: 30]
+    #[arg(long, value_name = "DEGREES", help_heading = "Sun (by angles, or by place and time)")]
+    #[arg(allow_hyphen_values = true, value_parser = degrees(-90.0, 90.0))]
+    sun_elevation: Option<f64>,
+
+    /// Where the sun stands: 0 is north, 90 east; -360 to 360 [default: 180]
+    #[arg(long, value_name = "DEGREES", help_heading = "Sun (by angles, or by place and time)")]
+    #[arg(allow_hyphen_values = true, value_parser = degrees(-360.0, 360.0))]
+    sun_azimuth: Option<f64>,
+
+    /// Latitude north and longitude east in degrees, as in 46.5,8.0; needs --time
+    ///
+    /// The sun then stands where the ephemeris has it, without refraction.
+    #[arg(long, value_name = "LAT,LON", help_heading = "Sun (by angles, or by place and time)")]
+    #[arg(allow_hyphen_values = true, value_parser = parse_place)]
+    place: Option<Place>,
+
+    /// Time in RFC 3339, as in 2024-06-20T20:51:00Z; needs --place
+    #[arg(long, value_name = "TIME", help_heading = "Sun (by angles, or by place and time)")]
+    #[arg(allow_hyphen_values = true, value_parser = parse_time)]
+    time: Option<jiff::Timestamp>,
+
+    /// Pixels, as in 1920x1080; each side 1 to 8192 [default: 1280x720]
+    #[arg(long, value_name = "WxH", help_heading = "Picture", allow_hyphen_values = true)]
+    #[arg(value_parser = parse_size)]
+    size: Option<[u32; 2]>,
+
+    /// Multiplies radiance before tone mapping, 1e-6 to 1e6: 2 is one stop brighter [default: the view's, or 1]
+    #[arg(long, value_name = "FACTOR", help_heading = "Picture", allow_hyphen_values = true)]
+    #[arg(value_parser = number(1e-6, 1e6, ""))]
+    exposure: Option<f64>,
+
+    /// Samples along each view ray, 1 to 1024
+    #[arg(long, value_name = "N", help_heading = "Quality and output", default_value = "32")]
+    #[arg(allow_hyphen_values = true, value_parser = parse_samples)]
+    samples: u32,
+
+    /// Samples from each of those towards the sun, 1 to 256
+    #[arg(long, value_name = "N", help_heading = "Quality and output", default_value = "8")]
+    #[arg(allow_hyphen_values = true, value_parser = parse_light_samples)]
+    light_samples: u32,
+
+    /// The curve from radiance to display values; .exr and .hdr are written without one
+    #[arg(long, value_name = "CURVE", help_heading = "Quality and output", default_value = "aces")]
+    tone_map: ToneMapName,
+
+    /// What draws
+    #[arg(long, value_name = "NAME", help_heading = "Quality and output", default_value = "auto")]
+    pub backend: BackendChoice,
+
+    /// Leave the ground a smooth sphere
+    #[arg(long, help_heading = "Quality and output")]
+    no_terrain: bool,
+
+    /// Where to write; the ending decides: .png is 8-bit sRGB, .exr and .hdr are linear radiance
+    #[arg(short, long, value_name = "FILE", help_heading = "Quality and output", default_value = "welkin.png")]
+    pub output: PathBuf,
+}
+
+/// The names of [`ToneMap`] on the command line.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum ToneMapName {
+    /// Contrasty; bright colours turn white
+    Aces,
+    /// Soft shoulder, keeps hues
+    #[value(name = "agx")]
+    AgX,
+    /// Leaves what is not bright as it is
+    Neutral,
+}
+
+impl From<ToneMapName> for ToneMap {
+    fn from(name: ToneMapName) -> Self {
+        match name {
+            ToneMapName::Aces => Self::Aces,
+            ToneMapName::AgX => Self::AgX,
+            ToneMapName::Neutral => Self::Neutral,
+        }
+    }
+}
+
+impl ToneMapName {
+    fn title(self) -> &'static str {
+        match self {
+            Self::Aces => "ACES",
+            Self::AgX => "AgX",
+            Self::Neutral => "Khronos Neutral",
+        }
+    }
+}
+
+impl RenderArgs {
+    /// The one picture that is asked for, or `None` for the contact sheet. Every value is checked here.
+    pub fn single(&self) -> Result<Option<(View, Shot)>, UsageError> {
+        let asked = self.view.is_some()
+            || self.planet.is_some()
+            || self.altitude.is_some()
+            || self.pitch.is_some()
+            || self.heading.is_some()
+            || self.fov.is_some()
+            || self.sun_elevation.is_some()
+            || self.sun_azimuth.is_some()
+            || self.place.is_some()
+            || self.time.is_some()
+            || self.size.is_some()
+            || self.exposure.is_some();
+        if !asked {
+            return Ok(None);
+        }
+        let base = self.view.as_deref().and_then(views::named).unwrap_or(&views::DEFAULT);
+        let planet = AtmosphereParams::PRESETS.into_iter().find(|p| Some(*p) == self.planet.as_deref());
+        let mut view = View {
+            planet: planet.unwrap_or(base.planet),
+            altitude: self.altitude.as_ref().map_or(base.altitude, |a| a.metres),
+            pitch: self.pitch.unwrap_or(base.pitch),
+            heading: self.heading.unwrap_or(base.heading),
+            fov: self.fov.unwrap_or(base.fov),
+            sun_elevation: self.sun_elevation.unwrap_or(base.sun_elevation),
+            sun_azimuth: self.sun_azimuth.unwrap_or(base.sun_azimuth),
+            exposure: self.exposure.map_or(base.exposure, |e| e as f32),
+            ..*base
+        };
+        self.check_altitude(&view)?;
+        let place = self.place_and_sun(&mut view)?;
+        let size = self.size.unwrap_or([1280, 720]);
+        Ok(Some((view, self.shot(&view, place, size)?)))
+    }
+
+    /// A view as these options have it drawn.
+    pub fn shot(&self, view: &View, place: Place, [width, height]: [u32; 2]) -> Result<Shot, UsageError> {
+        let terrain = (!self.no_terrain).then(|| view.terrain());
+        let aspect = f64::from(width) / f64::from(height);
+        let scene = view.scene(place, aspect, terrain.as_ref()).map_err(|e| match e {
+            welkin::Error::Invalid { field, value, allowed } if field.starts_with("camera.tangents") => {
+                UsageError::new(format!(
+                    "'--fov <DEGREES>' {} and '--size <WxH>' {width}x{height} make too wide a view: \
+                     its edge lies at {value} (tangent of the angle), must be {allowed}",
+                    view.fov
+                ))
+            }
+            other => UsageError::new(other.to_string()),
+        })?;
+        Ok(Shot {
+            scene,
+            width,
+            height,
+            view_samples: self.samples,
+            light_samples: self.light_samples,
+            exposure: view.exposure,
+            tone_map: self.tone_map.into(),
+            terrain,
+        })
+    }
+
+    /// Tone map and samples in words, for the foot of the contact sheet.
+    pub fn quality(&self) -> String {
+        format!("{} × {} samples · tone map {}", self.samples, self.light_samples, self.tone_map.title())
+    }
+
+    fn check_altitude(&self, view: &View) -> Result<(), UsageError> {
+        let radius = AtmosphereParams::preset(view.planet).map_err(|e| UsageError::new(e.to_string()))?.planet_radius;
+        let lowest = -0.5 * radius;
+        if view.altitude >= lowest && view.altitude <= MAX_ALTITUDE {
+            return Ok(());
+        }
+        let text = self.altitude.as_ref().map_or_else(|| views::length(view.altitude), |a| a.text.clone());
+        Err(UsageError::value(
+            "--altitude <LENGTH>",
+            text,
+            format_args!(
+                "from {} (half the radius of {} down) to {}",
+                views::length(lowest),
+                view.planet,
+                views::length(MAX_ALTITUDE)
+            ),
+        ))
+    }
+
+    /// Puts the sun where place and time have it, if they were given.
+    fn place_and_sun(&self, view: &mut View) -> Result<Place, UsageError> {
+        let angle = [("--sun-elevation", self.sun_elevation), ("--sun-azimuth", self.sun_azimuth)];
+        let angle = angle.into_iter().find_map(|(name, value)| value.map(|v| format!("{name} {v}")));
+        let by_place = [("--place", self.place.is_some()), ("--time", self.time.is_some())];
+        let by_place = by_place.into_iter().find_map(|(name, given)| given.then_some(name));
+        if let (Some(angle), Some(by_place)) = (angle, by_place) {
+            return Err(UsageError::new(format!(
+                "'{angle}' cannot be used with '{by_place}': the sun stands either at --sun-elevation and \
+                 --sun-azimuth, or where --place and --time put it"
+            )));
+        }
+        match (self.place, self.time) {
+            (None, None) => Ok(Place::DEFAULT),
+            (Some(_), None) => Err(UsageError::new(
+                "'--place <LAT,LON>' needs '--time <TIME>', as in --time 2024-06-20T20:51:00Z: \
+                 together they say where the sun stands",
+            )),
+            (None, Some(_)) => Err(UsageError::new(
+                "'--time <TIME>' needs '--place <LAT,LON>', as in --place 46.5,8.0: \
+                 together they say where the sun stands",
+            )),
+            (Some(place), Some(time)) => {
+                if !view.planet.starts_with("earth") {
+                    return Err(UsageError::value(
+                        "--planet <NAME>",
+                        view.planet,
+                        "earth or earth-like with '--time <TIME>': the ephemeris is the Earth's",
+                    ));
+                }
+                let sun = sun::position(time, place, 0.0)
+                    .map_err(|e| UsageError::value("--time <TIME>", time, format_args!("one that SPA covers: {e}")))?;
+                (view.sun_elevation, view.sun_azimuth) = (sun.elevation, sun.azimuth);
+                Ok(place)
+            }
+        }
+    }
+}
+
+/// A length and how it was written.
+#[derive(Clone, Debug)]
+struct Length {
+    metres: f64,
+    text: String,
+}
+
+/// A parser of finite numbers in `lo..=hi`.
+fn number(lo: f64, hi: f64, unit: &'static str) -> impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync {
+    move |text| {
+        let value: f64 = text.trim().parse().unwrap_or(f64::NAN);
+        let allowed = (lo..=hi).contains(&value);
+        allowed.then_some(value).ok_or_else(|| format!("must be a number from {lo:?} to {hi:?}{unit}"))
+    }
+}
+
+fn degrees(lo: f64, hi: f64) -> impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync {
+    number(lo, hi, " degrees")
+}
+
+/// Metres, or a number with the unit m or km.
+fn parse_length(text: &str) -> Result<Length, String> {
+    let trimmed = text.trim();
+    let (digits, unit) = if let Some(digits) = trimmed.strip_suffix("km") {
+        (digits, 1000.0)
+    } else {
+        (trimmed.strip_suffix('m').unwrap_or(trimmed), 1.0)
+    };
+    let value: Option<f64> = digits.trim_end().parse().ok().filter(|v: &f64| v.is_finite());
+    let metres = value.map(|v| v * unit).filter(|v| v.is_finite());
+    let metres = metres.ok_or("must be a number of metres, or one with a unit as in 400m or 15km")?;
+    Ok(Length { metres, text: trimmed.to_owned() })
+}
+
+fn parse_place(text: &str) -> Result<Place, String> {
+    let allowed = "must be LAT,LON: degrees north from -90 to 90 and degrees east from -180 to 180, as in 46.5,8.0";
+    let (latitude, longitude) = text.split_once(',').ok_or(allowed)?;
+    let latitude = number(-90.0, 90.0, "")(latitude).map_err(|_| allowed)?;
+    let longitude = number(-180.0, 180.0, "")(longitude).map_err(|_| allowed)?;
+    Ok(Place { latitude, longitude })
+}
+
+fn parse_time(text: &str) -> Result<jiff::Timestamp, String> {
+    let allowed = "must be a date, a time and an offset in RFC 3339, years 0000 to 2999, as in 2024-06-20T20:51:00Z";
+    let time: jiff::Timestamp = text.trim().parse().map_err(|_| allowed)?;
+    // Four digits and no sign, as RFC 3339 has it; ΔT is known for all of them.
+    let year = time.to_zoned(jiff::tz::TimeZone::UTC).year();
+    if (0..=2999).contains(&year) { Ok(time) } else { Err(allowed.to_owned()) }
+}
+
+fn parse_size(text: &str) -> Result<[u32; 2], String> {
+    let side = |s: &str| s.trim().parse().ok().filter(|n| (1..=MAX_SIDE).contains(n));
+    let size = text.split_once(['x', 'X', '×']).and_then(|(w, h)| Some([side(w)?, side(h)?]));
+    let size = size.filter(|[w, h]| u64::from(*w) * u64::from(*h) <= MAX_PIXELS);
+    size.ok_or_else(|| {
+        format!(
+            "must be WIDTHxHEIGHT, each from 1 to {MAX_SIDE} and at most {MAX_PIXELS} pixels in all, as in 1920x1080"
+        )
+    })
+}
+
+fn parse_samples(text: &str) -> Result<u32, String> {
+    whole_number(text, MAX_SAMPLES)
+}
+
+fn parse_light_samples(text: &str) -> Result<u32, String> {
+    whole_number(text, MAX_LIGHT_SAMPLES)
+}
+
+fn whole_number(text: &str, most: u32) -> Result<u32, String> {
+    let value = text.trim().parse().ok().filter(|n| (1..=most).contains(n));
+    value.ok_or_else(|| format!("must be a whole number from 1 to {most}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn clap_accepts_the_definition() {
+        use clap::CommandFactory;
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn lengths_with_and_without_a_unit() {
+        for (text, metres) in
+            [("100", 100.0), ("-430m", -430.0), ("15km", 15e3), ("400 km", 4e5), ("1.5e3 m", 1500.0), ("12e3km", 12e6)]
+        {
+            assert_eq!(parse_length(text).unwrap().metres, metres, "{text}");
+        }
+        for text in ["", "m", "km", "nan", "inf", "12 miles", "1e308km"] {
+            assert!(parse_length(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn sizes() {
+        assert_eq!(parse_size("1920x1080"), Ok([1920, 1080]));
+        assert_eq!(parse_size("8192X4096"), Ok([8192, 4096]));
+        for text in ["0x10", "10x0", "10", "10x", "-1x5", "8193x1", "8192x8192", "1.5x2", "99999999999x1"] {
+            assert!(parse_size(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn times_need_an_offset() {
+        assert!(parse_time("2003-10-17T12:30:30-07:00").is_ok());
+        for text in ["2003-10-17T12:30:30", "2003-10-17", "noon", "2003-13-01T00:00:00Z", "-000500-01-01T00:00:00Z"] {
+            assert!(parse_time(text).is_err(), "{text}");
+        }
+    }
+}

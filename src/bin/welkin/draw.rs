@@ -1,0 +1,174 @@
+//! What the subcommands ask of a backend: a [`Shot`] in, a [`Picture`] out.
+
+use anyhow::Context;
+use clap::ValueEnum;
+use welkin::backend::headless::Headless;
+use welkin::backend::wgpu::WgpuBackend;
+use welkin::backend::{Backend, Format};
+use welkin::{PictureRenderer, PictureSettings, SkySettings, TerrainStyle, ToneMap};
+
+/// Which backend draws.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum BackendChoice {
+    /// The best that this machine has: webgpu, else webgl2, else cpu.
+    Auto,
+    /// wgpu: Vulkan on this machine.
+    #[value(name = "webgpu")]
+    WebGpu,
+    /// glow: OpenGL ES 3 through EGL, the API of WebGL2.
+    #[value(name = "webgl2")]
+    WebGl2,
+    /// The f64 reference on all processor cores; slow, needs no driver.
+    Cpu,
+}
+
+/// Everything that one picture depends on.
+#[derive(Clone, Debug)]
+pub struct Shot {
+    /// Camera, planet, air and sun.
+    pub scene: welkin::Scene,
+    /// Pixels.
+    pub width: u32,
+    /// Pixels.
+    pub height: u32,
+    /// Samples along a view ray.
+    pub view_samples: u32,
+    /// Samples from each of those towards the sun.
+    pub light_samples: u32,
+    /// Radiance is multiplied by this before tone mapping.
+    pub exposure: f32,
+    /// The tone curve.
+    pub tone_map: ToneMap,
+    /// The ground; `None` leaves it out.
+    pub terrain: Option<TerrainStyle>,
+}
+
+impl Shot {
+    fn settings(&self) -> PictureSettings {
+        let (view_samples, light_samples) = (self.view_samples, self.light_samples);
+        PictureSettings {
+            sky: SkySettings { view_samples, light_samples, ..Default::default() },
+            exposure: self.exposure.into(),
+            tone_map: self.tone_map,
+            terrain: self.terrain,
+            radiance: Format::Rgba16Float,
+        }
+    }
+}
+
+/// A drawn [`Shot`].
+#[derive(Clone, Debug)]
+pub struct Picture {
+    /// Pixels.
+    pub width: u32,
+    /// Pixels.
+    pub height: u32,
+    /// Linear radiance before exposure, row 0 at the top.
+    pub hdr: Vec<[f32; 4]>,
+    /// sRGB after exposure and tone mapping, row 0 at the top.
+    pub display: Vec<[u8; 4]>,
+}
+
+enum Machine {
+    WebGpu(Box<WgpuBackend>),
+    WebGl2(Box<Headless>),
+    Cpu,
+}
+
+impl Machine {
+    fn web_gpu() -> welkin::Result<Self> {
+        Ok(Self::WebGpu(Box::new(WgpuBackend::headless()?)))
+    }
+
+    fn web_gl2() -> welkin::Result<Self> {
+        Ok(Self::WebGl2(Box::new(Headless::new()?)))
+    }
+
+    /// The GPU backend, if it is one.
+    fn backend(&mut self) -> Option<&mut dyn Backend> {
+        match self {
+            Self::WebGpu(b) => Some(&mut **b),
+            Self::WebGl2(h) => Some(&mut h.backend),
+            Self::Cpu => None,
+        }
+    }
+}
+
+/// A backend that is ready to draw.
+pub struct Drawer {
+    machine: Machine,
+    renderer: PictureRenderer,
+    /// Why [`BackendChoice::Auto`] passed better ones over.
+    passed_over: Vec<String>,
+}
+
+impl Drawer {
+    /// Opens a backend; an error says why it cannot be had here. `Auto` always finds one.
+    pub fn open(choice: BackendChoice) -> anyhow::Result<Self> {
+        let mut passed_over = Vec::new();
+        let machine = match choice {
+            BackendChoice::WebGpu => Machine::web_gpu()?,
+            BackendChoice::WebGl2 => Machine::web_gl2()?,
+            BackendChoice::Cpu => Machine::Cpu,
+            BackendChoice::Auto => [Machine::web_gpu, Machine::web_gl2]
+                .into_iter()
+                .find_map(|open| open().map_err(|e| passed_over.push(e.to_string())).ok())
+                .unwrap_or(Machine::Cpu),
+        };
+        Ok(Self { machine, renderer: PictureRenderer::default(), passed_over })
+    }
+
+    /// Backend, adapter and timer, on one line; and what was passed over for it.
+    pub fn describe(&self) -> String {
+        let mut text = match &self.machine {
+            Machine::WebGpu(b) => b.info().to_string(),
+            Machine::WebGl2(h) => h.backend.info().to_string(),
+            Machine::Cpu => {
+                let threads = std::thread::available_parallelism().map_or(1, usize::from);
+                format!("cpu: f64 reference, single scattering, {threads} threads")
+            }
+        };
+        for reason in &self.passed_over {
+            text += &format!(" (not {reason})");
+        }
+        text
+    }
+
+    /// Draws one picture; `progress` is told the share that is done, 0 to 1.
+    pub fn draw(&mut self, shot: &Shot, progress: &dyn Fn(f32)) -> anyhow::Result<Picture> {
+        let (width, height) = (shot.width, shot.height);
+        let settings = shot.settings();
+        let Some(backend) = self.machine.backend() else {
+            let p = welkin::reference::picture::render(&shot.scene, &settings, [width, height], progress)?;
+            return Ok(Picture { width, height, hdr: p.radiance, display: p.display });
+        };
+        progress(0.0);
+        let drawn = self.renderer.draw(backend, &shot.scene, &settings, [width, height]).context("draw")?;
+        progress(0.5);
+        let hdr = backend.read(drawn.radiance).context("read the radiance back")?;
+        let display = backend.read(drawn.display).context("read the picture back")?;
+        progress(1.0);
+        Ok(Picture {
+            width,
+            height,
+            hdr: hdr.as_chunks().0.to_vec(),
+            display: display.as_chunks().0.iter().map(|p: &[f32; 4]| p.map(|v| (v * 255.0).round() as u8)).collect(),
+        })
+    }
+}
+
+impl Drop for Drawer {
+    fn drop(&mut self) {
+        if let Some(backend) = self.machine.backend() {
+            self.renderer.destroy(backend);
+        }
+    }
+}
+
+/// All backends that can be had here, the preferred one first. Never empty: the CPU is always there.
+pub fn available() -> Vec<BackendChoice> {
+    let gpus = [(BackendChoice::WebGpu, Machine::web_gpu as fn() -> _), (BackendChoice::WebGl2, Machine::web_gl2)];
+    let mut found: Vec<_> = gpus.into_iter().filter(|(_, open)| open().is_ok()).map(|(choice, _)| choice).collect();
+    found.push(BackendChoice::Cpu);
+    found
+}
