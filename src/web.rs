@@ -377,8 +377,8 @@ impl Drop for Viewer {
     }
 }
 
-/// Where the page stands: 47° north, 20° east in the planet's own axes, a coast of the demonstration terrain.
+/// Where the page stands: 15.2° south, 37.4° east in the planet's own axes, a coast of the demonstration terrain.
 fn place() -> DVec3 {
-    let (latitude, longitude) = (47.0_f64.to_radians(), 20.0_f64.to_radians());
+    let (latitude, longitude) = ((-15.2_f64).to_radians(), 37.4_f64.to_radians());
     DVec3::new(latitude.cos() * longitude.cos(), latitude.cos() * longitude.sin(), latitude.sin())
 }

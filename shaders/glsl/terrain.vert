@@ -221,18 +221,18 @@ vec4 height_field(vec3 n, float amplitude, float rate, float sea, float spacing)
     land = (_e34 + ((_e40 * vec4(vec3(13.7), 1.0)) * 0.1));
     float coast = mix(0.25, 0.48, sea);
     float _e54 = land.w;
-    float rise = ((_e54 - coast) * 6.0);
+    float rise = ((_e54 - coast) * 14.0);
     if ((rise <= 0.0)) {
         return vec4(0.0);
     }
     float above = min(rise, 1.0);
     vec4 _e65 = land;
-    vec3 d_above = ((rise < 1.0) ? (_e65.xyz * 6.0) : vec3(0.0));
+    vec3 d_above = ((rise < 1.0) ? (_e65.xyz * 14.0) : vec3(0.0));
     vec4 _e76 = noise(((n * 9.0) + vec3(29.0)));
     vec4 belt_noise = (_e76 * vec4(vec3(9.0), 1.0));
-    float t = clamp(((belt_noise.w - 0.45) * 4.0), 0.0, 1.0);
-    float belt = (0.08 + (((0.92 * t) * t) * (3.0 - (2.0 * t))));
-    vec3 d_belt = (belt_noise.xyz * (((5.52 * t) * (1.0 - t)) * 4.0));
+    float t = clamp(((belt_noise.w - 0.38) * 4.0), 0.0, 1.0);
+    float belt = (0.1 + (((0.9 * t) * t) * (3.0 - (2.0 * t))));
+    vec3 d_belt = (belt_noise.xyz * (((5.4 * t) * (1.0 - t)) * 4.0));
     frequency = rate;
     bool loop_init_1 = true;
     while(true) {
@@ -248,7 +248,7 @@ vec4 height_field(vec3 n, float amplitude, float rate, float sea, float spacing)
         }
         {
             float _e120 = frequency;
-            float seen = clamp(((0.5 / (_e120 * spacing)) - 0.5), 0.0, 1.0);
+            float seen = clamp(((0.3 / (_e120 * spacing)) - 0.5), 0.0, 1.0);
             if ((seen > 0.0)) {
                 float _e131 = frequency;
                 int _e133 = octave;

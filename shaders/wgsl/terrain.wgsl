@@ -41,24 +41,24 @@ fn height_field(n: vec3f, amplitude: f32, rate: f32, sea: f32, spacing: f32) -> 
     land += noise(n * 13.7 + 3.0) * vec4f(vec3f(13.7), 1.0) * 0.1;
     // Below the coast 0, above it rising to 1.
     let coast = mix(0.25, 0.48, sea);
-    let slope = 6.0;
+    let slope = 14.0;
     let rise = (land.w - coast) * slope;
     if rise <= 0.0 {
         return vec4f(0.0);
     }
     let above = min(rise, 1.0);
     let d_above = select(vec3f(0.0), land.xyz * slope, rise < 1.0);
-    // Belts of mountains: from 0.08 in the plains to 1.
+    // Belts of mountains: from 0.1 in the plains to 1.
     let belt_noise = noise(n * 9.0 + 29.0) * vec4f(vec3f(9.0), 1.0);
-    let t = clamp((belt_noise.w - 0.45) * 4.0, 0.0, 1.0);
-    let belt = 0.08 + 0.92 * t * t * (3.0 - 2.0 * t);
-    let d_belt = belt_noise.xyz * (0.92 * 6.0 * t * (1.0 - t) * 4.0);
+    let t = clamp((belt_noise.w - 0.38) * 4.0, 0.0, 1.0);
+    let belt = 0.1 + 0.9 * t * t * (3.0 - 2.0 * t);
+    let d_belt = belt_noise.xyz * (0.9 * 6.0 * t * (1.0 - t) * 4.0);
     // Ridges: 1 - |2 noise - 1| over six octaves, height 0 to 1; their mean is about 0.6.
     var ridge = vec4f(0.0);
     var frequency = rate;
     var gain = 0.55;
     for (var octave = 0; octave < 6; octave++) {
-        let seen = clamp(0.5 / (frequency * spacing) - 0.5, 0.0, 1.0);
+        let seen = clamp(0.3 / (frequency * spacing) - 0.5, 0.0, 1.0);
         if seen > 0.0 {
             let v = noise(n * frequency + f32(octave) * 17.0) * vec4f(vec3f(frequency), 1.0);
             let s = select(-2.0, 2.0, v.w < 0.5);

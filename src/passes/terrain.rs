@@ -60,12 +60,12 @@ impl TerrainStyle {
     /// Green plains, grey rock, snow and sea.
     pub fn earth() -> Self {
         Self {
-            amplitude: 5000.0,
-            range_spacing: 70_000.0,
+            amplitude: 8000.0,
+            range_spacing: 40_000.0,
             sea: true,
             low_albedo: [0.09, 0.11, 0.045],
             high_albedo: [0.19, 0.17, 0.15],
-            snow_line: 2600.0,
+            snow_line: 3200.0,
         }
     }
 
@@ -73,7 +73,7 @@ impl TerrainStyle {
     pub fn dry(params: &AtmosphereParams) -> Self {
         Self {
             amplitude: 6000.0_f64.min(params.planet_radius * 1e-3),
-            range_spacing: 90_000.0_f64.min(params.planet_radius * 0.03),
+            range_spacing: 60_000.0_f64.min(params.planet_radius * 0.03),
             sea: false,
             low_albedo: params.ground_albedo,
             high_albedo: params.ground_albedo.map(|a| a * 0.7),
@@ -124,7 +124,7 @@ impl TerrainStyle {
             let (v, g) = noise(n * rate + shift);
             land = (land.0 + v * gain, land.1 + g * (rate * gain));
         }
-        let (coast, slope) = (if self.sea { 0.48 } else { 0.25 }, 6.0);
+        let (coast, slope) = (if self.sea { 0.48 } else { 0.25 }, 14.0);
         let rise = (land.0 - coast) * slope;
         if rise <= 0.0 {
             return (0.0, DVec3::ZERO);
@@ -132,9 +132,9 @@ impl TerrainStyle {
         let above = rise.min(1.0);
         let d_above = if rise < 1.0 { land.1 * slope } else { DVec3::ZERO };
         let (belt_noise, belt_gradient) = noise(n * 9.0 + 29.0);
-        let t = ((belt_noise - 0.45) * 4.0).clamp(0.0, 1.0);
-        let belt = 0.08 + 0.92 * t * t * (3.0 - 2.0 * t);
-        let d_belt = belt_gradient * (9.0 * 0.92 * 6.0 * t * (1.0 - t) * 4.0);
+        let t = ((belt_noise - 0.38) * 4.0).clamp(0.0, 1.0);
+        let belt = 0.1 + 0.9 * t * t * (3.0 - 2.0 * t);
+        let d_belt = belt_gradient * (9.0 * 0.9 * 6.0 * t * (1.0 - t) * 4.0);
         let mut ridge = (0.0, DVec3::ZERO);
         let (mut frequency, mut gain) = (self.mountain_rate(planet_radius), 0.55);
         for octave in 0..6 {

@@ -41,7 +41,7 @@ pub struct Place {
 impl Place {
     /// Where a view is seen from unless a place is asked for: on the demonstration terrain's sea, with
     /// mountains to the west and south.
-    pub const DEFAULT: Self = Self { latitude: 47.0, longitude: 20.0 };
+    pub const DEFAULT: Self = Self { latitude: -15.2, longitude: 37.4 };
 
     /// Unit vectors up, north and east. The planet's axis is +Z and longitude 0 lies towards +X.
     ///
