@@ -87,7 +87,7 @@ Examples:
       The contact sheet, to welkin.png
   welkin render --view mars-sunset --size 1920x1080 -o mars.png
       One of the contact sheet's views, alone and larger
-  welkin render --altitude 400km --pitch -20 --fov 40 --sun-elevation 25 --sun-azimuth 60 -o limb.exr
+  welkin render --altitude 400km --pitch -20 --fov 40 --sun-elevation 25 -o limb.exr
       The limb from low orbit, as linear radiance
   welkin render --place 46.55,7.98 --time 2024-06-20T04:00:00Z --altitude 3466 --heading 60
       The sky over the Jungfraujoch on a summer morning, the sun where it was

@@ -12,10 +12,10 @@ use welkin::{PictureRenderer, PictureSettings, SkySettings, TerrainStyle, ToneMa
 pub enum BackendChoice {
     /// The best that this machine has: webgpu, else webgl2, else cpu.
     Auto,
-    /// wgpu: Vulkan on this machine.
+    /// Vulkan, through wgpu.
     #[value(name = "webgpu")]
     WebGpu,
-    /// glow: OpenGL ES 3 through EGL, the API of WebGL2.
+    /// OpenGL ES 3, which is what WebGL2 is made of, through glow.
     #[value(name = "webgl2")]
     WebGl2,
     /// The f64 reference on all processor cores; slow, needs no driver.

@@ -63,12 +63,13 @@ impl Output {
     }
 
     fn check(&self) -> std::io::Result<()> {
-        if self.path.exists() {
-            // Opening for writing without truncation touches neither content nor time stamps.
-            let file = OpenOptions::new().write(true).open(&self.path)?;
-            if !file.metadata()?.is_file() {
+        if let Ok(there) = fs::metadata(&self.path) {
+            // Asked first: opening a pipe would wait for its reader.
+            if !there.is_file() {
                 return Err(std::io::Error::other("it exists and is not a file"));
             }
+            // Opening for writing without truncation touches neither content nor time stamps.
+            OpenOptions::new().write(true).open(&self.path)?;
         }
         let part = self.part();
         OpenOptions::new().write(true).create_new(true).open(&part)?;
@@ -77,8 +78,7 @@ impl Output {
 
     /// The file that becomes the output once it is complete. In the same folder, so that renaming is one step.
     fn part(&self) -> PathBuf {
-        let name = self.path.file_name().unwrap_or_default().to_string_lossy();
-        self.path.with_file_name(format!(".{name}.{}.part", std::process::id()))
+        self.path.with_file_name(format!(".welkin-{}.part", std::process::id()))
     }
 
     /// Writes what the format holds of the picture.

@@ -19,7 +19,7 @@ pub const HEIGHT: u32 = 1000;
 /// Pixels of one picture on it.
 pub const PANEL_WIDTH: u32 = 382;
 /// Pixels of one picture on it.
-pub const PANEL_HEIGHT: u32 = 239;
+pub const PANEL_HEIGHT: u32 = 246;
 /// How many times [`difference`] magnifies.
 pub const MAGNIFY: i32 = 32;
 
@@ -32,7 +32,7 @@ const HEADING_HEIGHT: u32 = 26;
 const BACKGROUND: Rgb888 = Rgb888::new(18, 20, 24);
 const EMPTY: Rgb888 = Rgb888::new(34, 37, 43);
 const BRIGHT: Rgb888 = Rgb888::new(240, 240, 236);
-const SOFT: Rgb888 = Rgb888::new(172, 178, 188);
+const SOFT: Rgb888 = Rgb888::new(190, 196, 205);
 
 /// A picture with two lines under it.
 pub struct Panel {
@@ -75,7 +75,7 @@ impl Sheet {
         canvas.text(&self.comparison_title, &FONT_9X15_BOLD, BRIGHT, GAP, y + 2, WIDTH - GAP);
         y += HEADING_HEIGHT;
         canvas.row(&self.comparison[..self.comparison.len().min(COLUMNS)], y);
-        canvas.text(&self.foot, &FONT_9X15, SOFT, GAP, HEIGHT - 26, WIDTH - GAP);
+        canvas.text(&self.foot, &FONT_9X15, SOFT, GAP, HEIGHT - 25, WIDTH - GAP);
         canvas.pixels
     }
 }

@@ -138,7 +138,7 @@ pub const VIEWS: [View; 9] = [
         pitch: 12.0,
         sun_elevation: 60.0,
         sun_azimuth: 150.0,
-        exposure: 0.6,
+        exposure: 0.4,
         ..DEFAULT
     },
     View {
@@ -169,7 +169,7 @@ pub const VIEWS: [View; 9] = [
         pitch: 4.0,
         sun_elevation: 30.0,
         sun_azimuth: 240.0,
-        exposure: 0.8,
+        exposure: 0.5,
         ..DEFAULT
     },
     // The horizon lies acos(R / (R + h)) = 19.8° below the horizontal.
@@ -182,7 +182,7 @@ pub const VIEWS: [View; 9] = [
         fov: 40.0,
         sun_elevation: 25.0,
         sun_azimuth: 60.0,
-        exposure: 0.8,
+        exposure: 0.35,
         ..DEFAULT
     },
     // The planet's disk is 2 asin(R / (R + h)) = 40.5° wide.
@@ -195,7 +195,7 @@ pub const VIEWS: [View; 9] = [
         fov: 44.0,
         sun_elevation: 35.0,
         sun_azimuth: 60.0,
-        exposure: 0.8,
+        exposure: 0.35,
         ..DEFAULT
     },
     View {
@@ -205,7 +205,7 @@ pub const VIEWS: [View; 9] = [
         pitch: 8.0,
         sun_elevation: 40.0,
         sun_azimuth: 230.0,
-        exposure: 1.0,
+        exposure: 0.8,
         ..DEFAULT
     },
     View {
@@ -221,15 +221,15 @@ pub const VIEWS: [View; 9] = [
         ..DEFAULT
     },
     View {
-        name: "airliner",
-        title: "Earth: above the lower air",
+        name: "summit",
+        title: "Earth: summit height",
         altitude: 5000.0,
         pitch: 2.0,
         heading: 230.0,
         fov: 50.0,
         sun_elevation: 8.0,
         sun_azimuth: 250.0,
-        exposure: 1.0,
+        exposure: 0.7,
         ..DEFAULT
     },
 ];

@@ -1,0 +1,249 @@
+//! The command-line tool as a user meets it: the built binary, its messages, its files.
+#![cfg(feature = "cli")]
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+/// A new empty folder; the test works inside it.
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("cli").join(name);
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+fn command(folder: &Path, args: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_welkin"));
+    command.args(args).current_dir(folder).stdin(Stdio::null());
+    command
+}
+
+fn welkin(folder: &Path, args: &[&str]) -> Output {
+    command(folder, args).output().unwrap()
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+fn files(folder: &Path) -> Vec<String> {
+    let mut names: Vec<_> =
+        std::fs::read_dir(folder).unwrap().map(|f| f.unwrap().file_name().to_string_lossy().into_owned()).collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn help_teaches_every_option() {
+    let folder = folder("help");
+    let long = welkin(&folder, &["render", "--help"]);
+    assert!(long.status.success());
+    let long = text(&long.stdout);
+    for option in [
+        "--view",
+        "--planet",
+        "--altitude",
+        "--pitch",
+        "--heading",
+        "--fov",
+        "--sun-elevation",
+        "--sun-azimuth",
+        "--place",
+        "--time",
+        "--size",
+        "--exposure",
+        "--samples",
+        "--light-samples",
+        "--tone-map",
+        "--backend",
+        "--no-terrain",
+        "--output",
+        "-o,",
+        "View:",
+        "Picture:",
+        "Examples:",
+        "Exit status:",
+    ] {
+        assert!(long.contains(option), "{option} is missing from:\n{long}");
+    }
+    let short = text(&welkin(&folder, &["--help"]).stdout);
+    assert!(short.contains("render") && short.contains("info"), "{short}");
+    assert!(text(&welkin(&folder, &["--version"]).stdout).contains(env!("CARGO_PKG_VERSION")));
+    let nothing = welkin(&folder, &[]);
+    assert_eq!(nothing.status.code(), Some(2));
+    assert!(text(&nothing.stderr).contains("render"));
+}
+
+/// Exit status 2, a message with all of `parts`, and nothing in the folder.
+#[track_caller]
+fn rejected(args: &[&str], parts: &[&str]) {
+    // Tests run at the same time: a folder for each.
+    let name: String = args.join("_").chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
+    let folder = folder(&format!("rejected-{name}"));
+    let out = welkin(&folder, &[&["render"], args].concat());
+    let message = text(&out.stderr);
+    assert_eq!(out.status.code(), Some(2), "{args:?}: {message}");
+    assert!(out.stdout.is_empty(), "{args:?}");
+    for part in parts {
+        assert!(message.contains(part), "{args:?}: no {part:?} in: {message}");
+    }
+    assert!(!message.contains("panicked"), "{message}");
+    assert_eq!(files(&folder), [""; 0], "{args:?}");
+    std::fs::remove_dir(&folder).unwrap();
+}
+
+#[test]
+fn wrong_numbers_are_rejected_with_option_value_and_range() {
+    for (option, values, range) in [
+        ("--pitch", &["90.1", "-91", "nan", "up", ""][..], "from -90.0 to 90.0 degrees"),
+        ("--heading", &["361", "-inf", "NaN", "north"], "from -360.0 to 360.0 degrees"),
+        ("--fov", &["0", "180", "-5", "nan", "inf"], "from 0.01 to 179.0 degrees"),
+        ("--sun-elevation", &["nan", "90.5", "-1e3"], "from -90.0 to 90.0 degrees"),
+        ("--sun-azimuth", &["NaN", "1e9", "-361"], "from -360.0 to 360.0 degrees"),
+        ("--exposure", &["-1", "0", "nan", "inf", "1e7"], "from 1e-6 to 1000000.0"),
+        ("--samples", &["0", "-1", "1025", "8.5", "99999999999999999999"], "from 1 to 1024"),
+        ("--light-samples", &["0", "-1", "1025", "many"], "from 1 to 1024"),
+        ("--size", &["0x0", "0x720", "1280", "8193x1", "8192x8192", "-4x4", "nanxnan"], "from 1 to 8192"),
+        ("--altitude", &["-4000km", "1e300km", "1e13m", "-1e13"], ""),
+        ("--altitude", &["nan", "inf", "high", "12 miles", "km"], "metres"),
+        ("--place", &["91,0", "0,181", "46.5", "nan,0", "46.5;8", ""], "-90 to 90"),
+    ] {
+        for value in values {
+            rejected(&[option, value], &["error: ", option, &format!("'{value}'"), "must be", range]);
+        }
+    }
+}
+
+#[test]
+fn altitude_names_the_range_of_its_planet() {
+    rejected(&["--altitude", "-4000km"], &["--altitude", "'-4000km'", "-3,180 km", "earth", "1,000,000,000 km"]);
+    rejected(&["--planet", "mars", "--altitude", "-2000 km"], &["--altitude", "'-2000 km'", "-1,694.8 km", "mars"]);
+}
+
+#[test]
+fn unknown_names_are_rejected_with_the_known_ones() {
+    rejected(&["--planet", "pluto"], &["'pluto'", "--planet", "earth, mars, venus, earth-like"]);
+    rejected(&["--backend", "metal"], &["'metal'", "--backend", "auto, webgpu, webgl2, cpu"]);
+    rejected(&["--tone-map", "hable"], &["'hable'", "--tone-map", "aces, agx, neutral"]);
+    rejected(&["--view", "brunch"], &["'brunch'", "--view", "noon, sunset, dusk"]);
+    rejected(&["--zenith", "3"], &["--zenith"]);
+}
+
+#[test]
+fn the_sun_is_placed_in_one_way() {
+    let time = "2024-06-20T20:51:00Z";
+    rejected(
+        &["--sun-elevation", "5", "--place", "46.5,8", "--time", time],
+        &["--sun-elevation 5", "--place", "cannot be used with"],
+    );
+    rejected(&["--sun-azimuth", "5", "--time", time], &["--sun-azimuth 5", "--time", "cannot be used with"]);
+    rejected(&["--place", "46.5,8"], &["--place", "needs", "--time"]);
+    rejected(&["--time", time], &["--time", "needs", "--place"]);
+    rejected(&["--planet", "mars", "--place", "46.5,8", "--time", time], &["--planet", "'mars'", "earth", "--time"]);
+    for bad in ["yesterday", "2024-06-20", "2024-06-20T20:51:00", "2024-02-30T00:00:00Z", "3000-01-01T00:00:00Z"] {
+        rejected(&["--place", "46.5,8", "--time", bad], &["--time", bad, "RFC 3339", "2999"]);
+    }
+}
+
+#[test]
+fn outputs_that_cannot_be_are_found_before_drawing() {
+    for bad in ["sky.jpg", "sky", "sky.", ".png", "sky.png.gz"] {
+        rejected(&["--view", "noon", "-o", bad], &["--output", &format!("'{bad}'"), ".png, .exr or .hdr"]);
+    }
+    rejected(&["-o", "sky.exr"], &["--output", "'sky.exr'", ".png for the contact sheet"]);
+    rejected(&["-o", "missing/sky.png"], &["--output", "'missing/sky.png'", "can be written"]);
+
+    let folder = folder("taken");
+    std::fs::create_dir(folder.join("sky.png")).unwrap();
+    let out = welkin(&folder, &["render", "--view", "noon", "-o", "sky.png"]);
+    assert_eq!(out.status.code(), Some(2));
+    assert!(text(&out.stderr).contains("sky.png"));
+    assert_eq!(files(&folder), ["sky.png"]);
+}
+
+/// The edge of a very wide picture can lie almost 90° off even where the field of view is allowed.
+#[test]
+fn too_wide_a_view_is_rejected() {
+    rejected(&["--fov", "179", "--size", "8192x1"], &["--fov", "--size", "8192x1", "179"]);
+}
+
+#[test]
+fn a_rejected_request_leaves_an_older_file_alone() {
+    let folder = folder("older");
+    std::fs::write(folder.join("welkin.png"), "mine").unwrap();
+    assert_eq!(welkin(&folder, &["render", "--fov", "180"]).status.code(), Some(2));
+    assert_eq!(std::fs::read(folder.join("welkin.png")).unwrap(), b"mine");
+}
+
+#[test]
+fn single_pictures_have_their_size_and_are_not_black() {
+    let folder = folder("single");
+    for ending in ["png", "exr", "hdr"] {
+        let file = format!("limb.{ending}");
+        let args = ["render", "--view", "limb", "--backend", "cpu", "--size", "48x30", "-o", &file];
+        let out = welkin(&folder, &[&args[..], &["--samples", "4", "--light-samples", "2"]].concat());
+        assert!(out.status.success(), "{}", text(&out.stderr));
+        let said = text(&out.stdout);
+        assert!(said.contains(&file) && said.contains("48×30") && said.contains("cpu"), "{said}");
+        let image = image::open(folder.join(&file)).unwrap();
+        assert_eq!((image.width(), image.height()), (48, 30));
+        let floats = image.into_rgb32f();
+        assert!(floats.iter().all(|v| v.is_finite() && *v >= 0.0));
+        let row = |y| (0..48).map(|x| floats.get_pixel(x, y).0[2]).sum::<f32>();
+        assert!(row(29) > 0.0, "{ending}: the lit ground is black");
+        assert!(row(0) < row(29), "{ending}: space is brighter than the ground");
+    }
+    assert_eq!(files(&folder), ["limb.exr", "limb.hdr", "limb.png"]);
+}
+
+#[test]
+fn place_and_time_put_the_sun_where_it_was() {
+    let folder = folder("place");
+    let draw = |args: &[&str], file: &str| {
+        let common = ["render", "--backend", "cpu", "--size", "16x10", "--no-terrain", "--samples", "4", "-o", file];
+        let out = welkin(&folder, &[&common[..], args].concat());
+        assert!(out.status.success(), "{}", text(&out.stderr));
+        image::open(folder.join(file)).unwrap().into_rgb32f().iter().sum::<f32>()
+    };
+    // Noon and midnight in London.
+    let noon = draw(&["--place", "51.48,0.0", "--time", "2024-03-20T12:00:00Z"], "noon.exr");
+    let night = draw(&["--place", "51.48,0.0", "--time", "2024-03-20T00:00:00Z"], "night.exr");
+    assert!(noon > 10.0 * night, "{noon} {night}");
+}
+
+#[test]
+fn contact_sheet_is_the_default() {
+    let folder = folder("sheet");
+    let out = welkin(&folder, &["render", "--samples", "8", "--light-samples", "4"]);
+    assert!(out.status.success(), "{}", text(&out.stderr));
+    let said = text(&out.stdout);
+    assert!(said.starts_with("welkin.png: 1600×1000, drawn by "), "{said}");
+    assert_eq!(files(&folder), ["welkin.png"]);
+    let image = image::open(folder.join("welkin.png")).unwrap().into_rgb8();
+    assert_eq!(image.dimensions(), (1600, 1000));
+    let bright = image.pixels().filter(|p| p.0.iter().any(|c| *c > 60)).count();
+    assert!(bright > 1600 * 1000 / 5, "only {bright} pixels are not dark");
+}
+
+#[test]
+fn info_lists_every_backend() {
+    let out = welkin(&folder("info"), &["info"]);
+    assert!(out.status.success());
+    let said = text(&out.stdout);
+    for backend in ["webgpu", "webgl2", "cpu"] {
+        assert!(said.contains(&format!("{backend}:")), "{said}");
+    }
+}
+
+/// `welkin info | true` and the like.
+#[test]
+fn a_reader_that_leaves_is_no_error() {
+    let folder = folder("pipe");
+    for args in [&["info"][..], &["render", "--view", "noon", "--backend", "cpu", "--size", "4x4"], &["--help"]] {
+        let mut child = command(&folder, args).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        drop(child.stdout.take());
+        let out = child.wait_with_output().unwrap();
+        let message = text(&out.stderr);
+        assert!(out.status.success() && !message.contains("error"), "{args:?}: {:?} {message}", out.status);
+    }
+}
