@@ -1,0 +1,379 @@
+// The planet viewer in a real browser: the same tests for both backends.
+import assert from 'node:assert/strict';
+import { join } from 'node:path';
+import { after, before, describe, it } from 'node:test';
+import { SIZE, artifacts, difference, launch, luminance, mean, pixels, shown, waitForLine } from './browser.mjs';
+
+let browser;
+before(async () => { browser = await launch(); });
+after(async () => { await browser?.close(); });
+
+/** Open the viewer for one test; the page is closed after it, and must not have complained. */
+async function use(t, options, { complaints = false } = {}) {
+  const page = await browser.open(options);
+  t.after(async () => {
+    await page.context().close();
+    if (!complaints) assert.deepEqual(page.problems, [], 'the page reported errors');
+  });
+  return page;
+}
+
+const finite = (data) => data.every(Number.isFinite);
+
+for (const backend of ['webgl2', 'webgpu']) {
+  describe(backend, () => {
+    it('loads, says so, and names the backend', async (t) => {
+      const page = await use(t, { backend });
+      assert.equal(page.lines.filter((l) => l.text === 'Sky renderer initialized').length, 1);
+      assert.equal(await page.textContent('#read-backend'), backend);
+      const adapter = await page.textContent('#read-adapter');
+      assert.match(adapter, new RegExp(`^${backend}: .+`));
+      assert.equal(await page.evaluate(() => welkin.viewer.backend), backend);
+      assert.ok(page.lines.some((l) => l.text === `Backend ${backend}: asked for with ?backend=${backend}`));
+      t.diagnostic(adapter);
+      const data = await pixels(page);
+      assert.equal(data.length, SIZE.width * SIZE.height * 4);
+      assert.ok(finite(data), 'every pixel is finite');
+      assert.ok(luminance(mean(data)) > 0, 'the sky is not black');
+      await page.setViewportSize({ width: 1000, height: 640 });
+      await page.screenshot({ path: join(artifacts, `viewer-${backend}.png`) });
+    });
+
+    it('fills the window and follows its size', async (t) => {
+      const page = await use(t, { backend, query: { width: '', height: '', scale: '0.25' } });
+      const size = () => page.evaluate(() => { const c = document.querySelector('#stage canvas'); return [c.width, c.height]; });
+      assert.deepEqual(await size(), [225, 150]);
+      await page.setViewportSize({ width: 400, height: 300 });
+      await page.waitForFunction(() => document.querySelector('#stage canvas').width === 100);
+      assert.deepEqual(await size(), [100, 75]);
+      assert.equal((await pixels(page)).length, 100 * 75 * 4);
+    });
+
+    it('draws only when something changed', async (t) => {
+      const page = await use(t, { backend });
+      await page.evaluate(async () => {
+        await welkin.redraw();
+        const { viewer } = welkin;
+        window.frames_ = 0;
+        const render = viewer.render;
+        viewer.render = function () { window.frames_++; return render.call(this); };
+      });
+      await page.waitForTimeout(1500);
+      assert.equal(await page.evaluate(() => window.frames_), 0, 'frames without a change');
+      await page.evaluate(async () => { welkin.redraw(); welkin.redraw(); await welkin.redraw(); });
+      assert.equal(await page.evaluate(() => window.frames_), 1, 'one frame for three requests');
+    });
+
+    it('testSky draws the four scenarios', async (t) => {
+      const page = await use(t, { backend, hash: 'alt=2000&pitch=7' });
+      const before = await pixels(page);
+      const results = await page.evaluate(() => window.testSky());
+      assert.deepEqual(results.map(({ name, alt, pitch }) => [name, alt, pitch]), [
+        ['Surface looking up', 100, 90],
+        ['Surface at horizon', 100, 0],
+        ['High altitude up', 5000, 90],
+        ['Very high altitude', 15000, 90],
+      ]);
+      for (const { name, mean: [r, g, b], finite } of results) {
+        assert.equal(finite, true, `${name}: every pixel is finite`);
+        assert.ok(r >= 0 && g >= 0 && b >= 0 && r + g + b > 0, `${name}: ${[r, g, b]}`);
+        assert.ok(page.lines.some((l) => l.text.startsWith(`${name}: `)), `${name} is logged`);
+        t.diagnostic(`${name}: ${[r, g, b].map((x) => x.toPrecision(3)).join(' ')}`);
+      }
+      const [up, , higher, highest] = results.map((r) => r.mean);
+      assert.ok(up[2] > up[0], 'the zenith is blue');
+      assert.ok(luminance(higher) < luminance(up) && luminance(highest) < luminance(higher), 'the zenith darkens with altitude');
+      const state = await page.evaluate(() => welkin.state);
+      assert.deepEqual([state.alt, state.pitch], [2000, 7]);
+      assert.equal(difference(before, await pixels(page)).max, 0, 'the view from before is back');
+    });
+
+    it('toggleSky takes the sky away and brings it back', async (t) => {
+      const page = await use(t, { backend, hash: 'pitch=40' });
+      const on = await pixels(page);
+      const from = page.lines.length;
+      assert.equal(await page.evaluate(() => window.toggleSky()), false);
+      await waitForLine(page, 'Sky: false', { from });
+      const off = await pixels(page);
+      assert.equal(await page.evaluate(() => welkin.viewer.enabled), false);
+      assert.ok(luminance(mean(off)) < 0.01 * luminance(mean(on)), `${mean(off)} against ${mean(on)}`);
+      assert.equal(await page.evaluate(() => window.toggleSky()), true);
+      await waitForLine(page, 'Sky: true', { from });
+      assert.equal(difference(on, await pixels(page)).max, 0);
+    });
+
+    it('setSkyQuality changes the samples, and refuses nonsense by name', async (t) => {
+      const page = await use(t, { backend, hash: 'sunElevation=3&sunAzimuth=0&pitch=5' });
+      const set = (n) => page.evaluate(async (n) => { setSkyQuality(n); await welkin.redraw(); return welkin.state.samples; }, n);
+      assert.equal(await set(8), 8);
+      await waitForLine(page, 'Sky samples: 8');
+      const coarse = await pixels(page);
+      assert.equal(await set(32), 32);
+      await waitForLine(page, 'Sky samples: 32');
+      const fine = await pixels(page);
+      assert.ok(difference(coarse, fine).mean > 0, 'more samples give another picture');
+      const relative = Math.abs(luminance(mean(coarse)) / luminance(mean(fine)) - 1);
+      assert.ok(relative < 0.2, `the same sky all the same: ${relative}`);
+      for (const bad of [0, -3, 'many', 1e9]) {
+        const message = await page.evaluate((n) => { try { setSkyQuality(n); } catch (e) { return e.message; } }, bad);
+        assert.match(message ?? 'nothing was thrown', /samples.* is not allowed: must be /, String(bad));
+      }
+      assert.equal(await page.evaluate(() => welkin.state.samples), 32, 'a refused number changes nothing');
+      assert.equal(difference(fine, await pixels(page)).max, 0);
+      assert.equal(page.lines.filter((l) => l.text.startsWith('Sky samples')).length, 2);
+    });
+
+    it('draws the sky behind the terrain', async (t) => {
+      const page = await use(t, { backend, hash: 'pitch=0&sunElevation=35' });
+      const bare = await pixels(page, { terrain: false });
+      const terrain = await pixels(page, { terrain: true });
+      assert.ok(finite(terrain));
+      const change = (top, bottom) => {
+        const [a, b] = [bare, terrain].map((d) => mean(d, top, bottom));
+        return Math.abs(luminance(a) - luminance(b)) / Math.max(luminance(a), luminance(b));
+      };
+      assert.ok(change(0, 0.2) < 0.02, `the upper rows stay sky: ${change(0, 0.2)}`);
+      assert.ok(change(0.8, 1) > 0.1, `the lower rows are terrain: ${change(0.8, 1)}`);
+      await page.locator('#stage canvas').screenshot({
+        path: join(artifacts, `terrain-${backend}.png`), style: '#panel, #readout, #messages { display: none }',
+      });
+    });
+
+    it('shows on the page what it computed, the right way up', async (t) => {
+      const page = await use(t, { backend, hash: 'pitch=0&terrain=on' });
+      const radiance = await pixels(page);
+      const picture = await shown(page);
+      assert.deepEqual([picture.width, picture.height], [SIZE.width, SIZE.height]);
+      const rows = 10;
+      const profile = (data) => Array.from({ length: rows }, (_, i) => luminance(mean(data, i / rows, (i + 1) / rows)));
+      const [light, screen] = [profile(radiance), profile(picture.data)];
+      // Brighter radiance must never be shown darker.
+      for (let i = 0; i < rows; i++) {
+        for (let j = 0; j < rows; j++) {
+          if (light[i] > light[j] * 1.1) assert.ok(screen[i] >= screen[j], `rows ${i} and ${j}: ${light} shown as ${screen}`);
+        }
+      }
+      assert.ok(Math.max(...screen) - Math.min(...screen) > 5, `the picture has contrast: ${screen}`);
+    });
+
+    it('climbs with the wheel, within limits', async (t) => {
+      const page = await use(t, { backend });
+      const altitude = () => page.evaluate(async () => { await welkin.redraw(); return welkin.state.alt; });
+      await page.mouse.move(300, 300);
+      const start = await altitude();
+      await page.mouse.wheel(0, 240);
+      await page.waitForFunction((a) => welkin.state.alt > a, start);
+      const higher = await altitude();
+      await page.mouse.wheel(0, -480);
+      await page.waitForFunction((a) => welkin.state.alt < a, higher);
+      assert.ok(await altitude() < start);
+      const far = await pixels(page, { alt: 2.9e7, pitch: -90 });
+      assert.ok(finite(far));
+      for (const [turn, limit] of [[40000, 3e7], [-60000, 2]]) {
+        await page.mouse.wheel(0, turn);
+        await page.waitForFunction((a) => welkin.state.alt === a, limit);
+        assert.ok(finite(await pixels(page)), `finite at ${limit} m`);
+      }
+    });
+
+    it('looks around by dragging and by keys', async (t) => {
+      const page = await use(t, { backend });
+      const look = () => page.evaluate(() => [welkin.state.heading, welkin.state.pitch]);
+      const [heading, pitch] = await look();
+      await page.mouse.move(400, 300);
+      await page.mouse.down();
+      await page.mouse.move(350, 340, { steps: 3 });
+      await page.mouse.up();
+      const [h1, p1] = await look();
+      assert.ok(Math.abs(h1 - heading - 5) < 1e-6 && Math.abs(p1 - pitch - 4) < 1e-6, `50 left and 40 down: ${h1} ${p1}`);
+      await page.focus('#stage');
+      await page.keyboard.press('ArrowRight');
+      await page.keyboard.press('Shift+ArrowUp');
+      const [h2, p2] = await look();
+      assert.ok(Math.abs(h2 - h1 - 2) < 1e-6 && Math.abs(p2 - p1 - 10) < 1e-6);
+      for (let i = 0; i < 12; i++) await page.keyboard.press('Shift+ArrowUp');
+      assert.equal((await look())[1], 90, 'pitch stops at the zenith');
+      await page.keyboard.press('Home');
+      assert.equal((await look())[1], 0);
+    });
+
+    it('pinches to change altitude on a touch screen', async (t) => {
+      const page = await use(t, { backend, context: { hasTouch: true } });
+      const touch = await page.context().newCDPSession(page);
+      const send = (type, ...points) => touch.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+      const start = await page.evaluate(() => welkin.state.alt);
+      await send('touchStart', [250, 300]);
+      await send('touchStart', [250, 300], [350, 300]);
+      await send('touchMove', [200, 300], [400, 300]);
+      await send('touchEnd');
+      await page.waitForFunction((a) => welkin.state.alt < a * 0.5, start);
+    });
+
+    it('switches planets, and back to the identical picture', async (t) => {
+      const page = await use(t, { backend, hash: 'pitch=20' });
+      const earth = await pixels(page);
+      for (const planet of ['mars', 'venus', 'earth-like']) {
+        const other = await pixels(page, { planet });
+        assert.ok(finite(other), planet);
+        assert.ok(difference(earth, other).mean > 1e-4, `${planet} looks different`);
+      }
+      assert.equal(difference(earth, await pixels(page, { planet: 'earth' })).max, 0);
+    });
+
+    it('darkens when the sun sets', async (t) => {
+      const page = await use(t, { backend, hash: 'pitch=60' });
+      const levels = [];
+      for (const sunElevation of [50, 5, -4, -18]) levels.push(luminance(mean(await pixels(page, { sunElevation }))));
+      assert.ok(levels.every((x, i) => i === 0 || x < levels[i - 1]), levels.join(' > '));
+      assert.ok(levels[3] < 1e-3 * levels[0], `night against day: ${levels[3] / levels[0]}`);
+    });
+
+    it('says what is wrong with bad input and keeps the last good value', async (t) => {
+      const page = await use(t, { backend, hash: 'planet=pluto&alt=nowhere&toneMap=sepia' });
+      const messages = await page.locator('.message span').allTextContents();
+      assert.ok(messages.some((m) => m.includes('alt = nowhere is not allowed: must be a number')), messages.join('\n'));
+      assert.ok(messages.some((m) => /pluto.* is not allowed: must be .*mars/.test(m)), messages.join('\n'));
+      assert.ok(messages.some((m) => /sepia.* is not allowed: must be .*agx/.test(m)), messages.join('\n'));
+      const state = await page.evaluate(() => welkin.state);
+      assert.deepEqual([state.planet, state.alt, state.toneMap], ['earth', 100, 'aces']);
+      const refused = await page.evaluate(() => {
+        const { viewer } = welkin;
+        const tries = {
+          planet: () => viewer.set_planet('Earth '),
+          camera: () => viewer.set_camera(NaN, 0, 0, 60),
+          fov: () => viewer.set_camera(100, 0, 0, 0),
+          sun: () => viewer.set_sun(Infinity, 0),
+          exposure: () => viewer.set_exposure(-1),
+          tone: () => viewer.set_tone_map('none of these'),
+          scale: () => viewer.set_render_scale(7),
+          size: () => viewer.resize(0, 0),
+        };
+        return Object.entries(tries).map(([name, attempt]) => {
+          try { attempt(); } catch (e) { return [name, e.message]; }
+          return [name, 'nothing was thrown'];
+        });
+      });
+      for (const [name, message] of refused) assert.match(message, /^\S+ = .* is not allowed: must be /, name);
+      assert.ok(finite(await pixels(page)), 'and it still draws');
+    });
+
+    it('recovers when the device is lost', async (t) => {
+      const page = await use(t, { backend, hash: 'planet=mars&pitch=33&sunElevation=12' });
+      const before = await pixels(page);
+      for (let round = 1; round <= 2; round++) {
+        const from = page.lines.length;
+        await page.evaluate(() => welkin.viewer.lose());
+        await waitForLine(page, /^The graphics device was lost \(.+\)\. Starting .+ again…$/, { from });
+        await waitForLine(page, `Recovered: drawing with ${backend} again, same view`, { from });
+        assert.match(await page.textContent('#messages'), /Recovered/);
+        assert.equal(difference(before, await pixels(page)).max, 0, `the same picture after loss ${round}`);
+      }
+      assert.equal(page.lines.filter((l) => l.text === 'Sky renderer initialized').length, 1);
+    });
+
+    it('keeps the view in the address', async (t) => {
+      const page = await use(t, { backend });
+      await page.evaluate(async () => { Object.assign(welkin.state, { alt: 42000, planet: 'venus' }); await welkin.redraw(); });
+      await page.waitForFunction(() => location.hash === '#planet=venus&alt=42000');
+      const picture = await pixels(page);
+      await page.reload();
+      await page.waitForFunction(() => window.welkin?.viewer);
+      assert.equal(difference(picture, await pixels(page)).max, 0);
+      await page.evaluate(() => { location.hash = '#pitch=-20'; });
+      await page.waitForFunction(() => welkin.state.pitch === -20 && welkin.state.planet === 'earth');
+    });
+  });
+}
+
+describe('both backends', () => {
+  it('give the same pixels', async (t) => {
+    const [gl, gpu] = [await use(t, { backend: 'webgl2' }), await use(t, { backend: 'webgpu' })];
+    const views = {
+      'ground, noon': { pitch: 15, sunElevation: 50 },
+      'ground, sunset': { pitch: 3, sunElevation: 0.5, sunAzimuth: 0 },
+      'ground, terrain': { pitch: 0, sunElevation: 30, sunAzimuth: 40, terrain: true },
+      '15 km': { alt: 15000, pitch: 0, terrain: false },
+      'limb from 400 km': { alt: 4e5, pitch: -18, sunElevation: 5 },
+      'whole planet': { alt: 1.5e7, pitch: -90, sunElevation: 45 },
+      'Mars': { planet: 'mars', alt: 100, pitch: 10, sunElevation: 20 },
+    };
+    for (const [name, view] of Object.entries(views)) {
+      const [a, b] = [await pixels(gl, view), await pixels(gpu, view)];
+      const { max, mean: average } = difference(a, b);
+      const peak = a.reduce((m, x, i) => (i % 4 === 3 ? m : Math.max(m, x)), 0);
+      t.diagnostic(`${name}: difference at most ${max.toPrecision(3)}, mean ${average.toPrecision(3)}, brightest value ${peak.toPrecision(3)}`);
+      assert.ok(max <= 0.01 * peak, `${name}: at most ${max} where the brightest value is ${peak}`);
+      assert.ok(average <= 0.001 * peak, `${name}: mean ${average} where the brightest value is ${peak}`);
+    }
+  });
+});
+
+describe('choosing a backend', () => {
+  it('takes the best one and says so', async (t) => {
+    const page = await use(t, {});
+    assert.equal(await page.textContent('#read-backend'), 'webgpu');
+    assert.equal(await page.textContent('#why'), 'Backend webgpu: the best that works here');
+  });
+
+  it('says why when it takes the second best', async (t) => {
+    const page = await use(t, { prepare: () => { Object.defineProperty(Navigator.prototype, 'gpu', { value: undefined }); } });
+    assert.equal(await page.textContent('#read-backend'), 'webgl2');
+    assert.match(await page.textContent('#why'), /^Backend webgl2: not available: webgpu: ./);
+    assert.ok(page.lines.some((l) => l.type === 'warning' && /^Backend webgl2: not available: webgpu: ./.test(l.text)));
+  });
+
+  it('never takes another than the one asked for', async (t) => {
+    const page = await use(t, {
+      backend: 'webgpu', ready: false, prepare: () => { Object.defineProperty(Navigator.prototype, 'gpu', { value: undefined }); },
+    }, { complaints: true });
+    await waitForLine(page, /^No sky can be drawn here\. webgpu: ./);
+    assert.equal(await page.textContent('#read-backend'), 'none');
+    assert.match(await page.textContent('#messages'), /No sky can be drawn here\. webgpu: /);
+  });
+
+  it('says what is missing when nothing works', async (t) => {
+    const page = await use(t, {
+      ready: false,
+      prepare: () => {
+        Object.defineProperty(Navigator.prototype, 'gpu', { value: undefined });
+        HTMLCanvasElement.prototype.getContext = () => null;
+      },
+    }, { complaints: true });
+    const { text } = await waitForLine(page, /^No sky can be drawn here\./);
+    assert.match(text, /webgpu: .+; webgl2: ./);
+  });
+
+  for (const [query, message] of [
+    [{ backend: 'metal' }, 'backend = metal is not allowed: must be webgl2 or webgpu'],
+    [{ scale: '99' }, 'scale = 99 is not allowed: must be from 0.1 to 8'],
+    [{ width: '12.5' }, 'width = 12.5 is not allowed: must be a whole number from 1 to 8192'],
+    [{ height: '' }, 'width and height go together: give both or none'],
+  ]) {
+    it(`refuses ?${new URLSearchParams(query)}`, async (t) => {
+      const page = await use(t, { query, ready: false }, { complaints: true });
+      await waitForLine(page, `The viewer cannot start. ${message}`);
+      assert.match(await page.textContent('#messages'), /cannot start/);
+    });
+  }
+});
+
+describe('controls', () => {
+  it('every control has a name and moves the state', async (t) => {
+    const page = await use(t, {});
+    const nameless = await page.evaluate(() => [...document.querySelectorAll('#controls input, #controls select')]
+      .filter((c) => c.labels.length === 0).map((c) => c.id));
+    assert.deepEqual(nameless, []);
+    await page.selectOption('#planet', 'mars');
+    await page.fill('#sunElevation', '12.5');
+    await page.check('#terrain');
+    await page.uncheck('#sky');
+    await page.check('#half');
+    await page.selectOption('#toneMap', 'agx');
+    const state = await page.evaluate(async () => { await welkin.redraw(); return welkin.state; });
+    assert.deepEqual(
+      [state.planet, state.sunElevation, state.terrain, state.sky, state.half, state.toneMap],
+      ['mars', 12.5, true, false, true, 'agx'],
+    );
+    assert.equal(await page.evaluate(() => document.querySelector('output[for=sunElevation]').textContent), '12.5°');
+  });
+});
