@@ -15,7 +15,10 @@
 #![allow(clippy::needless_range_loop)]
 
 pub mod geometry;
+mod harmonics;
 mod medium;
+pub mod multiple;
+mod parallel;
 #[cfg(all(feature = "reference", not(target_arch = "wasm32")))]
 pub mod picture;
 mod quadrature;

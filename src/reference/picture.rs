@@ -101,7 +101,8 @@ impl<'a> Painter<'a> {
             None => (None, f64::INFINITY),
         };
         let mut color = ground.unwrap_or([0.0; 3]);
-        let hits_planet = ray_sphere_intersect(self.camera, world, DVec3::ZERO, p.planet_radius).is_some_and(|(near, _)| near >= 0.0);
+        let hits_planet =
+            ray_sphere_intersect(self.camera, world, DVec3::ZERO, p.planet_radius).is_some_and(|(near, _)| near >= 0.0);
         if ground.is_none() && !hits_planet && self.settings.sky.enabled && self.settings.sky.sun_disk {
             let chord = 2.0 * (0.5 * p.sun_angular_radius).sin();
             let cover = ((chord - (dir - self.view.sun).length()) / self.pixel_angle + 0.5).clamp(0.0, 1.0);
@@ -164,7 +165,8 @@ impl<'a> Painter<'a> {
             albedo = mix(albedo, [0.02, 0.04, 0.06], 1.0 - smooth(0.0, 4.0, h));
         }
         let up = n.dot(self.sun);
-        let share = TerrainStyle::sky_share(p).map(|s| s * ((up + 0.1) / 1.1).clamp(0.0, 1.0) * (0.5 + 0.5 * normal.dot(n)));
+        let share =
+            TerrainStyle::sky_share(p).map(|s| s * ((up + 0.1) / 1.1).clamp(0.0, 1.0) * (0.5 + 0.5 * normal.dot(n)));
         let dip = (h * (2.0 * p.planet_radius + h)).sqrt() / (p.planet_radius + h);
         let chord = 2.0 * (0.5 * p.sun_angular_radius).sin();
         let visible = smooth(-1.0, 1.0, (up + dip) / chord) * normal.dot(self.sun).max(0.0);
@@ -176,6 +178,8 @@ impl<'a> Painter<'a> {
         } else {
             [0.0; 3]
         };
-        Ok(std::array::from_fn(|c| albedo[c] * (share[c] + through[c] * visible) * p.sun_intensity / std::f64::consts::PI))
+        Ok(std::array::from_fn(|c| {
+            albedo[c] * (share[c] + through[c] * visible) * p.sun_intensity / std::f64::consts::PI
+        }))
     }
 }

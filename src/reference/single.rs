@@ -9,7 +9,7 @@ use glam::DVec3;
 
 use super::geometry::{Chord, RayEnd};
 use super::medium::{ColumnRule, Medium};
-use super::quadrature::{gauss_legendre, integrate};
+use super::quadrature::{fixed, gauss_legendre, integrate};
 use crate::atmosphere::AtmosphereParams;
 use crate::error::{Result, direction, in_range};
 
@@ -66,7 +66,7 @@ impl RayQuery {
         Self { length, ..self }
     }
 
-    fn validate(&self) -> Result<Self> {
+    pub(crate) fn validate(&self) -> Result<Self> {
         in_range("ray.altitude", self.altitude, -1e16, 1e16, "m")?;
         if self.length != f64::INFINITY {
             in_range("ray.length", self.length, 0.0, 1e16, "m (or infinite)")?;
@@ -244,7 +244,7 @@ pub fn single_scattering(
     let query = query.validate()?;
     let medium = Medium::new(params);
     let Sun::Disk { rings } = sun else {
-        return Ok(scatter(&medium, &query, tolerance));
+        return Ok(scatter(&medium, &query, Line::Adaptive(tolerance)));
     };
     in_range("sun.rings", f64::from(rings), 1.0, 16.0, "")?;
     // The disk as a cap around the centre: uniform in the squared sine, to the cap's second order.
@@ -255,7 +255,7 @@ pub fn single_scattering(
         radiance: [0.0; 3],
         error: [0.0; 3],
         evaluations: 0,
-        ..scatter(&medium, &query, tolerance)
+        ..scatter(&medium, &query, Line::Adaptive(tolerance))
     };
     for (node, weight) in gauss_legendre(rings as usize) {
         let sin = params.sun_angular_radius.sin() * (0.5 * (node + 1.0)).sqrt();
@@ -263,7 +263,7 @@ pub fn single_scattering(
         for k in 0..azimuths {
             let (s, c) = (std::f64::consts::TAU * f64::from(k) / f64::from(azimuths)).sin_cos();
             let sun = query.sun * (1.0 - sin * sin).sqrt() + (x * c + y * s) * sin;
-            let part = scatter(&medium, &RayQuery { sun, ..query }, tolerance);
+            let part = scatter(&medium, &RayQuery { sun, ..query }, Line::Adaptive(tolerance));
             for c in 0..3 {
                 sum.per_irradiance[c] += weight * part.per_irradiance[c];
                 sum.radiance[c] += weight * part.radiance[c];
@@ -275,8 +275,16 @@ pub fn single_scattering(
     Ok(sum)
 }
 
+/// How the integral along a view ray is done.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Line {
+    Adaptive(Tolerance),
+    /// Six Gauss–Legendre nodes between neighbouring breaks: about 1e-4, for averages over many rays.
+    Fixed,
+}
+
 /// [`single_scattering`] after all checks.
-pub(crate) fn scatter(medium: &Medium, query: &RayQuery, tolerance: Tolerance) -> Scattered {
+pub(crate) fn scatter(medium: &Medium, query: &RayQuery, line: Line) -> Scattered {
     let params = &medium.params;
     let d = query.direction;
     let chord = Chord::new(params.planet_radius, query.altitude, d.z, d.x.hypot(d.y));
@@ -290,7 +298,10 @@ pub(crate) fn scatter(medium: &Medium, query: &RayQuery, tolerance: Tolerance) -
             evaluations: 0,
         };
     };
-    let rule = tolerance.columns();
+    let rule = match line {
+        Line::Adaptive(tolerance) => tolerance.columns(),
+        Line::Fixed => ColumnRule::Quick,
+    };
     let transmittance = medium.optical_depth(medium.columns(&chord, s0, s1, rule)).map(|t| (-t).exp());
     let sun = SunLine::new(chord, params.planet_radius, d, query.sun);
     let phases = medium.phases(d.dot(query.sun));
@@ -321,7 +332,10 @@ pub(crate) fn scatter(medium: &Medium, query: &RayQuery, tolerance: Tolerance) -
         let (a, b) = (chord.v_at(a), chord.v_at(b));
         view_breaks(medium, &chord, a, b, &mut breaks);
         // The stretches' errors add, and so do their values: each may use the whole tolerance.
-        let part = integrate(integrand, &breaks, tolerance.relative, 1e-40, 600);
+        let part = match line {
+            Line::Adaptive(tolerance) => integrate(integrand, &breaks, tolerance.relative, 1e-40, 600),
+            Line::Fixed => fixed(integrand, &breaks),
+        };
         for c in 0..3 {
             sum.per_irradiance[c] += part.value[c];
             sum.error[c] += part.error[c];
