@@ -60,7 +60,12 @@ pub(crate) fn in_range(field: impl fmt::Display, value: f64, lo: f64, hi: f64, u
         return Ok(value);
     }
     let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
-    Err(Error::invalid(field, format_args!("{value:?}"), format_args!("from {lo:?} to {hi:?}{unit}")))
+    Err(Error::invalid(field, short(value), format_args!("from {} to {}{unit}", short(lo), short(hi))))
+}
+
+/// A number as people write it: 0.3, 6360000, 1e15.
+fn short(v: f64) -> String {
+    if v == 0.0 || !v.is_finite() || (1e-3..1e7).contains(&v.abs()) { v.to_string() } else { format!("{v:e}") }
 }
 
 /// `v` scaled to length 1, or an [`Error::Invalid`] if it has no direction.

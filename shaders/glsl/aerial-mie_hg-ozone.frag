@@ -379,6 +379,7 @@ void main() {
     vec4 position = gl_FragCoord;
     float end = 0.0;
     float weight = 1.0;
+    bool dims = true;
     bool local = false;
     ivec2 pixel_1 = ivec2(position.xy);
     vec4 behind = texelFetch(_group_0_binding_1_fs, pixel_1, 0);
@@ -395,35 +396,37 @@ void main() {
     AirRay _e31 = air_ray(dir_1, _e25, m_5.radius, m_5.thickness, _e30);
     end = _e31.length_;
     if ((_e17 >= 0.0)) {
-        float _e38 = end;
-        end = min(_e38, (_e17 - _e31.start));
+        float _e40 = end;
+        end = min(_e40, (_e17 - _e31.start));
     } else {
         if (!(_e31.ground)) {
-            float _e46 = _group_0_binding_0_fs.shell_weight;
-            weight = _e46;
+            float _e48 = _group_0_binding_0_fs.shell_weight;
+            weight = _e48;
+            float _e49 = weight;
+            dims = (_e49 >= 1.0);
         }
     }
-    float _e47 = end;
-    if (!((_e47 <= 0.0))) {
-        float _e53 = weight;
-        local = (_e53 <= 0.0);
+    float _e52 = end;
+    if (!((_e52 <= 0.0))) {
+        float _e58 = weight;
+        local = (_e58 <= 0.0);
     } else {
         local = true;
     }
-    bool _e57 = local;
-    if (_e57) {
+    bool _e62 = local;
+    if (_e62) {
         _fs2p_location0 = behind;
         return;
     }
-    vec3 _e60 = _group_0_binding_0_fs.sun;
-    vec3 offset = (dir_1 - _e60);
-    float _e62 = end;
-    uint _e68 = _group_0_binding_0_fs.view_samples;
-    uint _e71 = _group_0_binding_0_fs.light_samples;
-    Scattered _e72 = single_scattering(m_5, _e31, _e62, (0.5 * dot(offset, offset)), _e68, _e71);
-    float _e77 = weight;
-    float _e83 = weight;
-    vec3 color = ((behind.xyz * mix(vec3(1.0), _e72.transmittance, _e77)) + ((_e72.radiance * m_5.irradiance) * _e83));
+    vec3 _e65 = _group_0_binding_0_fs.sun;
+    vec3 offset = (dir_1 - _e65);
+    float _e67 = end;
+    uint _e73 = _group_0_binding_0_fs.view_samples;
+    uint _e76 = _group_0_binding_0_fs.light_samples;
+    Scattered _e77 = single_scattering(m_5, _e31, _e67, (0.5 * dot(offset, offset)), _e73, _e76);
+    bool _e82 = dims;
+    float _e88 = weight;
+    vec3 color = ((behind.xyz * (_e82 ? _e77.transmittance : vec3(1.0))) + ((_e77.radiance * m_5.irradiance) * _e88));
     _fs2p_location0 = vec4(color, behind.w);
     return;
 }

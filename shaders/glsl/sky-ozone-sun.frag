@@ -262,19 +262,18 @@ void main() {
         Scattered _e57 = single_scattering(m_3, _e43, _e43.length_, (0.5 * dot(offset_1, offset_1)), _e53, _e56);
         float _e61 = _group_0_binding_0_fs.sky_weight;
         light = (_e57.radiance * _e61);
-        float _e68 = _group_0_binding_0_fs.sky_weight;
-        through = mix(vec3(1.0), _e57.transmittance, _e68);
+        through = _e57.transmittance;
     }
-    vec3 _e70 = light;
-    vec3 _e71 = through;
-    float _e74 = _group_0_binding_0_fs.sun_disk;
-    float _e77 = _group_0_binding_0_fs.sun_chord;
-    float _e80 = _group_0_binding_0_fs.pixel_angle;
-    float _e81 = disk_coverage(offset_1, _e77, _e80);
-    light = (_e70 + (_e71 * (_e74 * _e81)));
-    vec3 _e85 = light;
-    vec3 _e91 = through;
-    _fs2p_location0 = vec4(min((_e85 * m_3.irradiance), vec3(65000.0)), (1.0 - dot(_e91, vec3(0.33333334))));
+    vec3 _e64 = light;
+    vec3 _e65 = through;
+    float _e68 = _group_0_binding_0_fs.sun_disk;
+    float _e71 = _group_0_binding_0_fs.sun_chord;
+    float _e74 = _group_0_binding_0_fs.pixel_angle;
+    float _e75 = disk_coverage(offset_1, _e71, _e74);
+    light = (_e64 + (_e65 * (_e68 * _e75)));
+    vec3 _e79 = light;
+    vec3 _e85 = through;
+    _fs2p_location0 = vec4(min((_e79 * m_3.irradiance), vec3(65000.0)), (1.0 - dot(_e85, vec3(0.33333334))));
     return;
 }
 

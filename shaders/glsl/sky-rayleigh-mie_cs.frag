@@ -413,12 +413,11 @@ void main() {
         Scattered _e57 = single_scattering(m_5, _e43, _e43.length_, (0.5 * dot(offset, offset)), _e53, _e56);
         float _e61 = _group_0_binding_0_fs.sky_weight;
         light = (_e57.radiance * _e61);
-        float _e68 = _group_0_binding_0_fs.sky_weight;
-        through = mix(vec3(1.0), _e57.transmittance, _e68);
+        through = _e57.transmittance;
     }
-    vec3 _e70 = light;
-    vec3 _e76 = through;
-    _fs2p_location0 = vec4(min((_e70 * m_5.irradiance), vec3(65000.0)), (1.0 - dot(_e76, vec3(0.33333334))));
+    vec3 _e64 = light;
+    vec3 _e70 = through;
+    _fs2p_location0 = vec4(min((_e64 * m_5.irradiance), vec3(65000.0)), (1.0 - dot(_e70, vec3(0.33333334))));
     return;
 }
 

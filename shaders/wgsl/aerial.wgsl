@@ -20,16 +20,19 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let ray = air_ray(dir, frame.altitude, m.radius, m.thickness, frame.sun);
     var end = ray.length;
     var weight = 1.0;
+    var dims = true;
     if distance >= 0.0 {
         end = min(end, distance - ray.start);
     } else if !ray.ground {
         weight = frame.shell_weight;
+        // The background pass, as long as it draws any air, has dimmed what lies behind.
+        dims = weight >= 1.0;
     }
     if end <= 0.0 || weight <= 0.0 {
         return behind;
     }
     let offset = dir - frame.sun;
     let s = single_scattering(m, ray, end, 0.5 * dot(offset, offset), frame.view_samples, frame.light_samples);
-    let color = behind.rgb * mix(vec3f(1.0), s.transmittance, weight) + s.radiance * m.irradiance * weight;
+    let color = behind.rgb * select(vec3f(1.0), s.transmittance, dims) + s.radiance * m.irradiance * weight;
     return vec4f(color, behind.a);
 }

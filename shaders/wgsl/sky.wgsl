@@ -30,7 +30,8 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     if ray.length > 0.0 {
         let s = single_scattering(m, ray, ray.length, 0.5 * dot(offset, offset), frame.view_samples, frame.light_samples);
         light = s.radiance * frame.sky_weight;
-        through = mix(vec3f(1.0), s.transmittance, frame.sky_weight);
+        // What lies behind is dimmed in full: while this pass fades, the depth-aware one only adds light.
+        through = s.transmittance;
     }
     //#endif
     //#if SUN

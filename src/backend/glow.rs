@@ -408,10 +408,10 @@ impl GlowBackend {
             let is_depth = self.textures.get(color).is_some_and(|t| t.desc.format == Format::Depth32Float);
             let point = if is_depth { glow::DEPTH_ATTACHMENT } else { glow::COLOR_ATTACHMENT0 };
             gl.framebuffer_texture_2d(glow::FRAMEBUFFER, point, glow::TEXTURE_2D, Some(color_texture), 0);
-            if let Some(depth) = depth {
-                if let Source::Own(t) | Source::User(t) = handle(self, depth)? {
-                    gl.framebuffer_texture_2d(glow::FRAMEBUFFER, glow::DEPTH_ATTACHMENT, glow::TEXTURE_2D, Some(t), 0);
-                }
+            if let Some(depth) = depth
+                && let Source::Own(t) | Source::User(t) = handle(self, depth)?
+            {
+                gl.framebuffer_texture_2d(glow::FRAMEBUFFER, glow::DEPTH_ATTACHMENT, glow::TEXTURE_2D, Some(t), 0);
             }
             let status = gl.check_framebuffer_status(glow::FRAMEBUFFER);
             if status != glow::FRAMEBUFFER_COMPLETE {

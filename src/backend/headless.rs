@@ -3,6 +3,7 @@
 
 use std::ptr::{null, null_mut};
 use std::rc::Rc;
+use std::sync::OnceLock;
 
 use khronos_egl as egl;
 
@@ -22,7 +23,7 @@ pub struct Headless {
 }
 
 struct Context {
-    egl: Egl,
+    egl: &'static Egl,
     display: egl::Display,
     context: egl::Context,
 }
@@ -54,11 +55,8 @@ impl Headless {
 
     fn open(platform: egl::Enum) -> Result<Self, String> {
         let text = |what: &str, e: &dyn std::fmt::Display| format!("{what}: {e}");
-        // SAFETY: the system's EGL loader; its initialisers have no preconditions.
-        let library = unsafe { libloading::Library::new("libEGL.so.1") }.map_err(|e| text("libEGL.so.1", &e))?;
-        // SAFETY: symbols are looked up by their standard names.
-        let egl = unsafe { Egl::load_required_from(library) }.map_err(|e| text("EGL 1.5", &e))?;
-        let native = if platform == PLATFORM_DEVICE_EXT { first_device(&egl)? } else { null_mut() };
+        let egl = egl()?;
+        let native = if platform == PLATFORM_DEVICE_EXT { first_device(egl)? } else { null_mut() };
         // SAFETY: `native` is a device that EGL named, or null as the surfaceless platform wants it.
         let display = unsafe { egl.get_platform_display(platform, native, &[egl::ATTRIB_NONE]) }
             .map_err(|e| text("display", &e))?;
@@ -82,6 +80,19 @@ impl Headless {
         let backend = GlowBackend::own(Rc::new(gl)).map_err(|e| e.to_string())?;
         Ok(Self { backend, _context: holder })
     }
+}
+
+/// The system's EGL. It stays loaded: drivers keep threads and thread-local data that do not survive being
+/// unloaded and loaded again.
+fn egl() -> Result<&'static Egl, String> {
+    static LOADED: OnceLock<Result<Egl, String>> = OnceLock::new();
+    let load = || {
+        // SAFETY: the system's EGL loader; its initialisers have no preconditions.
+        let library = unsafe { libloading::Library::new("libEGL.so.1") }.map_err(|e| format!("libEGL.so.1: {e}"))?;
+        // SAFETY: symbols are looked up by their standard names.
+        unsafe { Egl::load_required_from(library) }.map_err(|e| format!("EGL 1.5: {e}"))
+    };
+    LOADED.get_or_init(load).as_ref().map_err(Clone::clone)
 }
 
 /// The first device of `EGL_EXT_device_enumeration`.

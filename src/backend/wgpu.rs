@@ -393,6 +393,13 @@ impl WgpuBackend {
         }
     }
 
+    /// [`Self::check`] after letting the device say what happened meanwhile.
+    fn alive(&self) -> Result<()> {
+        #[cfg(not(target_arch = "wasm32"))]
+        let _ = self.device.poll(wgpu::PollType::Poll);
+        self.check()
+    }
+
     fn encoder(&self) -> wgpu::CommandEncoder {
         self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("welkin") })
     }
@@ -456,7 +463,7 @@ impl Backend for WgpuBackend {
 
     fn create_texture(&mut self, desc: &TextureDesc) -> Result<TextureId> {
         desc.validate(self.info.max_texture_size)?;
-        self.check()?;
+        self.alive()?;
         let mut usage = wgpu::TextureUsages::RENDER_ATTACHMENT
             | wgpu::TextureUsages::TEXTURE_BINDING
             | wgpu::TextureUsages::COPY_SRC;
@@ -516,7 +523,7 @@ impl Backend for WgpuBackend {
         if let Some((id, _)) = self.programs.iter().find(|(_, c)| c.program == program) {
             return Ok(id);
         }
-        self.check()?;
+        self.alive()?;
         let label = program.name();
         let module = self.device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some(&label),
@@ -566,6 +573,7 @@ impl Backend for WgpuBackend {
     }
 
     fn run(&mut self, passes: &[Pass]) -> Result<()> {
+        self.alive()?;
         for chunk in passes.chunks(RING_PASSES as usize) {
             let mut encoder = self.encoder();
             self.encode(&mut encoder, chunk)?;
@@ -575,7 +583,7 @@ impl Backend for WgpuBackend {
     }
 
     fn begin_read(&mut self, id: TextureId) -> Result<ReadId> {
-        self.check()?;
+        self.alive()?;
         let t = self.textures.get(id).ok_or_else(|| unknown(NAME, "texture"))?;
         let texture = t.texture.as_ref().ok_or_else(|| unknown(NAME, "an imported view"))?;
         let row_bytes =

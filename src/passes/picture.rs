@@ -134,10 +134,8 @@ impl PictureRenderer {
     }
 
     fn textures(&mut self, backend: &mut dyn Backend, size: [u32; 2], radiance: Format) -> Result<Textures> {
-        if let Some(t) = self.textures {
-            if t.size == size && t.radiance == radiance {
-                return Ok(t);
-            }
+        if let Some(t) = self.textures.filter(|t| t.size == size && t.radiance == radiance) {
+            return Ok(t);
         }
         let [width, height] = size;
         // Sizes are checked before the old textures go.

@@ -106,9 +106,11 @@ pub fn generate() -> Result<Vec<(String, String)>> {
     Ok(files)
 }
 
-/// Name and byte offset of every member of a struct in a program's WGSL, and the struct's size, as naga
-/// lays it out; nested members as `outer.inner`. `None` if there is no such struct.
-pub fn struct_layout(program: Program, name: &str) -> Result<Option<(Vec<(String, u32)>, u32)>> {
+/// Name and byte offset of every member of a struct, nested ones as `outer.inner`, and the struct's size.
+pub type Layout = (Vec<(String, u32)>, u32);
+
+/// A struct of a program's WGSL as naga lays it out. `None` if there is no such struct.
+pub fn struct_layout(program: Program, name: &str) -> Result<Option<Layout>> {
     let module = parse(program)?;
     let mut members = Vec::new();
     let found = module.types.iter().find(|(_, t)| t.name.as_deref() == Some(name));

@@ -29,7 +29,15 @@ pub struct View {
 
 impl Default for View {
     fn default() -> Self {
-        Self { params: AtmosphereParams::earth(), altitude: 100.0, pitch: 0.0, heading: 0.0, fov: 60.0, sun_elevation: 30.0, aspect: 1.0 }
+        Self {
+            params: AtmosphereParams::earth(),
+            altitude: 100.0,
+            pitch: 0.0,
+            heading: 0.0,
+            fov: 60.0,
+            sun_elevation: 30.0,
+            aspect: 1.0,
+        }
     }
 }
 
@@ -41,7 +49,8 @@ impl View {
             heading: self.heading.to_radians(),
             fov_y: self.fov.to_radians(),
         };
-        let camera = Camera::above(DVec3::ZERO, self.params.planet_radius, DVec3::Z, DVec3::X, pose, self.aspect).unwrap();
+        let camera =
+            Camera::above(DVec3::ZERO, self.params.planet_radius, DVec3::Z, DVec3::X, pose, self.aspect).unwrap();
         let e = self.sun_elevation.to_radians();
         Scene {
             camera,

@@ -217,7 +217,7 @@ pub const VIEWS: [View; 9] = [
         fov: 40.0,
         sun_elevation: 3.0,
         sun_azimuth: 270.0,
-        exposure: 2.0,
+        exposure: 0.7,
         ..DEFAULT
     },
     View {

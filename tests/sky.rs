@@ -1,0 +1,487 @@
+//! What is drawn: the same bodies on both backends, judged by physics and by the f64 reference.
+#![cfg(feature = "cli")]
+
+mod common;
+
+use common::{View, mean, on_both};
+use glam::{DQuat, DVec2, DVec3};
+use welkin::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform};
+use welkin::passes::sky::background_weight;
+use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
+use welkin::shaders::Program;
+use welkin::{
+    AtmosphereParams, DepthConvention, MiePhase, PictureRenderer, PictureSettings, Scene, SkyRenderer, SkySettings,
+};
+
+const FINE: SkySettings =
+    SkySettings { enabled: true, view_samples: 256, light_samples: 64, render_scale: 1.0, sun_disk: false };
+
+/// The background alone, 32-bit floats, over `clear`.
+fn background(
+    backend: &mut dyn Backend,
+    scene: &Scene,
+    settings: SkySettings,
+    size: [u32; 2],
+    clear: [f32; 4],
+) -> Vec<f32> {
+    let target = backend.create_texture(&TextureDesc::new("target", size[0], size[1], Format::Rgba32Float)).unwrap();
+    let mut sky = SkyRenderer::new(settings).unwrap();
+    let mut passes = vec![clear_pass(target, clear)];
+    passes.extend_from_slice(sky.background(backend, scene, Target::color(target)).unwrap());
+    backend.run(&passes).unwrap();
+    let pixels = backend.read(target).unwrap();
+    sky.destroy(backend);
+    backend.destroy_texture(target);
+    pixels
+}
+
+fn clear_pass(color: TextureId, clear: [f32; 4]) -> Pass {
+    Pass {
+        label: "clear",
+        program: None,
+        textures: [None; 2],
+        uniform: Uniform::NONE,
+        target: Target { clear: Some(clear), ..Target::color(color) },
+        depth: DepthUse::Always,
+    }
+}
+
+/// Sky and shell together over black, without any scene: what an eye sees.
+fn whole_sky(backend: &mut dyn Backend, scene: &Scene, settings: SkySettings, size: [u32; 2]) -> Vec<f32> {
+    picture(
+        backend,
+        scene,
+        &PictureSettings { sky: settings, terrain: None, radiance: Format::Rgba32Float, ..Default::default() },
+        size,
+    )
+}
+
+fn picture(backend: &mut dyn Backend, scene: &Scene, settings: &PictureSettings, size: [u32; 2]) -> Vec<f32> {
+    let mut renderer = PictureRenderer::default();
+    let drawn = renderer.draw(backend, scene, settings, size).unwrap();
+    let pixels = backend.read(drawn.radiance).unwrap();
+    renderer.destroy(backend);
+    pixels
+}
+
+fn pixel(pixels: &[f32], width: u32, x: u32, y: u32) -> [f64; 3] {
+    let i = 4 * (y * width + x) as usize;
+    [pixels[i], pixels[i + 1], pixels[i + 2]].map(f64::from)
+}
+
+/// The reference's ray through the middle of a pixel.
+fn query(scene: &Scene, [w, h]: [u32; 2], x: u32, y: u32) -> RayQuery {
+    let view = scene.validate().unwrap();
+    let ndc =
+        DVec2::new((f64::from(x) + 0.5) / f64::from(w) * 2.0 - 1.0, 1.0 - (f64::from(y) + 0.5) / f64::from(h) * 2.0);
+    RayQuery {
+        altitude: view.altitude,
+        direction: view.basis.ray(ndc).normalize(),
+        sun: view.sun,
+        length: f64::INFINITY,
+    }
+}
+
+fn assert_finite(pixels: &[f32], what: &str) {
+    assert!(pixels.iter().all(|v| v.is_finite()), "{what}: a pixel is not finite");
+    assert!(pixels.chunks_exact(4).all(|p| p[..3].iter().all(|v| *v >= 0.0)), "{what}: negative radiance");
+}
+
+#[test]
+fn radiance_is_the_references() {
+    let views = [
+        ("ground, noon", View { sun_elevation: 60.0, pitch: 30.0, ..View::default() }),
+        ("ground, sunset", View { sun_elevation: 1.0, pitch: 20.0, ..View::default() }),
+        (
+            "ground, away from the setting sun",
+            View { sun_elevation: 1.0, pitch: 20.0, heading: 180.0, ..View::default() },
+        ),
+        ("ground, dusk", View { sun_elevation: -4.0, pitch: 25.0, ..View::default() }),
+        ("11 km", View { altitude: 11e3, sun_elevation: 10.0, ..View::default() }),
+        ("30 km, half handed over", View { altitude: 30e3, sun_elevation: 10.0, ..View::default() }),
+        ("400 km, limb", View { altitude: 4e5, pitch: -19.0, fov: 10.0, sun_elevation: 20.0, ..View::default() }),
+        ("12,000 km", View { altitude: 1.2e7, pitch: -90.0, fov: 44.0, sun_elevation: 35.0, ..View::default() }),
+        ("moon's distance", View { altitude: 3.8e8, pitch: -90.0, fov: 2.2, sun_elevation: 35.0, ..View::default() }),
+        ("mars", View { params: AtmosphereParams::mars(), sun_elevation: 5.0, pitch: 25.0, ..View::default() }),
+        ("earth-like", View { params: AtmosphereParams::earth_like(6_371_000.0), pitch: 30.0, ..View::default() }),
+    ];
+    on_both(|backend| {
+        for (name, view) in &views {
+            let (scene, size) = (view.scene(), [24, 24]);
+            let pixels = whole_sky(backend, &scene, FINE, size);
+            assert_finite(&pixels, name);
+            let brightest = pixels.iter().copied().fold(0.0, f32::max);
+            let (mut worst, mut compared) = (0.0_f64, 0);
+            for (x, y) in (0..24).step_by(5).flat_map(|y| (0..24).step_by(5).map(move |x| (x, y))) {
+                let want =
+                    single_scattering(&scene.atmosphere, &query(&scene, size, x, y), Sun::Point, Tolerance::TRUTH)
+                        .unwrap();
+                let got = pixel(&pixels, 24, x, y);
+                for c in 0..3 {
+                    // Deviation relative to the value, or to a thousandth of the picture's brightest.
+                    let scale = want.radiance[c].max(1e-3 * f64::from(brightest));
+                    worst = worst.max((got[c] - want.radiance[c]).abs() / scale);
+                    compared += usize::from(want.radiance[c] > 0.0);
+                }
+            }
+            println!("{} {name}: largest deviation {:.3} %", backend.info().backend, worst * 100.0);
+            assert!(compared > 20, "{name}: only {compared} values to compare");
+            assert!(worst < 1e-3, "{name}: {worst}");
+        }
+    });
+}
+
+#[test]
+fn looks_are_those_of_the_documents() {
+    on_both(|b| {
+        let settings = SkySettings { sun_disk: false, ..SkySettings::default() };
+        let mut see = |view: View| {
+            let p = whole_sky(b, &view.scene(), settings, [16, 16]);
+            assert_finite(&p, "look");
+            mean(&p)
+        };
+        let narrow = View { fov: 4.0, ..View::default() };
+        let sum = |c: [f64; 3]| c[0] + c[1] + c[2];
+        let zenith = see(View { pitch: 90.0, ..narrow.clone() });
+        let horizon = see(View { pitch: 3.0, heading: 90.0, ..narrow.clone() });
+        assert!(zenith[2] > 2.0 * zenith[0], "the zenith is blue: {zenith:?}");
+        assert!(sum(horizon) > 1.5 * sum(zenith), "the horizon is brighter: {horizon:?} {zenith:?}");
+        assert!(horizon[2] / horizon[0] < 0.7 * zenith[2] / zenith[0], "and paler");
+        let sunset = see(View { pitch: 2.0, sun_elevation: 1.0, ..narrow.clone() });
+        assert!(sunset[0] > 2.0 * sunset[2], "the sunset is red: {sunset:?}");
+        // Redder with every step of the sun towards the horizon.
+        let ratios = [60.0, 30.0, 10.0, 4.0, 1.0].map(|sun_elevation| {
+            let c = see(View { pitch: 5.0, heading: 60.0, sun_elevation, ..narrow.clone() });
+            c[0] / c[2]
+        });
+        assert!(ratios.windows(2).all(|w| w[1] > w[0]), "{ratios:?}");
+        // Dusk is dark, night is black: single scattering has no light to give behind the planet's shadow.
+        let dusk = see(View { pitch: 90.0, sun_elevation: -5.0, ..narrow.clone() });
+        let night = see(View { pitch: 90.0, sun_elevation: -30.0, ..narrow.clone() });
+        assert!(sum(dusk) > 0.0 && sum(dusk) < 2e-2 * sum(zenith), "{dusk:?}");
+        assert!(sum(night) == 0.0, "{night:?}");
+        // The zenith darkens with altitude.
+        let up = [100.0, 5e3, 15e3, 40e3].map(|altitude| sum(see(View { pitch: 90.0, altitude, ..narrow.clone() })));
+        assert!(up.windows(2).all(|w| w[1] < 0.8 * w[0]), "{up:?}");
+        // From orbit the limb is a thin bright line: bright at its foot, black 150 km above.
+        let dip = |h: f64, tangent: f64| -((6.36e6 + tangent) / (6.36e6 + h)).acos().to_degrees();
+        let limb = [5e3, 40e3, 150e3]
+            .map(|t| sum(see(View { altitude: 4e5, pitch: dip(4e5, t), fov: 0.05, ..narrow.clone() })));
+        assert!(limb[0] > 5.0 * limb[1] && limb[1] > 0.0 && limb[2] == 0.0, "{limb:?}");
+        // Mars: butterscotch by day, blue around the setting sun.
+        let mars = View { params: AtmosphereParams::mars(), ..narrow };
+        let day = see(View { pitch: 30.0, heading: 120.0, sun_elevation: 50.0, ..mars.clone() });
+        let glow = see(View { pitch: 3.0, sun_elevation: 3.0, ..mars });
+        assert!(day[0] > 1.2 * day[2], "{day:?}");
+        assert!(glow[2] > glow[0], "{glow:?}");
+    });
+}
+
+#[test]
+fn planet_rays_draw_nothing_and_depth_is_left_alone() {
+    on_both(|b| {
+        let scene = View { pitch: 0.0, ..View::default() }.scene();
+        let sentinel = [0.125, 0.25, 0.5, 1.0];
+        let settings = SkySettings { sun_disk: false, ..SkySettings::default() };
+        let p = background(b, &scene, settings, [16, 16], sentinel);
+        assert_eq!(pixel(&p, 16, 8, 15), [0.125, 0.25, 0.5], "a ray that meets the planet drew");
+        assert_ne!(pixel(&p, 16, 8, 0), [0.125, 0.25, 0.5], "the sky drew nothing");
+
+        // With a depth attachment: whatever it holds, the sky draws and leaves it as it was.
+        let size = |f| TextureDesc::new("shared", 16, 16, f);
+        let color = b.create_texture(&size(Format::Rgba32Float)).unwrap();
+        let depth = b.create_texture(&size(Format::Depth32Float)).unwrap();
+        let out = b.create_texture(&size(Format::R32Float)).unwrap();
+        let copy = b.create_program(Program::Copy).unwrap();
+        let mut sky = SkyRenderer::new(settings).unwrap();
+        for stored in [0.0, 0.7, 1.0] {
+            let target = Target { clear: Some(sentinel), clear_depth: Some(stored), depth: Some(depth), color };
+            let mut passes = sky.background(b, &scene, target).unwrap().to_vec();
+            let read_depth = Pass {
+                program: Some(copy),
+                textures: [Some(depth), None],
+                target: Target::color(out),
+                ..clear_pass(out, [0.0; 4])
+            };
+            passes.push(read_depth);
+            b.run(&passes).unwrap();
+            assert_eq!(pixel(&b.read(color).unwrap(), 16, 3, 2), pixel(&p, 16, 3, 2), "depth {stored} changed the sky");
+            assert!(b.read(out).unwrap().iter().all(|d| *d == stored), "the sky wrote depth");
+        }
+    });
+}
+
+#[test]
+fn terrain_occludes_the_sky() {
+    on_both(|b| {
+        let scene = View { altitude: 2000.0, pitch: -10.0, ..View::default() }.scene();
+        let with = PictureSettings { sky: SkySettings { sun_disk: false, ..Default::default() }, ..Default::default() };
+        let without = PictureSettings { terrain: None, ..with };
+        let (a, n) = (picture(b, &scene, &with, [32, 32]), picture(b, &scene, &without, [32, 32]));
+        assert_finite(&a, "terrain");
+        assert_eq!(pixel(&a, 32, 16, 0), pixel(&n, 32, 16, 0), "terrain changed the sky above it");
+        let (ground, hole) = (pixel(&a, 32, 16, 31), pixel(&n, 32, 16, 31));
+        assert!(ground[1] > 1.05 * hole[1], "no ground below: {ground:?} {hole:?}");
+    });
+}
+
+#[test]
+fn both_backends_draw_the_same() {
+    let views = [
+        ("ground", View { altitude: 1500.0, ..View::default() }),
+        ("sunset", View { altitude: 1500.0, sun_elevation: 1.0, ..View::default() }),
+        ("15 km", View { altitude: 15e3, ..View::default() }),
+        ("30 km", View { altitude: 30e3, ..View::default() }),
+        ("limb", View { altitude: 4e5, pitch: -19.0, fov: 40.0, ..View::default() }),
+        ("planet", View { altitude: 1.2e7, pitch: -90.0, fov: 44.0, ..View::default() }),
+        ("mars", View { params: AtmosphereParams::mars(), altitude: 3000.0, sun_elevation: 4.0, ..View::default() }),
+    ];
+    let mut drawn: Vec<Vec<Vec<f32>>> = Vec::new();
+    on_both(|b| {
+        let settings = PictureSettings::default();
+        drawn.push(
+            views
+                .iter()
+                .map(|(_, v)| {
+                    let mut renderer = PictureRenderer::default();
+                    let done = renderer.draw(b, &v.scene(), &settings, [160, 120]).unwrap();
+                    let pixels = b.read(done.display).unwrap();
+                    renderer.destroy(b);
+                    pixels
+                })
+                .collect(),
+        );
+    });
+    for (i, (name, _)) in views.iter().enumerate() {
+        let differences: Vec<f32> = drawn[0][i].iter().zip(&drawn[1][i]).map(|(a, b)| (a - b).abs() * 255.0).collect();
+        let largest = differences.iter().copied().fold(0.0, f32::max);
+        let beyond = differences.iter().filter(|d| **d > 1.5).count();
+        println!("{name}: largest difference {largest:.0}/255, {beyond} of {} values beyond 1/255", differences.len());
+        // A triangle's edge may fall on the other side of a pixel's centre; the sky may not.
+        assert!(beyond * 1000 <= differences.len(), "{name}: {beyond} values differ by more than 1/255");
+    }
+}
+
+/// Synthetic scene: a plane `z` metres away along the camera's axis, in a depth convention.
+fn air_before(b: &mut dyn Backend, scene: &Scene, z: f64, behind: f32) -> Vec<f32> {
+    let (w, h) = (8, 8);
+    let desc = |label, f| TextureDesc::new(label, w, h, f);
+    let color = b.create_texture(&desc("color", Format::Rgba32Float)).unwrap();
+    let depth = b.create_texture(&desc("depth", Format::R32Float)).unwrap();
+    let out = b.create_texture(&desc("out", Format::Rgba32Float)).unwrap();
+    b.write_texture(color, &[behind; 256]).unwrap();
+    let stored = if z.is_finite() { scene.depth.encode(z) } else { scene.depth.background() };
+    b.write_texture(depth, &[stored as f32; 64]).unwrap();
+    let mut sky = SkyRenderer::new(FINE).unwrap();
+    let passes = sky.aerial(b, scene, color, depth, out).unwrap().to_vec();
+    b.run(&passes).unwrap();
+    let pixels = b.read(out).unwrap();
+    [color, depth, out].into_iter().for_each(|t| b.destroy_texture(t));
+    pixels
+}
+
+#[test]
+fn air_dims_the_scene_and_adds_light_as_the_reference_does() {
+    on_both(|b| {
+        for (altitude, z) in [(100.0, 10.0), (100.0, 1e3), (100.0, 50e3), (9e3, 200e3), (4e5, 3e6)] {
+            let scene = View { altitude, pitch: 1.0, fov: 1.0, ..View::default() }.scene();
+            let (dark, bright) = (air_before(b, &scene, z, 0.0), air_before(b, &scene, z, 1.0));
+            let q = query(&scene, [8, 8], 3, 4);
+            let ndc = DVec2::new(3.5 / 4.0 - 1.0, 1.0 - 4.5 / 4.0);
+            let length = z * scene.camera.basis().unwrap().ray(ndc).length();
+            let want = single_scattering(&scene.atmosphere, &q.ended_at(length), Sun::Point, Tolerance::TRUTH).unwrap();
+            let (added, both) = (pixel(&dark, 8, 3, 4), pixel(&bright, 8, 3, 4));
+            for c in 0..3 {
+                let through = both[c] - added[c];
+                assert!(
+                    (added[c] - want.radiance[c]).abs() < 3e-3 * want.radiance[c] + 1e-6,
+                    "{altitude} {z}: light {added:?} {want:?}"
+                );
+                assert!(
+                    (through - want.transmittance[c]).abs() < 1e-3,
+                    "{altitude} {z}: transmittance {through} {want:?}"
+                );
+            }
+        }
+    });
+}
+
+#[test]
+fn every_depth_convention_gives_the_same_air() {
+    on_both(|b| {
+        let conventions = [
+            DepthConvention::ReversedInfinite { near: 0.1 },
+            DepthConvention::ZeroToOne { near: 10.0, far: 1e6 },
+            DepthConvention::Reversed { near: 0.1, far: 1e7 },
+            DepthConvention::NegativeOneToOne { near: 10.0, far: 1e6 },
+            DepthConvention::Logarithmic { far: 1e9 },
+        ];
+        for z in [50.0, 2e3, 40e3, f64::INFINITY] {
+            let results: Vec<_> = conventions
+                .iter()
+                .map(|&depth| {
+                    let scene =
+                        Scene { depth, ..View { altitude: 20e3, pitch: -5.0, fov: 30.0, ..View::default() }.scene() };
+                    air_before(b, &scene, z, 0.5)
+                })
+                .collect();
+            for (depth, r) in conventions.iter().zip(&results) {
+                let worst =
+                    r.iter().zip(&results[0]).map(|(a, b)| (a - b).abs() / b.abs().max(1e-3)).fold(0.0, f32::max);
+                // A forward 32-bit depth with near 10 m resolves 40 km to 1 %; the others to 1e-5.
+                let forward =
+                    matches!(depth, DepthConvention::ZeroToOne { .. } | DepthConvention::NegativeOneToOne { .. });
+                assert!(worst < if forward { 1e-2 } else { 1e-4 }, "{depth:?} at {z} m: {worst}");
+            }
+        }
+        // A plane a metre away and one at the background are not the same, or nothing was tested.
+        let scene = View { altitude: 20e3, ..View::default() }.scene();
+        assert_ne!(air_before(b, &scene, 1e4, 0.0), air_before(b, &scene, f64::INFINITY, 0.0));
+    });
+}
+
+#[test]
+fn hand_over_keeps_the_sum() {
+    assert_eq!(
+        (background_weight(-5.0), background_weight(15e3), background_weight(50e3), background_weight(1e9)),
+        (1.0, 1.0, 0.0, 0.0)
+    );
+    on_both(|b| {
+        let mut last: Option<[f64; 3]> = None;
+        for altitude in [14_999.0, 15_001.0, 24e3, 32.5e3, 41e3, 49_999.0, 50_001.0] {
+            let scene = View { altitude, pitch: -2.0, fov: 3.0, ..View::default() }.scene();
+            let total = mean(&whole_sky(b, &scene, FINE, [8, 8]));
+            // The two passes alone: their weights add up to one.
+            let first = mean(&background(b, &scene, FINE, [8, 8], [0.0; 4]));
+            let weight = background_weight(altitude);
+            assert!((first[1] - weight * total[1]).abs() < 2e-3 * total[1], "{altitude}: {first:?} {total:?}");
+            if let Some(last) = last.filter(|_| (altitude % 1000.0) == 1.0) {
+                assert!((total[2] / last[2] - 1.0).abs() < 1e-3, "a step at {altitude} m: {last:?} {total:?}");
+            }
+            last = Some(total);
+        }
+    });
+}
+
+#[test]
+fn half_resolution_looks_like_full_resolution() {
+    on_both(|b| {
+        for size in [[64, 48], [65, 47], [7, 5]] {
+            let scene = View { pitch: 5.0, aspect: f64::from(size[0]) / f64::from(size[1]), ..View::default() }.scene();
+            let full = SkySettings { sun_disk: false, ..SkySettings::default() };
+            let half = SkySettings { render_scale: 0.5, ..full };
+            let clear = [0.0, 0.0, 0.0, 1.0];
+            let (f, h) = (background(b, &scene, full, size, clear), background(b, &scene, half, size, clear));
+            assert_finite(&h, "half resolution");
+            for (i, (a, c)) in f.chunks_exact(4).zip(h.chunks_exact(4)).enumerate() {
+                assert_eq!(a[1] > 0.0, c[1] > 0.0, "{size:?}: pixel {i} is sky in one and planet in the other");
+            }
+            if size[0] < 20 {
+                continue; // Four texels for 60° resolve no horizon: only the planet's edge is promised.
+            }
+            let (a, c) = (mean(&f), mean(&h));
+            assert!((0..3).all(|k| (a[k] / c[k] - 1.0).abs() < 0.03), "{size:?}: {a:?} {c:?}");
+        }
+    });
+}
+
+#[test]
+fn extreme_viewports_are_drawn() {
+    on_both(|b| {
+        for size in [[1, 1], [1, 4096], [4096, 1], [3, 2]] {
+            let scene =
+                View { pitch: 30.0, fov: 1.0, aspect: f64::from(size[0]) / f64::from(size[1]), ..View::default() }
+                    .scene();
+            let p = whole_sky(b, &scene, SkySettings { view_samples: 4, light_samples: 2, ..Default::default() }, size);
+            assert_finite(&p, "viewport");
+            assert!(mean(&p)[2] > 0.1, "{size:?} is dark");
+        }
+    });
+}
+
+#[test]
+fn moving_and_turning_the_world_changes_nothing() {
+    on_both(|b| {
+        let base = View { altitude: 500.0, pitch: 10.0, sun_elevation: 5.0, ..View::default() }.scene();
+        let want = whole_sky(b, &base, SkySettings::default(), [12, 12]);
+        for center in [DVec3::ZERO, DVec3::splat(1e9), DVec3::new(0.0, -1e12, 1e12)] {
+            let turn = DQuat::from_euler(glam::EulerRot::XYZ, 0.3, 1.1, -2.0);
+            let mut scene = base.clone();
+            scene.planet_center = center;
+            scene.camera.position = center + turn * base.camera.position;
+            scene.camera.forward = turn * base.camera.forward;
+            scene.camera.up = turn * base.camera.up;
+            scene.sun_direction = turn * base.sun_direction * 3.0;
+            let got = whole_sky(b, &scene, SkySettings::default(), [12, 12]);
+            // At 1e12 m an f64 metre has 1e-4 m left.
+            let worst = got.iter().zip(&want).map(|(a, b)| (a - b).abs() / b.max(1e-2)).fold(0.0, f32::max);
+            assert!(worst < 1e-4, "{center}: {worst}");
+        }
+    });
+}
+
+#[test]
+fn what_is_off_is_not_there() {
+    on_both(|b| {
+        let view = View { pitch: 20.0, ..View::default() };
+        let target = b.create_texture(&TextureDesc::new("target", 8, 8, Format::Rgba16Float)).unwrap();
+        let live = b.live();
+        let mut off = SkyRenderer::new(SkySettings { enabled: false, ..Default::default() }).unwrap();
+        assert!(off.background(b, &view.scene(), Target::color(target)).unwrap().is_empty());
+        let mut airless = view.scene();
+        let a = &mut airless.atmosphere;
+        for c in [&mut a.rayleigh_scattering, &mut a.mie_scattering, &mut a.mie_absorption, &mut a.ozone_absorption] {
+            *c = [0.0; 3];
+        }
+        let mut sky = SkyRenderer::new(SkySettings { sun_disk: false, ..Default::default() }).unwrap();
+        assert!(sky.background(b, &airless, Target::color(target)).unwrap().is_empty());
+        assert_eq!(b.live(), live, "something was made for nothing");
+        // Without ozone, without the sun: the program is the one without them, and draws what the
+        // complete one draws with their coefficients at zero.
+        let mut gas = view.scene();
+        gas.atmosphere.mie_phase = MiePhase::CornetteShanks;
+        gas.atmosphere.ozone_absorption = [0.0; 3];
+        let lean = background(b, &gas, FINE, [8, 8], [0.0; 4]);
+        gas.atmosphere.ozone_absorption = [0.0, 0.0, 1e-30];
+        assert_eq!(background(b, &gas, FINE, [8, 8], [0.0; 4]), lean);
+        b.destroy_texture(target);
+    });
+}
+
+#[test]
+fn sun_disk_has_the_suns_irradiance() {
+    on_both(|b| {
+        // Above the air the disk's mean radiance times its solid angle is the sun's irradiance.
+        let params = AtmosphereParams { sun_intensity: 1.0, ..AtmosphereParams::earth() };
+        let view = View { params, altitude: 1e6, pitch: 30.0, fov: 1.0, sun_elevation: 30.0, ..View::default() };
+        let settings = SkySettings::default();
+        let n = 64;
+        let p = background(b, &view.scene(), settings, [n, n], [0.0; 4]);
+        let pixel_solid_angle = (2.0 * 0.5_f64.to_radians().tan() / f64::from(n)).powi(2);
+        let total = mean(&p)[1] * f64::from(n * n) * pixel_solid_angle;
+        assert!((total - 1.0).abs() < 5e-3, "{total}");
+        // At 16-bit targets the earth's sun at 22 stays below the largest half float.
+        let bright = View { params: AtmosphereParams::earth(), ..view };
+        let pixels = picture(b, &bright.scene(), &PictureSettings { terrain: None, ..Default::default() }, [16, 16]);
+        assert_finite(&pixels, "sun at half float");
+        assert!(pixels.iter().copied().fold(0.0, f32::max) > 6e4);
+    });
+}
+
+#[test]
+fn passes_are_timed() {
+    on_both(|b| {
+        let mut renderer = PictureRenderer::default();
+        let (passes, _) =
+            renderer.passes(b, &View::default().scene(), &PictureSettings::default(), [256, 144]).unwrap();
+        let passes = passes.to_vec();
+        let times = b.times(&passes).unwrap();
+        println!("{}: {times:?}", b.info());
+        assert_eq!(
+            times.iter().map(|t| t.label).collect::<Vec<_>>(),
+            passes.iter().map(|p| p.label).collect::<Vec<_>>()
+        );
+        assert!(times.iter().all(|t| t.nanoseconds.is_finite() && t.nanoseconds >= 0.0));
+        assert!(times.iter().map(|t| t.nanoseconds).sum::<f64>() > 0.0);
+    });
+}
