@@ -351,6 +351,8 @@ impl GlowBackend {
                 this.gl.bind_framebuffer(glow::READ_FRAMEBUFFER, from);
                 this.gl.bind_framebuffer(glow::DRAW_FRAMEBUFFER, framebuffer);
                 this.gl.blit_framebuffer(0, 0, w, h, 0, h, w, 0, glow::COLOR_BUFFER_BIT, glow::NEAREST);
+                // Left bound, the next blit to a canvas with `preserveDrawingBuffer` fails in Chromium.
+                this.gl.bind_framebuffer(glow::READ_FRAMEBUFFER, None);
             }
             this.check("present")
         })
