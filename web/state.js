@@ -16,7 +16,7 @@ export const defaults = Object.freeze({
   samples: 24,
   lightSamples: 8,
   sky: true,
-  terrain: false,
+  terrain: true,
   half: false,
 });
 

@@ -161,3 +161,18 @@ export function difference(a, b) {
   }
   return { max, mean: sum / a.length };
 }
+
+/**
+ * Largest difference of two pictures as a share of the value it is in. Values far darker than the
+ * picture is elsewhere count as a hundredth of its usual level, which the sun's disk does not raise.
+ */
+export function relativeDifference(a, b) {
+  const colour = Array.from(a.filter((_, i) => i % 4 !== 3)).sort((x, y) => x - y);
+  const usual = colour.slice(0, Math.floor(colour.length * 0.99)).reduce((s, x) => s + x, 0) / (colour.length * 0.99);
+  let worst = 0;
+  for (let i = 0; i < a.length; i++) {
+    const share = Math.abs(a[i] - b[i]) / Math.max(Math.abs(a[i]), Math.abs(b[i]), 0.01 * usual);
+    if (!(share <= worst)) worst = share;
+  }
+  return worst;
+}

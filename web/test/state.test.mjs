@@ -9,7 +9,7 @@ test('the default view has an empty hash', () => {
 
 test('a view survives the address', () => {
   const view = {
-    ...defaults, planet: 'mars', alt: 123456, pitch: -12.5, heading: 359.5, sunElevation: -3.25, exposure: 0.125, sky: false, terrain: true,
+    ...defaults, planet: 'mars', alt: 123456, pitch: -12.5, heading: 359.5, sunElevation: -3.25, exposure: 0.125, sky: false, terrain: false,
   };
   assert.deepEqual(parseHash(`#${formatHash(view)}`), { state: view, problems: [] });
 });
