@@ -28,7 +28,7 @@ pub fn start() {
 /// A backend and how its picture gets to the canvas.
 enum Canvas {
     WebGpu {
-        backend: WgpuBackend,
+        backend: Box<WgpuBackend>,
         surface: wgpu::Surface<'static>,
         config: wgpu::SurfaceConfiguration,
         desc: TextureDesc,
@@ -42,7 +42,7 @@ enum Canvas {
 impl Canvas {
     fn backend(&mut self) -> &mut dyn Backend {
         match self {
-            Self::WebGpu { backend, .. } => backend,
+            Self::WebGpu { backend, .. } => &mut **backend,
             Self::WebGl2 { backend, .. } => backend,
         }
     }
@@ -55,10 +55,11 @@ impl Canvas {
     }
 
     fn lost(&mut self) -> Option<String> {
-        if let Self::WebGl2 { backend, context } = self {
-            if context.is_context_lost() && backend.lost().is_none() {
-                backend.set_lost("the browser took the WebGL context away");
-            }
+        if let Self::WebGl2 { backend, context } = self
+            && context.is_context_lost()
+            && backend.lost().is_none()
+        {
+            backend.set_lost("the browser took the WebGL context away");
         }
         self.backend().lost()
     }
@@ -116,7 +117,7 @@ async fn open_webgpu(canvas: HtmlCanvasElement) -> Result<Canvas> {
     let surface = instance
         .create_surface(wgpu::SurfaceTarget::Canvas(canvas))
         .map_err(|e| unavailable(format!("no WebGPU canvas: {e}")))?;
-    let backend = WgpuBackend::new(&instance, Some(&surface)).await?;
+    let backend = Box::new(WgpuBackend::new(&instance, Some(&surface)).await?);
     let config = wgpu::SurfaceConfiguration {
         usage: wgpu::TextureUsages::RENDER_ATTACHMENT,
         // A format that does not encode sRGB by itself: the tone-mapping pass does that.
@@ -338,10 +339,10 @@ impl Viewer {
             Canvas::WebGl2 { context, .. } => {
                 let extension = context.get_extension("WEBGL_lose_context").ok().flatten();
                 let lose = extension.and_then(|e| js_sys::Reflect::get(&e, &"loseContext".into()).ok().map(|f| (e, f)));
-                if let Some((extension, function)) = lose {
-                    if let Ok(function) = function.dyn_into::<js_sys::Function>() {
-                        let _ = function.call0(&extension);
-                    }
+                if let Some((extension, function)) = lose
+                    && let Ok(function) = function.dyn_into::<js_sys::Function>()
+                {
+                    let _ = function.call0(&extension);
                 }
             }
         }

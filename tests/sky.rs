@@ -1,5 +1,6 @@
 //! What is drawn: the same bodies on both backends, judged by physics and by the f64 reference.
 #![cfg(feature = "cli")]
+#![allow(clippy::needless_range_loop)] // Loops over the three channels index several arrays.
 
 mod common;
 
