@@ -1,5 +1,6 @@
 //! The wasm module of the planet viewer in `web/`: one class, `Viewer`, over either backend.
 
+use std::cell::RefCell;
 use std::rc::Rc;
 
 use glam::DVec3;
@@ -150,14 +151,21 @@ fn open_webgl2(canvas: &HtmlCanvasElement) -> Result<Canvas> {
         .and_then(|c| c.dyn_into::<WebGl2RenderingContext>().ok())
         .ok_or_else(|| unavailable("the browser gives no WebGL2 context"))?;
     let gl = glow::Context::from_webgl2_context(context.clone());
-    let backend = GlowBackend::own(Rc::new(gl))?;
+    let mut backend = GlowBackend::own(Rc::new(gl))?;
+    // UNMASKED_RENDERER_WEBGL: what draws, where the browser tells.
+    if context.get_extension("WEBGL_debug_renderer_info").ok().flatten().is_some()
+        && let Some(name) = context.get_parameter(0x9246).ok().and_then(|v| v.as_string())
+    {
+        backend.set_adapter_name(&name);
+    }
     Ok(Canvas::WebGl2 { backend, context })
 }
 
 /// A planet and its sky on a canvas.
 #[wasm_bindgen]
 pub struct Viewer {
-    canvas: Canvas,
+    /// Shared with reads under way, which outlive the call that began them.
+    canvas: Rc<RefCell<Canvas>>,
     picture: PictureRenderer,
     drawn: Option<Drawn>,
     settings: PictureSettings,
@@ -167,6 +175,23 @@ pub struct Viewer {
     size: [u32; 2],
     pose: Pose,
     sun: (f64, f64),
+}
+
+/// Leaves the page to itself for a moment.
+async fn pause() -> std::result::Result<JsValue, JsValue> {
+    let pause = js_sys::Promise::new(&mut |resolve, _| {
+        if let Some(window) = web_sys::window() {
+            let _ = window.set_timeout_with_callback_and_timeout_and_arguments_0(&resolve, 1);
+        }
+    });
+    wasm_bindgen_futures::JsFuture::from(pause).await
+}
+
+fn whole(field: &str, value: f64, most: u32) -> Result<u32> {
+    if value.fract() == 0.0 && (1.0..=f64::from(most)).contains(&value) {
+        return Ok(value as u32);
+    }
+    Err(Error::invalid(field, value, format_args!("a whole number from 1 to {most}")))
 }
 
 fn check(field: &str, value: f64, lo: f64, hi: f64, unit: &str) -> Result<f64> {
@@ -184,7 +209,7 @@ impl Viewer {
             other => return Err(Error::invalid("backend", format_args!("{other:?}"), "webgl2 or webgpu").into()),
         };
         Ok(Viewer {
-            canvas,
+            canvas: Rc::new(RefCell::new(canvas)),
             picture: PictureRenderer::default(),
             drawn: None,
             settings: PictureSettings::default(),
@@ -200,12 +225,12 @@ impl Viewer {
     /// `webgl2` or `webgpu`.
     #[wasm_bindgen(getter)]
     pub fn backend(&self) -> String {
-        self.canvas.info().backend.into()
+        self.canvas.borrow().info().backend.into()
     }
 
     /// Backend, adapter, driver and timer in one line.
     pub fn describe(&self) -> String {
-        self.canvas.info().to_string()
+        self.canvas.borrow().info().to_string()
     }
 
     /// A preset by its name.
@@ -223,10 +248,10 @@ impl Viewer {
         heading: f64,
         fov: f64,
     ) -> std::result::Result<(), JsValue> {
-        check("altitude", altitude, 0.0, 1e12, "m")?;
-        check("pitch", pitch, -90.0, 90.0, "degrees")?;
-        check("heading", heading, -36000.0, 36000.0, "degrees")?;
-        check("fov", fov, 0.001, 170.0, "degrees")?;
+        check("camera.altitude", altitude, 0.0, 1e12, "m")?;
+        check("camera.pitch", pitch, -90.0, 90.0, "degrees")?;
+        check("camera.heading", heading, -36000.0, 36000.0, "degrees")?;
+        check("camera.fov", fov, 0.001, 170.0, "degrees")?;
         self.pose =
             Pose { altitude, pitch: pitch.to_radians(), heading: heading.to_radians(), fov_y: fov.to_radians() };
         Ok(())
@@ -234,8 +259,8 @@ impl Viewer {
 
     /// Degrees; azimuth from north to east.
     pub fn set_sun(&mut self, elevation: f64, azimuth: f64) -> std::result::Result<(), JsValue> {
-        check("sun elevation", elevation, -90.0, 90.0, "degrees")?;
-        check("sun azimuth", azimuth, -36000.0, 36000.0, "degrees")?;
+        check("sun.elevation", elevation, -90.0, 90.0, "degrees")?;
+        check("sun.azimuth", azimuth, -36000.0, 36000.0, "degrees")?;
         self.sun = (elevation.to_radians(), azimuth.to_radians());
         Ok(())
     }
@@ -250,9 +275,8 @@ impl Viewer {
 
     /// Steps along the view ray (1 to 1024) and towards the sun (1 to 256).
     pub fn set_samples(&mut self, view: f64, light: f64) -> std::result::Result<(), JsValue> {
-        check("view_samples", view, 1.0, 1024.0, "")?;
-        check("light_samples", light, 1.0, 256.0, "")?;
-        self.set_sky(|s| (s.view_samples, s.light_samples) = (view as u32, light as u32))
+        let samples = (whole("view_samples", view, 1024)?, whole("light_samples", light, 256)?);
+        self.set_sky(|s| (s.view_samples, s.light_samples) = samples)
     }
 
     /// Turns the whole atmosphere on or off.
@@ -288,53 +312,55 @@ impl Viewer {
         self.terrain = on;
     }
 
-    /// Follows the canvas; pixels.
-    pub fn resize(&mut self, width: u32, height: u32) -> std::result::Result<(), JsValue> {
-        TextureDesc::new("canvas", width, height, Format::Rgba8).validate(self.canvas.info().max_texture_size)?;
-        self.canvas.resize(width, height)?;
-        self.size = [width, height];
+    /// Follows the canvas; whole pixels.
+    pub fn resize(&mut self, width: f64, height: f64) -> std::result::Result<(), JsValue> {
+        let mut canvas = self.canvas.borrow_mut();
+        let most = canvas.info().max_texture_size;
+        let size = [("canvas.width", width), ("canvas.height", height)];
+        let [width, height] = size.map(|(name, v)| whole(name, v, most));
+        self.size = [width?, height?];
+        canvas.resize(self.size[0], self.size[1])?;
         Ok(())
     }
 
     /// Draws a frame and shows it.
     pub fn render(&mut self) -> std::result::Result<(), JsValue> {
-        if let Some(reason) = self.canvas.lost() {
-            return Err(Error::Lost { backend: self.canvas.info().backend, reason }.into());
-        }
         let scene = self.scene()?;
-        self.settings.terrain =
-            self.terrain.then(|| if self.dry { TerrainStyle::dry(&self.params) } else { TerrainStyle::earth() });
-        let drawn = self.picture.draw(self.canvas.backend(), &scene, &self.settings, self.size)?;
+        self.settings.terrain = self.style();
+        let mut canvas = self.canvas.borrow_mut();
+        if let Some(reason) = canvas.lost() {
+            return Err(Error::Lost { backend: canvas.info().backend, reason }.into());
+        }
+        let drawn = self.picture.draw(canvas.backend(), &scene, &self.settings, self.size)?;
         self.drawn = Some(drawn);
-        self.canvas.present(drawn.display)?;
+        canvas.present(drawn.display)?;
         Ok(())
     }
 
-    /// Radiance of the last frame, RGBA, row 0 on top.
-    pub async fn read_pixels(&mut self) -> std::result::Result<Vec<f32>, JsValue> {
+    /// A promise of the last frame's radiance, RGBA, row 0 on top. The viewer may be used meanwhile.
+    pub fn read_pixels(&mut self) -> std::result::Result<js_sys::Promise, JsValue> {
         let drawn = self.drawn.ok_or_else(|| Error::invalid("read_pixels", "no frame", "called after render"))?;
-        let read = self.canvas.backend().begin_read(drawn.radiance)?;
-        loop {
-            if let Some(pixels) = self.canvas.backend().poll_read(read)? {
-                return Ok(pixels);
-            }
-            let pause = js_sys::Promise::new(&mut |resolve, _| {
-                if let Some(window) = web_sys::window() {
-                    let _ = window.set_timeout_with_callback_and_timeout_and_arguments_0(&resolve, 1);
+        let read = self.canvas.borrow_mut().backend().begin_read(drawn.radiance)?;
+        let canvas = self.canvas.clone();
+        Ok(wasm_bindgen_futures::future_to_promise(async move {
+            loop {
+                let pixels = canvas.borrow_mut().backend().poll_read(read)?;
+                if let Some(pixels) = pixels {
+                    return Ok(js_sys::Float32Array::from(&pixels[..]).into());
                 }
-            });
-            wasm_bindgen_futures::JsFuture::from(pause).await?;
-        }
+                pause().await?;
+            }
+        }))
     }
 
     /// Why the device or context is gone, if it is.
     pub fn lost(&mut self) -> Option<String> {
-        self.canvas.lost()
+        self.canvas.borrow_mut().lost()
     }
 
     /// For tests: loses the device or the context on purpose.
     pub fn lose(&mut self) {
-        match &self.canvas {
+        match &*self.canvas.borrow() {
             Canvas::WebGpu { backend, .. } => backend.device().destroy(),
             Canvas::WebGl2 { context, .. } => {
                 let extension = context.get_extension("WEBGL_lose_context").ok().flatten();
@@ -348,14 +374,17 @@ impl Viewer {
         }
     }
 
+    fn style(&self) -> Option<TerrainStyle> {
+        self.terrain.then(|| if self.dry { TerrainStyle::dry(&self.params) } else { TerrainStyle::earth() })
+    }
+
     fn scene(&self) -> Result<Scene> {
         let (zenith, north) = (place(), DVec3::Z);
         let center = DVec3::ZERO;
         let aspect = f64::from(self.size[0]) / f64::from(self.size[1]);
         let mut pose = self.pose;
-        if self.terrain {
+        if let Some(style) = self.style() {
             // Altitude counts from the ground under the camera, so that nobody stands inside a hill.
-            let style = if self.dry { TerrainStyle::dry(&self.params) } else { TerrainStyle::earth() };
             pose.altitude += style.height(zenith, self.params.planet_radius).0;
         }
         let camera = Camera::above(center, self.params.planet_radius, zenith, north, pose, aspect)?;
@@ -374,7 +403,7 @@ impl Viewer {
 
 impl Drop for Viewer {
     fn drop(&mut self) {
-        self.picture.destroy(self.canvas.backend());
+        self.picture.destroy(self.canvas.borrow_mut().backend());
     }
 }
 

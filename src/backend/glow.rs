@@ -73,6 +73,8 @@ pub struct GlowBackend {
     ring_next: u32,
     binding_point: u32,
     lost: Option<String>,
+    /// Numbers of textures, programs and framebuffers at the last check for errors.
+    checked: (usize, usize, usize),
 }
 
 /// Switches that a pass sets; all are off unless it says otherwise.
@@ -308,6 +310,7 @@ impl GlowBackend {
                 ring_next: 0,
                 binding_point: gl.get_parameter_i32(glow::MAX_UNIFORM_BUFFER_BINDINGS).max(1) as u32 - 1,
                 lost: None,
+                checked: (0, 0, 0),
                 gl,
             }
         };
@@ -354,8 +357,13 @@ impl GlowBackend {
                 // Left bound, the next blit to a canvas with `preserveDrawingBuffer` fails in Chromium.
                 this.gl.bind_framebuffer(glow::READ_FRAMEBUFFER, None);
             }
-            this.check("present")
+            this.check_news("present")
         })
+    }
+
+    /// Gives [`AdapterInfo::adapter`] a better name than the context's own, which browsers keep vague.
+    pub fn set_adapter_name(&mut self, name: &str) {
+        name.clone_into(&mut self.info.adapter);
     }
 
     /// Tells the backend that its context is gone; every later call says so.
@@ -374,6 +382,17 @@ impl GlowBackend {
             saved.restore(&self.gl, self.web);
         }
         result
+    }
+
+    /// [`Self::check`] where something new was made since the last one: drivers object to objects, not to
+    /// their repetition, and asking makes a browser wait for the GPU. Debug builds always ask.
+    fn check_news(&mut self, what: &str) -> Result<()> {
+        let made = (self.textures.len(), self.programs.len(), self.framebuffers.len());
+        if cfg!(debug_assertions) || made != self.checked {
+            self.checked = made;
+            return self.check(what);
+        }
+        Ok(())
     }
 
     fn check(&mut self, what: &str) -> Result<()> {
@@ -521,11 +540,11 @@ impl GlowBackend {
         // SAFETY: objects made here; on failure they are deleted before returning.
         unsafe {
             let handle = gl.create_program().map_err(|e| driver(&name, e))?;
-            let stages = [(glow::VERTEX_SHADER, source.vertex), (glow::FRAGMENT_SHADER, source.fragment)];
+            let stages = [(glow::VERTEX_SHADER, source.vertex()), (glow::FRAGMENT_SHADER, source.fragment())];
             let mut problem = None;
             for (stage, text) in stages {
                 let shader = gl.create_shader(stage).map_err(|e| driver(&name, e))?;
-                gl.shader_source(shader, text);
+                gl.shader_source(shader, &text);
                 gl.compile_shader(shader);
                 if !gl.get_shader_compile_status(shader) {
                     problem.get_or_insert_with(|| gl.get_shader_info_log(shader));
@@ -689,7 +708,7 @@ impl Backend for GlowBackend {
             for pass in passes {
                 this.draw(pass)?;
             }
-            this.check("run")
+            this.check_news("run")
         })
     }
 

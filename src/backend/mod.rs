@@ -329,6 +329,7 @@ pub(crate) fn unknown(backend: &'static str, what: &str) -> Error {
 }
 
 /// Checks that a pass gives its program what it reads.
+#[cfg(any(feature = "wgpu", feature = "glow"))]
 pub(crate) fn check_pass(backend: &'static str, pass: &Pass, program: Program) -> Result<()> {
     let textures = pass.textures.iter().flatten().count();
     if pass.uniform.bytes().len() != program.uniform_size() || textures != program.textures() {
@@ -354,6 +355,7 @@ pub(crate) fn check_pass(backend: &'static str, pass: &Pass, program: Program) -
 }
 
 /// Reads texels of a format into f32.
+#[cfg(any(feature = "wgpu", feature = "glow"))]
 pub(crate) fn decode_texels(format: Format, bytes: &[u8], out: &mut Vec<f32>) {
     match format {
         Format::Rgba8 => out.extend(bytes.iter().map(|&b| f32::from(b) / 255.0)),
@@ -370,6 +372,7 @@ pub(crate) fn decode_texels(format: Format, bytes: &[u8], out: &mut Vec<f32>) {
 }
 
 /// Writes f32 values as texels of a format.
+#[cfg(any(feature = "wgpu", feature = "glow"))]
 pub(crate) fn encode_texels(format: Format, values: &[f32]) -> Vec<u8> {
     let byte = |v: f32| (v.clamp(0.0, 1.0) * 255.0).round() as u8;
     match format {

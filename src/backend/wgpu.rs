@@ -130,7 +130,9 @@ impl WgpuBackend {
             .map_err(|e| unavailable(e.to_string()))?;
         let about = adapter.get_info();
         let driver = format!("{:?} {} {}", about.backend, about.driver, about.driver_info);
-        let name = if about.name.is_empty() { "unnamed adapter".to_owned() } else { about.name };
+        let kind = if about.device_type == wgpu::DeviceType::Cpu { " (software)" } else { "" };
+        let name =
+            if about.name.is_empty() { format!("adapter that the browser does not name{kind}") } else { about.name };
         let mut backend = Self::from_device(device, queue, &name)?;
         driver.trim_end().clone_into(&mut backend.info.driver);
         let lost = backend.lost.clone();

@@ -251,19 +251,30 @@ impl Program {
     }
 }
 
-/// A program in GLSL ES 3.00.
+/// A program in GLSL ES 3.00. Shaders are lists of indices into the generated table's parts.
+#[cfg(feature = "glow")]
 #[derive(Debug, PartialEq, Eq)]
-pub struct Glsl {
-    /// [`Program::name`].
-    pub name: &'static str,
-    /// Vertex shader.
-    pub vertex: &'static str,
-    /// Fragment shader.
-    pub fragment: &'static str,
+pub(crate) struct Glsl {
+    name: &'static str,
+    vertex: &'static [u16],
+    fragment: &'static [u16],
     /// Names of the uniform block in the vertex and in the fragment shader; empty where there is none.
     pub blocks: [&'static str; 2],
     /// Sampler names of the textures at bindings 1, 2, …; empty where a shader does not read one.
     pub textures: [&'static str; 2],
+}
+
+#[cfg(feature = "glow")]
+impl Glsl {
+    /// Text of the vertex shader.
+    pub fn vertex(&self) -> String {
+        self.vertex.iter().map(|&i| generated::PARTS[usize::from(i)]).collect()
+    }
+
+    /// Text of the fragment shader.
+    pub fn fragment(&self) -> String {
+        self.fragment.iter().map(|&i| generated::PARTS[usize::from(i)]).collect()
+    }
 }
 
 macro_rules! modules {

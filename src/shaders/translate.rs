@@ -8,7 +8,8 @@ use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use super::Program;
 use crate::error::{Error, Result};
 
-/// A translated program, owned; see [`super::Glsl`] for the fields.
+/// A translated program: its name, both shaders, the uniform block's name in each, and the sampler names
+/// of the textures at bindings 1 and 2.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[allow(missing_docs)]
 pub struct Translated {
@@ -77,13 +78,12 @@ fn stage(program: Program, stage: naga::ShaderStage, entry: &str) -> Result<(Str
 }
 
 /// File name (below `shaders/glsl/`) and text of everything generated, and the Rust table last, whose name
-/// is `generated.rs` (below `src/shaders/`). Equal vertex shaders share a file.
+/// is `generated.rs` (below `src/shaders/`). Equal vertex shaders share a file. The table holds each
+/// function once: variants differ in few of them, and all of them travel in the wasm module.
 pub fn generate() -> Result<Vec<(String, String)>> {
     let mut files: Vec<(String, String)> = Vec::new();
-    let mut table = String::from(
-        "// Made by `cargo run --features cli -- shaders` from shaders/wgsl/; do not edit.\n\nuse super::Glsl;\n\n\
-         pub(super) static GLSL: &[Glsl] = &[\n",
-    );
+    let mut parts: Vec<String> = Vec::new();
+    let mut rows = String::new();
     for program in Program::all() {
         let t = translate(program)?;
         let own = format!("{}.vert", program.module());
@@ -96,14 +96,44 @@ pub fn generate() -> Result<Vec<(String, String)>> {
                 Some(_) => return Err(driver_error("two different texts for", program, file)),
             }
         }
-        table += &format!(
-            "    Glsl {{ name: {:?}, vertex: include_str!(\"../../shaders/glsl/{vertex_file}\"), fragment: include_str!(\"../../shaders/glsl/{fragment_file}\"), blocks: {:?}, textures: {:?} }},\n",
+        let mut list = |text: &str| {
+            let indices = split(text).map(|part| {
+                let known = parts.iter().position(|p| p == part);
+                known.unwrap_or_else(|| {
+                    parts.push(part.to_owned());
+                    parts.len() - 1
+                })
+            });
+            indices.map(|i| i.to_string()).collect::<Vec<_>>().join(", ")
+        };
+        let (vertex, fragment) = (list(&t.vertex), list(&t.fragment));
+        rows += &format!(
+            "    Glsl {{ name: {:?}, vertex: &[{vertex}], fragment: &[{fragment}], blocks: {:?}, textures: {:?} }},\n",
             t.name, t.blocks, t.textures,
         );
     }
-    table += "];\n";
+    let mut table = String::from(
+        "// Made by `cargo run --features cli -- shaders` from shaders/wgsl/; do not edit.\n// Readable whole shaders are in shaders/glsl/.\n\n\
+         use super::Glsl;\n\npub(super) static PARTS: &[&str] = &[\n",
+    );
+    for part in &parts {
+        table += &format!("    {part:?},\n");
+    }
+    table += &format!("];\n\npub(super) static GLSL: &[Glsl] = &[\n{rows}];\n");
     files.push(("generated.rs".to_owned(), table));
     Ok(files)
+}
+
+/// A shader's text cut behind every top-level closing brace.
+fn split(text: &str) -> impl Iterator<Item = &str> {
+    let mut rest = text;
+    std::iter::from_fn(move || {
+        let end =
+            ["\n}\n", "\n};\n"].iter().filter_map(|e| rest.find(e).map(|i| i + e.len())).min().unwrap_or(rest.len());
+        let (part, tail) = rest.split_at(end);
+        rest = tail;
+        (!part.is_empty()).then_some(part)
+    })
 }
 
 /// Name and byte offset of every member of a struct, nested ones as `outer.inner`, and the struct's size.
