@@ -49,7 +49,7 @@ impl std::error::Error for UsageError {}
 /// Physically based skies, from the ground to orbit.
 #[derive(Debug, Parser)]
 #[command(name = "welkin", version, about, after_help = "Start with:  welkin render")]
-#[command(arg_required_else_help = true, subcommand_required = true, disable_help_subcommand = true)]
+#[command(arg_required_else_help = true, subcommand_required = true, disable_help_subcommand = false)]
 pub struct Cli {
     /// What to do.
     #[command(subcommand)]
@@ -61,6 +61,8 @@ pub struct Cli {
 pub enum Command {
     /// Draw a sky: a contact sheet of many views, or one picture
     Render(Box<RenderArgs>),
+    /// Draw every view by every backend: how far apart the pictures are, and what each pass costs
+    Compare(CompareArgs),
     /// List the backends and adapters that can draw here
     Info,
     /// Translate shaders/wgsl/ to shaders/glsl/ (for work on welkin itself)
@@ -72,6 +74,42 @@ pub enum Command {
         #[arg(long, default_value = ".")]
         root: PathBuf,
     },
+}
+
+/// Options of `welkin compare`.
+#[derive(Args, Debug)]
+pub struct CompareArgs {
+    /// Pixels of the pictures that are compared
+    #[arg(long, value_name = "WxH", default_value = "480x270", value_parser = parse_size)]
+    pub size: [u32; 2],
+
+    /// Pixels of the pictures that are timed
+    #[arg(long, value_name = "WxH", default_value = "1920x1080", value_parser = parse_size)]
+    pub time_size: [u32; 2],
+
+    /// Rounds of timing, of which the best counts, 0 to 1000; 0 does not time
+    #[arg(long, value_name = "N", default_value = "3", value_parser = clap::value_parser!(u32).range(0..=1000))]
+    pub repeat: u32,
+
+    /// Samples along each view ray, 1 to 1024
+    #[arg(long, value_name = "N", default_value = "32", value_parser = parse_samples)]
+    pub samples: u32,
+
+    /// Samples from each of those towards the sun, 1 to 256
+    #[arg(long, value_name = "N", default_value = "8", value_parser = parse_light_samples)]
+    pub light_samples: u32,
+
+    /// Also draw on the CPU, by the f64 reference
+    #[arg(long)]
+    pub cpu: bool,
+
+    /// Keep the pictures in this folder, as VIEW.BACKEND.png
+    #[arg(long, value_name = "DIR")]
+    pub keep: Option<PathBuf>,
+
+    /// Compare with pictures kept in this folder, from another machine or driver
+    #[arg(long, value_name = "DIR")]
+    pub with: Option<PathBuf>,
 }
 
 const RENDER_ABOUT: &str = "\

@@ -4,7 +4,8 @@ use anyhow::Context;
 use clap::ValueEnum;
 use welkin::backend::headless::Headless;
 use welkin::backend::wgpu::WgpuBackend;
-use welkin::backend::{Backend, Format};
+use welkin::backend::{Backend, Format, Pass, PassTime, Target, TextureDesc, Uniform};
+use welkin::shaders::Program;
 use welkin::{PictureRenderer, PictureSettings, SkySettings, TerrainStyle, ToneMap};
 
 /// Which backend draws.
@@ -154,6 +155,40 @@ impl Drawer {
             hdr: hdr.as_chunks().0.to_vec(),
             display: display.as_chunks().0.iter().map(|p: &[f32; 4]| p.map(|v| (v * 255.0).round() as u8)).collect(),
         })
+    }
+
+    /// The best of `repeat` times of each pass of a picture, and last of a plain full-screen copy of its
+    /// radiance, all in the same run. `None` on the CPU, which has no passes.
+    pub fn times(&mut self, shot: &Shot, repeat: u32) -> anyhow::Result<Option<Vec<PassTime>>> {
+        let Some(backend) = self.machine.backend() else { return Ok(None) };
+        let size = [shot.width, shot.height];
+        let (passes, drawn) = self.renderer.passes(backend, &shot.scene, &shot.settings(), size)?;
+        let mut passes = passes.to_vec();
+        let copy = backend.create_texture(&TextureDesc::new("copy", shot.width, shot.height, Format::Rgba16Float))?;
+        passes.push(Pass {
+            label: "copy",
+            program: Some(backend.create_program(Program::Copy)?),
+            textures: [Some(drawn.radiance), None],
+            uniform: Uniform::NONE,
+            target: Target::color(copy),
+            depth: Default::default(),
+        });
+        let mut best: Option<Vec<PassTime>> = None;
+        // The first round makes pipelines and warms caches; it does not count.
+        for round in 0..=repeat {
+            let times = backend.times(&passes)?;
+            match &mut best {
+                _ if round == 0 => {}
+                None => best = Some(times),
+                Some(best) => {
+                    for (b, t) in best.iter_mut().zip(times) {
+                        b.nanoseconds = b.nanoseconds.min(t.nanoseconds);
+                    }
+                }
+            }
+        }
+        backend.destroy_texture(copy);
+        Ok(best)
     }
 }
 

@@ -1,6 +1,7 @@
 //! `welkin`: skies from the command line. `welkin --help` tells what it can do.
 
 mod args;
+mod compare;
 mod draw;
 mod info;
 mod output;
@@ -35,6 +36,7 @@ fn main() -> ExitCode {
 fn run(cli: Cli) -> anyhow::Result<()> {
     match cli.command {
         Command::Render(args) => render::run(&args),
+        Command::Compare(args) => compare::run(&args),
         Command::Info => info::run(),
         Command::Shaders { check, root } => shaders::run(&root, check),
     }
@@ -48,7 +50,7 @@ fn exit_code(result: anyhow::Result<()>) -> ExitCode {
     }
     complain(&format!("{error:#}"));
     if error.is::<UsageError>() {
-        let _ = writeln!(std::io::stderr(), "\nFor what is accepted, try 'welkin render --help'.");
+        let _ = writeln!(std::io::stderr(), "\nFor what is accepted, try 'welkin help', or --help behind a command.");
         return ExitCode::from(USAGE);
     }
     ExitCode::FAILURE
