@@ -37,8 +37,9 @@ pub fn run(args: &CompareArgs) -> anyhow::Result<()> {
         return Err(UsageError::value("--with <DIR>", dir.display(), "a folder with kept pictures").into());
     }
     if let Some(dir) = &args.keep {
-        std::fs::create_dir_all(dir)
-            .map_err(|e| UsageError::value("--keep <DIR>", dir.display(), format_args!("a folder that can be made: {e}")))?;
+        std::fs::create_dir_all(dir).map_err(|e| {
+            UsageError::value("--keep <DIR>", dir.display(), format_args!("a folder that can be made: {e}"))
+        })?;
     }
     let mut choices = draw::available();
     choices.retain(|c| args.cpu || *c != BackendChoice::Cpu);
@@ -73,7 +74,11 @@ fn shot(args: &CompareArgs, view: &View, [width, height]: [u32; 2]) -> anyhow::R
 
 fn compare(args: &CompareArgs, drawers: &mut [(String, Drawer)], out: &mut impl Write) -> anyhow::Result<()> {
     let [w, h] = args.size;
-    writeln!(out, "\nDifferences of display values at {w}×{h}, {} × {} samples (of 255):\n", args.samples, args.light_samples)?;
+    writeln!(
+        out,
+        "\nDifferences of display values at {w}×{h}, {} × {} samples (of 255):\n",
+        args.samples, args.light_samples
+    )?;
     writeln!(out, "| view | pair | largest | mean | more than 1 apart | not finite |\n|---|---|---:|---:|---:|---:|")?;
     for view in &VIEWS {
         let shot = shot(args, view, args.size)?;
@@ -115,7 +120,11 @@ fn keep(path: &Path, picture: &Picture) -> anyhow::Result<()> {
 
 fn time(args: &CompareArgs, drawers: &mut [(String, Drawer)], out: &mut impl Write) -> anyhow::Result<()> {
     let [w, h] = args.time_size;
-    writeln!(out, "\nTimes at {w}×{h}, {} × {} samples, best of {}; × is the ratio to the copy:\n", args.samples, args.light_samples, args.repeat)?;
+    writeln!(
+        out,
+        "\nTimes at {w}×{h}, {} × {} samples, best of {}; × is the ratio to the copy:\n",
+        args.samples, args.light_samples, args.repeat
+    )?;
     writeln!(out, "| view | backend | pass | ms | × |\n|---|---|---|---:|---:|")?;
     for view in &VIEWS {
         let shot = shot(args, view, args.time_size)?;
