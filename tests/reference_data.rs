@@ -1,98 +1,18 @@
 //! The f64 reference against numbers from other programs (`tests/data/README.md`).
 //!
-//! `cargo test --test reference_data -- --nocapture` prints the differences file by file.
+//! `cargo test --test reference_data -- --nocapture` prints the differences file by file. The same for the fine
+//! settings of multiple scattering: `cargo run --release --features reference --example reference_table`.
 
 use std::f64::consts::{FRAC_PI_2, PI};
-use std::path::Path;
 
-use glam::DVec3;
+use welkin::reference::multiple::{self, Orders};
+use welkin::reference::path::{self, path_trace};
 use welkin::reference::single::{RayQuery, Sun, Tolerance, optical_depth, single_scattering, transmittance};
 use welkin::{AtmosphereParams, MiePhase};
 
-/// A table of `tests/data`, its columns by name.
-struct Table {
-    columns: Vec<String>,
-    rows: Vec<Vec<String>>,
-}
-
-impl Table {
-    fn read(name: &str) -> Self {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(name);
-        let mut reader = csv::Reader::from_path(path).unwrap();
-        let columns = reader.headers().unwrap().iter().map(String::from).collect();
-        let rows: Vec<Vec<String>> = reader.records().map(|r| r.unwrap().iter().map(String::from).collect()).collect();
-        assert!(rows.len() > 40, "{name} has only {} rows", rows.len());
-        Self { columns, rows }
-    }
-
-    fn text<'a>(&self, row: &'a [String], column: &str) -> &'a str {
-        let i = self.columns.iter().position(|c| c == column).unwrap_or_else(|| panic!("no column {column}"));
-        &row[i]
-    }
-
-    fn number(&self, row: &[String], column: &str) -> f64 {
-        self.text(row, column).parse().unwrap()
-    }
-
-    fn angle(&self, row: &[String], column: &str) -> f64 {
-        self.number(row, column).to_radians()
-    }
-
-    fn channel(&self, row: &[String]) -> usize {
-        ["R", "G", "B"].iter().position(|c| *c == self.text(row, "channel")).unwrap()
-    }
-
-    fn has(&self, column: &str) -> bool {
-        self.columns.iter().any(|c| c == column)
-    }
-}
-
-/// Differences of one comparison.
-#[derive(Default)]
-struct Differences {
-    count: usize,
-    sum: f64,
-    max: f64,
-    worst: String,
-}
-
-impl Differences {
-    fn add(&mut self, difference: f64, case: &[String]) {
-        assert!(difference.is_finite(), "{case:?}");
-        self.count += 1;
-        self.sum += difference;
-        if difference > self.max {
-            self.max = difference;
-            self.worst = case.join(",");
-        }
-    }
-
-    fn report(&self, name: &str) {
-        let mean = self.sum / self.count as f64;
-        println!("{name:52} n {:5}  mean {mean:.2e}  max {:.2e}  at {}", self.count, self.max, self.worst);
-    }
-}
-
-fn medium(name: &str) -> AtmosphereParams {
-    AtmosphereParams::preset(name).unwrap()
-}
-
-/// The ray of a row of a sky or limb table.
-fn ray(table: &Table, row: &[String], planet_radius: f64) -> RayQuery {
-    let azimuth = table.angle(row, "azimuth_from_sun_deg");
-    if !table.has("tangent_altitude_km") {
-        let (view, sun) = (table.angle(row, "view_zenith_deg"), table.angle(row, "sun_zenith_deg"));
-        return RayQuery::new(0.0, view, sun, azimuth);
-    }
-    // The tangent point lies on z, the ray runs along x; the observer is before it.
-    let sun = table.angle(row, "sun_zenith_at_tangent_point_deg");
-    let sun = DVec3::new(sun.sin() * azimuth.cos(), sun.sin() * azimuth.sin(), sun.cos());
-    let tangent = 1e3 * table.number(row, "tangent_altitude_km");
-    let observer = 1e3 * table.number(row, "observer_altitude_km");
-    let back = ((observer - tangent) * (2.0 * planet_radius + observer + tangent)).sqrt();
-    let position = DVec3::new(-back, 0.0, planet_radius + tangent);
-    RayQuery::in_world(position, DVec3::X, sun, planet_radius).unwrap()
-}
+#[path = "support/tables.rs"]
+mod tables;
+use tables::{Differences, Table, against_noise, medium, ray};
 
 #[test]
 fn transmittance_is_the_quadrature() {
@@ -217,4 +137,77 @@ fn ground_irradiance_of_single_scattering_is_the_quadrature() {
     assert!(direct.max < 2e-6, "{} at {}", direct.max, direct.worst);
     // The midpoint rule of this test, not the library, sets the limit.
     assert!(diffuse.max < 1e-3, "{} at {}", diffuse.max, diffuse.worst);
+}
+
+/// All orders of scattering: sky, limb, twilight and the light on the ground, for one medium and albedo.
+fn multiple_scattering(name: &str, albedo: f64) {
+    let params = AtmosphereParams { ground_albedo: [albedo; 3], ..medium(name) };
+    let orders = Orders::solve(&params, multiple::Settings::QUICK, |_| {}).unwrap();
+    for file in [format!("sky_{name}.csv"), "limb.csv".into(), "mc_twilight.csv".into()] {
+        let table = Table::read(&file);
+        let (mut relative, mut noise) = (Differences::default(), Differences::default());
+        for row in &table.rows {
+            let other = table.has("atmosphere") && table.text(row, "atmosphere") != name;
+            if other || table.number(row, "albedo") != albedo {
+                continue;
+            }
+            let light = orders.radiance(&ray(&table, row, params.planet_radius), Tolerance::PICTURE).unwrap();
+            let ours = light.per_irradiance[table.channel(row)];
+            let (mean, std_err) = (table.number(row, "mc_total_per_sr"), table.number(row, "mc_total_std_err_per_sr"));
+            relative.add((ours / mean - 1.0).abs(), row);
+            noise.add(against_noise(ours, mean, std_err), row);
+        }
+        relative.report(&format!("{file}: {name}, albedo {albedo}, all orders, relative"));
+        noise.report(&format!("{file}: {name}, albedo {albedo}, of max(0.5 %, 4 σ)"));
+        assert!(noise.max <= 1.0, "{file}: {} at {}", noise.max, noise.worst);
+    }
+    let table = Table::read("mc_ground_irradiance.csv");
+    let mut noise = Differences::default();
+    for row in &table.rows {
+        if table.text(row, "atmosphere") != name || table.number(row, "albedo") != albedo {
+            continue;
+        }
+        let ours = orders.ground_irradiance(table.angle(row, "sun_zenith_deg"));
+        let c = table.channel(row);
+        let direct = table.number(row, "direct_horizontal_irradiance_rel");
+        assert!((ours.direct[c] - direct).abs() <= 2e-6 * direct + 1e-15, "{row:?} {ours:?}");
+        let (mean, std_err) = (table.number(row, "mc_diffuse_irradiance_rel"), table.number(row, "mc_std_err"));
+        noise.add(against_noise(ours.diffuse[c], mean, std_err), row);
+    }
+    noise.report(&format!("mc_ground_irradiance.csv: {name}, albedo {albedo}, of max(0.5 %, 4 σ)"));
+    assert!(noise.max <= 1.0, "{} at {}", noise.max, noise.worst);
+}
+
+#[test]
+fn multiple_scattering_in_gas_is_the_monte_carlo() {
+    multiple_scattering("rayleigh", 0.0);
+    multiple_scattering("rayleigh", 0.3);
+}
+
+#[test]
+fn multiple_scattering_on_earth_is_the_monte_carlo() {
+    // Black ground is in the example; here time counts.
+    multiple_scattering("earth", 0.3);
+}
+
+/// Our path tracer against the other Monte Carlo: every 97th row, within 4.5 standard errors of both.
+#[test]
+fn path_tracing_is_the_monte_carlo() {
+    let mut noise = Differences::default();
+    for file in ["sky_earth.csv", "limb.csv", "mc_twilight.csv"] {
+        let table = Table::read(file);
+        for row in table.rows.iter().step_by(97) {
+            let name = if file == "sky_earth.csv" { "earth" } else { table.text(row, "atmosphere") };
+            let params = AtmosphereParams { ground_albedo: [table.number(row, "albedo"); 3], ..medium(name) };
+            let query = ray(&table, row, params.planet_radius);
+            let ours = path_trace(&params, &query, path::Settings { paths: 16_384, seed: 1 }).unwrap();
+            let c = table.channel(row);
+            let error = ours.std_err[c].hypot(table.number(row, "mc_total_std_err_per_sr"));
+            noise.add((ours.per_irradiance[c] - table.number(row, "mc_total_per_sr")).abs() / error, row);
+        }
+    }
+    noise.report("path tracing, standard errors");
+    assert!(noise.max < 4.5, "{} at {}", noise.max, noise.worst);
+    // Standard errors that are neither too large nor too small: the mean of |normal| is 0.80.
+    assert!((0.5..1.1).contains(&(noise.sum / noise.count as f64)), "{}", noise.sum / noise.count as f64);
 }

@@ -5,7 +5,12 @@
 //!
 //! * [`geometry`]: rays, spheres, and the chord form that keeps altitudes exact near the horizon.
 //! * [`single`]: transmittance and single scattering, adaptive to a stated [`single::Tolerance`].
+//! * [`multiple`]: all orders of scattering and the ground, solved once for an atmosphere, then quick for any ray.
+//! * [`path`]: the same by Monte Carlo, with its standard error: slow, and without any table.
 //! * `picture` (feature `reference`): whole pictures on all cores.
+//!
+//! `multiple` and `path` use all cores with the cargo feature `reference`. How well all this agrees with other
+//! programs: `cargo run --release --features reference --example reference_table`.
 //!
 //! Radiance is given per unit solar irradiance (1/sr) and multiplied by
 //! [`AtmosphereParams::sun_intensity`](crate::AtmosphereParams::sun_intensity). No refraction, no
@@ -19,6 +24,7 @@ mod harmonics;
 mod medium;
 pub mod multiple;
 mod parallel;
+pub mod path;
 #[cfg(all(feature = "reference", not(target_arch = "wasm32")))]
 pub mod picture;
 mod quadrature;

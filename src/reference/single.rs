@@ -5,10 +5,13 @@
 //! Bruneton & Neyret 2008, eq. 7. Both optical depths are integrals over a spherical shell; the planet
 //! casts a shadow.
 
+use std::f64::consts::PI;
+
 use glam::DVec3;
 
 use super::geometry::{Chord, RayEnd};
-use super::medium::{ColumnRule, Medium};
+use super::harmonics;
+use super::medium::{ColumnRule, Medium, Phases};
 use super::quadrature::{fixed, gauss_legendre, integrate};
 use crate::atmosphere::AtmosphereParams;
 use crate::error::{Result, direction, in_range};
@@ -244,7 +247,7 @@ pub fn single_scattering(
     let query = query.validate()?;
     let medium = Medium::new(params);
     let Sun::Disk { rings } = sun else {
-        return Ok(scatter(&medium, &query, Line::Adaptive(tolerance)));
+        return Ok(scatter(&medium, &query, Line::Adaptive(tolerance), None));
     };
     in_range("sun.rings", f64::from(rings), 1.0, 16.0, "")?;
     // The disk as a cap around the centre: uniform in the squared sine, to the cap's second order.
@@ -255,7 +258,7 @@ pub fn single_scattering(
         radiance: [0.0; 3],
         error: [0.0; 3],
         evaluations: 0,
-        ..scatter(&medium, &query, Line::Adaptive(tolerance))
+        ..scatter(&medium, &query, Line::Adaptive(tolerance), None)
     };
     for (node, weight) in gauss_legendre(rings as usize) {
         let sin = params.sun_angular_radius.sin() * (0.5 * (node + 1.0)).sqrt();
@@ -263,7 +266,7 @@ pub fn single_scattering(
         for k in 0..azimuths {
             let (s, c) = (std::f64::consts::TAU * f64::from(k) / f64::from(azimuths)).sin_cos();
             let sun = query.sun * (1.0 - sin * sin).sqrt() + (x * c + y * s) * sin;
-            let part = scatter(&medium, &RayQuery { sun, ..query }, Line::Adaptive(tolerance));
+            let part = scatter(&medium, &RayQuery { sun, ..query }, Line::Adaptive(tolerance), None);
             for c in 0..3 {
                 sum.per_irradiance[c] += weight * part.per_irradiance[c];
                 sum.radiance[c] += weight * part.radiance[c];
@@ -275,6 +278,57 @@ pub fn single_scattering(
     Ok(sum)
 }
 
+/// What repeated scattering by small angles adds to the aerosol's phase function, in the moments beyond a degree:
+/// `Σ_l (2 l + 1) / 4π P_l(ν) χ_l (exp(χ_l τ) - 1)`, τ the aerosol's scattering depth towards the sun;
+/// as a power series in τ, whose coefficients depend on the scattering angle alone.
+#[derive(Clone, Debug)]
+pub(crate) struct SmallAngles {
+    /// `[channel][n - 1]`: `Σ_l (2 l + 1) / 4π P_l(ν) χ_l^(n + 1) / n!`.
+    coefficients: [[f64; Self::TERMS]; 3],
+}
+
+impl SmallAngles {
+    /// Enough where `g^(degree + 1) τ` is below 3.
+    const TERMS: usize = 12;
+
+    /// For a cosine `nu` of the scattering angle and moments from `degree + 1` on.
+    pub fn new(params: &AtmosphereParams, degree: usize, nu: f64) -> Self {
+        let coefficients = std::array::from_fn(|c| {
+            let g = params.mie_asymmetry[c];
+            // Squares below 1e-7 do not matter.
+            let last = if g.abs() > 1e-3 { (8.0 / -g.abs().ln()).min(1000.0) as usize } else { 0 };
+            let mut sums = [0.0; Self::TERMS];
+            if last <= degree {
+                return sums;
+            }
+            let moments = harmonics::mie_moments(params.mie_phase, g, last);
+            let (mut before, mut p) = (0.0, 1.0);
+            for (l, chi) in moments.iter().enumerate() {
+                let lf = l as f64;
+                if l > degree {
+                    let mut term = (2.0 * lf + 1.0) / (4.0 * PI) * p * chi;
+                    for (n, sum) in sums.iter_mut().enumerate() {
+                        term *= chi / (n as f64 + 1.0);
+                        *sum += term;
+                    }
+                }
+                (before, p) = (p, ((2.0 * lf + 1.0) * nu * p - lf * before) / (lf + 1.0));
+            }
+            sums
+        });
+        Self { coefficients }
+    }
+
+    /// `aerosol` phase functions with the addition for a column (metres) of aerosol towards the sun.
+    fn add(&self, aerosol: [f64; 3], scattering: &[f64; 3], column: f64) -> [f64; 3] {
+        std::array::from_fn(|c| {
+            // Beyond this depth what is left of the sun's own light is below 1e-13.
+            let depth = (scattering[c] * column).min(30.0);
+            aerosol[c] + self.coefficients[c].iter().rev().fold(0.0, |sum, k| (sum + k) * depth)
+        })
+    }
+}
+
 /// How the integral along a view ray is done.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Line {
@@ -284,7 +338,9 @@ pub(crate) enum Line {
 }
 
 /// [`single_scattering`] after all checks.
-pub(crate) fn scatter(medium: &Medium, query: &RayQuery, line: Line) -> Scattered {
+///
+/// `tail` adds light that was scattered several times, each time by a small angle.
+pub(crate) fn scatter(medium: &Medium, query: &RayQuery, line: Line, tail: Option<&SmallAngles>) -> Scattered {
     let params = &medium.params;
     let d = query.direction;
     let chord = Chord::new(params.planet_radius, query.altitude, d.z, d.x.hypot(d.y));
@@ -323,6 +379,10 @@ pub(crate) fn scatter(medium: &Medium, query: &RayQuery, line: Line) -> Scattere
             if to_sun.origin < 0.0 { to_sun.perigee_altitude.max(0.0) } else { to_sun.perigee_altitude };
         let Some(light) = medium.columns_to_sun(&to_sun, rule) else { return [0.0; 3] };
         let depth = medium.optical_depth(std::array::from_fn(|i| view[i] + light[i]));
+        let phases = match tail {
+            Some(tail) => Phases { aerosol: tail.add(phases.aerosol, &params.mie_scattering, light[1]), ..phases },
+            None => phases,
+        };
         let scattering = medium.scattering(altitude, &phases);
         std::array::from_fn(|c| scattering[c] * (-depth[c]).exp() * jacobian)
     };
