@@ -203,3 +203,73 @@ fn settings_out_of_range_name_the_field() {
     let query = RayQuery::new(0.0, 0.0, 0.0, 0.0);
     assert!(path_trace(&params, &query, path::Settings { paths: 0, seed: 0 }).is_err());
 }
+
+/// Whatever the parameters' checks accept has a finite answer in its physical range.
+#[test]
+fn accepted_parameters_give_finite_light() {
+    use proptest::prelude::*;
+    use proptest::test_runner::{Config, RngSeed, TestRunner};
+    let power = |lo: f64, hi: f64| (lo.ln()..hi.ln()).prop_map(f64::exp);
+    let medium = (
+        (power(1e2, 1e9), power(1e-6, 4.0)),
+        (power(0.1, 1e7), power(0.1, 1e7), 0.0..1e6, power(1.0, 1e7)),
+        (power(1e-9, 1.0), power(1e-9, 1.0), power(1e-9, 1.0), -0.999..0.999),
+        (0..8u32, any::<bool>(), 0.0..=1.0),
+    );
+    let view = (-0.1..3.0, 0.0..=PI, 0.0..=PI, 0.0..=PI, prop_oneof![Just(f64::INFINITY), power(1e-3, 1e9)]);
+    let lit = std::cell::Cell::new(0);
+    let config = Config { cases: 3000, rng_seed: RngSeed::Fixed(1), failure_persistence: None, ..Config::default() };
+    let result = TestRunner::new(config).run(&(medium, view), |(medium, view)| {
+        let ((radius, thickness), (gas, aerosol, middle, width), (a, b, c, g), (present, cornette, albedo)) = medium;
+        let on = |bit: u32, v: f64| if present & (1 << bit) != 0 { v } else { 0.0 };
+        let params = AtmosphereParams {
+            planet_radius: radius,
+            atmosphere_radius: radius * (1.0 + 1e-6 + thickness),
+            rayleigh_scattering: [on(0, a), on(0, a * 0.1), on(0, a * 0.01)],
+            rayleigh_scale_height: gas,
+            mie_scattering: [on(1, b), on(1, b * 0.1), 0.0],
+            mie_absorption: [0.0, on(1, b), on(1, b * 0.01)],
+            mie_scale_height: aerosol,
+            mie_asymmetry: [g, -g, 0.0],
+            mie_phase: if cornette { welkin::MiePhase::CornetteShanks } else { Default::default() },
+            ozone_absorption: [on(2, c), on(2, c * 0.1), 0.0],
+            ozone_center_altitude: middle,
+            ozone_half_width: width,
+            ground_albedo: [albedo; 3],
+            ..AtmosphereParams::earth()
+        };
+        prop_assume!(params.validate().is_ok());
+        let (altitude, zenith, sun, azimuth, length) = view;
+        let query = RayQuery::new(altitude * params.thickness(), zenith, sun, azimuth).ended_at(length);
+        let light = single_scattering(&params, &query, Sun::Point, Tolerance::PICTURE).unwrap();
+        for c in 0..3 {
+            prop_assert!(light.per_irradiance[c].is_finite() && light.per_irradiance[c] >= 0.0, "{light:?}");
+            prop_assert!((0.0..=1.0).contains(&light.transmittance[c]), "{light:?}");
+        }
+        let camera = DVec3::Z * (params.planet_radius + query.altitude.max(0.0));
+        let march = welkin::reference::compute_single_scatter(camera, query.direction, query.sun, &params, 16, 8);
+        prop_assert!(march.iter().all(|v| v.is_finite() && *v >= 0.0), "{march:?}");
+        let n = lit.get();
+        lit.set(n + u32::from(light.per_irradiance[0] > 0.0));
+        if lit.get() > n && n % 16 == 0 {
+            let least = Settings {
+                altitudes: 5,
+                sun_angles: 10,
+                zeniths: 4,
+                azimuths: 4,
+                degree: 3,
+                max_orders: 6,
+                tolerance: 0.01,
+            };
+            let all = Orders::solve(&params, least, |_| {}).unwrap().radiance(&query, Tolerance::PICTURE).unwrap();
+            prop_assert!(all.per_irradiance.iter().all(|v| v.is_finite() && *v >= 0.0), "{all:?}");
+            let traced = path_trace(&params, &query, path::Settings { paths: 16, seed: 1 }).unwrap();
+            prop_assert!(traced.per_irradiance.iter().all(|v| v.is_finite() && *v >= 0.0), "{traced:?}");
+        }
+        Ok(())
+    });
+    if let Err(error) = result {
+        panic!("{error}");
+    }
+    assert!(lit.get() > 500, "only {} cases had light", lit.get());
+}
