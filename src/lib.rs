@@ -1,5 +1,78 @@
-//! Physically based skies and atmospheres on two GPU backends from one set of shaders.
-#![doc = ""]
+//! Physically based skies and atmospheres on two GPU backends from one set of shaders: WebGPU through
+//! wgpu, WebGL2 (and OpenGL ES 3) through glow. From the ground to far orbit, natively and in browsers.
+//!
+//! # The shortest example
+//!
+//! ```no_run
+//! # #[cfg(feature = "wgpu")] {
+//! use welkin::backend::{Backend, wgpu::WgpuBackend};
+//! use welkin::{AtmosphereParams, Camera, DepthConvention, PictureRenderer, PictureSettings, Scene};
+//! use glam::DVec3;
+//!
+//! let earth = AtmosphereParams::earth();
+//! let scene = Scene {
+//!     // Two metres above the north pole, looking along +X.
+//!     camera: Camera::new(DVec3::Z * (earth.planet_radius + 2.0), DVec3::X, DVec3::Z, 1.0, 16.0 / 9.0),
+//!     planet_center: DVec3::ZERO,
+//!     atmosphere: earth,
+//!     sun_direction: DVec3::new(1.0, 0.3, 0.4),
+//!     depth: DepthConvention::default(),
+//! };
+//! let mut backend = WgpuBackend::headless()?;
+//! let drawn = PictureRenderer::default().draw(&mut backend, &scene, &PictureSettings::default(), [640, 360])?;
+//! let rgba = backend.read(drawn.display)?;
+//! # }
+//! # Ok::<(), welkin::Error>(())
+//! ```
+//!
+//! # In your own frame
+//!
+//! [`SkyRenderer`] gives passes as data. Draw its background first (depth ALWAYS, no depth write), then
+//! your scene with its depth, then [`SkyRenderer::aerial`], which reads both and writes to a third texture.
+//!
+//! With wgpu, on your device and in your encoder:
+//!
+//! ```no_run
+//! # #[cfg(feature = "wgpu")]
+//! # fn frame(device: wgpu::Device, queue: wgpu::Queue, mut encoder: wgpu::CommandEncoder,
+//! #          view: wgpu::TextureView, scene: welkin::Scene) -> welkin::Result<()> {
+//! use welkin::backend::{Backend, Format, Target, TextureDesc, wgpu::WgpuBackend};
+//! use welkin::{SkyRenderer, SkySettings};
+//!
+//! let mut backend = WgpuBackend::from_device(device, queue, "my adapter")?;
+//! let mut sky = SkyRenderer::new(SkySettings::default())?;
+//! let target = backend.import_view(view, TextureDesc::new("hdr", 1280, 720, Format::Rgba16Float))?;
+//! let passes = sky.background(&mut backend, &scene, Target::color(target))?;
+//! backend.encode(&mut encoder, passes)?;
+//! # Ok(()) }
+//! ```
+//!
+//! With WebGL2, in your context, whose state is put back:
+//!
+//! ```no_run
+//! # #[cfg(feature = "glow")]
+//! # fn frame(gl: std::rc::Rc<glow::Context>, scene: welkin::Scene) -> welkin::Result<()> {
+//! use welkin::backend::{Backend, Format, RowOrder, Target, TextureDesc, glow::GlowBackend};
+//! use welkin::{SkyRenderer, SkySettings};
+//!
+//! let mut backend = GlowBackend::new(gl)?;
+//! let mut sky = SkyRenderer::new(SkySettings::default())?;
+//! let desc = TextureDesc { rows: RowOrder::BottomUp, ..TextureDesc::new("screen", 1280, 720, Format::Rgba8) };
+//! let target = backend.import_framebuffer(None, desc)?;
+//! let passes = sky.background(&mut backend, &scene, Target::color(target))?;
+//! backend.run(passes)?;
+//! # Ok(()) }
+//! ```
+//!
+//! # Units
+//!
+//! Metres, radians, f64, any right-handed frame of reference. The GPU sees kilometres in f32, relative to
+//! the camera (see [`view`]). Radiance is in the unit of [`AtmosphereParams::sun_intensity`] per steradian.
+//!
+//! # What it is not
+//!
+//! Three wavelengths stand for the spectrum; no polarisation, no refraction. The shaders compute single
+//! scattering; [`mod@reference`] has all orders, on the CPU.
 
 pub mod atmosphere;
 pub mod backend;
