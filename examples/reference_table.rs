@@ -49,7 +49,7 @@ fn main() -> welkin::Result<()> {
             let start = Instant::now();
             let orders = Orders::solve(&params, settings, |_| {})?;
             let solved = start.elapsed().as_secs_f64();
-            println!("\n{name}, albedo {albedo}: {} orders in {solved:.1} s", orders.history().len());
+            println!("\n{name}, albedo {albedo}: {} iterations in {solved:.1} s", orders.history().len());
             compare(name, albedo, &orders)?;
         }
     }

@@ -67,8 +67,7 @@ fn grazing_column_is_the_chapman_function() {
     }
 }
 
-/// A plane-parallel limit with a closed form: thin air on a huge planet, `σ p (1 - exp(-τ (1/μ + 1/μs))) / …`
-/// (Chandrasekhar 1960, section 57: first-order diffuse reflection).
+/// A plane-parallel limit with a closed form: thin air on a huge planet, `p / μ (1 - exp(-τ m)) / m`, `m = 1/μ + 1/μs`.
 #[test]
 fn single_scattering_has_the_plane_parallel_limit() {
     let params = AtmosphereParams {
@@ -127,17 +126,17 @@ fn what_comes_in_goes_out() {
         mie_scale_height: 3000.0,
         ..white.clone()
     };
-    let settings = Settings { altitudes: 10, sun_angles: 32, zeniths: 10, azimuths: 10, degree: 8, ..Settings::QUICK };
+    let settings = Settings { altitudes: 10, sun_angles: 28, zeniths: 8, azimuths: 8, degree: 6, ..Settings::QUICK };
     for (name, params) in [("gas", white.clone()), ("haze", hazy)] {
         let orders = Orders::solve(&params, Settings { tolerance: 3e-4, ..settings }, |_| {}).unwrap();
-        let share = orders.escaping_share(10);
-        println!("furnace, {name}: {share:?} after {} orders", orders.history().len());
+        let share = orders.escaping_share(8);
+        println!("furnace, {name}: {share:?} after {} iterations", orders.history().len());
         for c in 0..3 {
             assert!((share[c] - 1.0).abs() < 1e-3, "{name}: {share:?}");
         }
     }
     let black = AtmosphereParams::rayleigh();
-    let share = Orders::solve(&black, settings, |_| {}).unwrap().escaping_share(10);
+    let share = Orders::solve(&black, settings, |_| {}).unwrap().escaping_share(8);
     assert!(share.iter().all(|s| (0.01..0.5).contains(s)) && share[2] > share[0], "{share:?}");
     let absorber = AtmosphereParams { rayleigh_scattering: [0.0; 3], ozone_absorption: [1e-5; 3], ..black };
     let orders = Orders::solve(&absorber, settings, |_| {}).unwrap();
@@ -162,7 +161,7 @@ fn orders_and_paths_agree_off_earth() {
     };
     let small = Settings { altitudes: 10, sun_angles: 28, ..Settings::QUICK };
     // Mars' dust throws blue light forward (g = 0.86): at sunset its aureole needs twice the degree.
-    let sharp = Settings { degree: 24, azimuths: 26, zeniths: 12, ..small };
+    let sharp = Settings { degree: 24, azimuths: 25, zeniths: 10, sun_angles: 24, ..small };
     for (name, params, settings) in
         [("tiny", tiny, Settings { degree: 8, ..small }), ("mars", AtmosphereParams::mars(), sharp)]
     {
@@ -198,6 +197,18 @@ fn settings_out_of_range_name_the_field() {
         let error = Orders::solve(&params, settings, |_| {}).unwrap_err();
         assert!(error.to_string().starts_with(field), "{error}");
     }
+    // Neither an error nor silence: too few iterations are reported.
+    let hasty = Settings {
+        altitudes: 6,
+        sun_angles: 12,
+        zeniths: 4,
+        azimuths: 4,
+        degree: 3,
+        max_iterations: 1,
+        ..Settings::QUICK
+    };
+    assert!(!Orders::solve(&params, hasty, |_| {}).unwrap().converged());
+    assert!(Orders::solve(&params, Settings { max_iterations: 20, ..hasty }, |_| {}).unwrap().converged());
     let broken = AtmosphereParams { planet_radius: -1.0, ..params.clone() };
     assert!(Orders::solve(&broken, Settings::QUICK, |_| {}).is_err());
     let query = RayQuery::new(0.0, 0.0, 0.0, 0.0);
@@ -251,14 +262,14 @@ fn accepted_parameters_give_finite_light() {
         prop_assert!(march.iter().all(|v| v.is_finite() && *v >= 0.0), "{march:?}");
         let n = lit.get();
         lit.set(n + u32::from(light.per_irradiance[0] > 0.0));
-        if lit.get() > n && n % 16 == 0 {
+        if lit.get() > n && n.is_multiple_of(50) {
             let least = Settings {
                 altitudes: 5,
                 sun_angles: 10,
                 zeniths: 4,
                 azimuths: 4,
                 degree: 3,
-                max_orders: 6,
+                max_iterations: 6,
                 tolerance: 0.01,
             };
             let all = Orders::solve(&params, least, |_| {}).unwrap().radiance(&query, Tolerance::PICTURE).unwrap();

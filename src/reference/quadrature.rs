@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 /// Nodes in -1..1 and weights of the n-point Gauss–Legendre rule, exact for degree 2 n - 1.
 ///
 /// Newton's method on the Legendre polynomial, from Tricomi's starting values
-/// (Abramowitz & Stegun 25.4.30 for the weights). `n` of 0 counts as 1.
+/// (Abramowitz & Stegun 25.4.29 for the weights). `n` of 0 counts as 1.
 pub(crate) fn gauss_legendre(n: usize) -> Vec<(f64, f64)> {
     let n = n.max(1);
     let mut rule = vec![(0.0, 0.0); n];

@@ -1,8 +1,8 @@
 //! Transmittance and single scattering along one ray.
 //!
 //! Single scattering is the integral along the view ray of
-//! `Σ σᵢ(h) pᵢ(ν) exp(-τ_view - τ_sun)` over the sunlit part of the ray: Nishita et al. 1993, eqs. 2 to 5;
-//! Bruneton & Neyret 2008, eq. 7. Both optical depths are integrals over a spherical shell; the planet
+//! `Σ σᵢ(h) pᵢ(ν) exp(-τ_view - τ_sun)` over the sunlit part of the ray: Nishita et al. 1993;
+//! Bruneton & Neyret 2008, section 3. Both optical depths are integrals over a spherical shell; the planet
 //! casts a shadow.
 
 use std::f64::consts::PI;
@@ -390,7 +390,8 @@ pub(crate) fn scatter(medium: &Medium, query: &RayQuery, line: Line, tail: Optio
     for (a, b) in sun.lit(s0, s1) {
         breaks.clear();
         let (a, b) = (chord.v_at(a), chord.v_at(b));
-        view_breaks(medium, &chord, a, b, &mut breaks);
+        let step = if matches!(line, Line::Fixed) { 1.0 } else { 5.0 };
+        view_breaks(medium, &chord, s0, a, b, step, &mut breaks);
         // The stretches' errors add, and so do their values: each may use the whole tolerance.
         let part = match line {
             Line::Adaptive(tolerance) => integrate(integrand, &breaks, tolerance.relative, 1e-40, 600),
@@ -406,9 +407,10 @@ pub(crate) fn scatter(medium: &Medium, query: &RayQuery, line: Line, tail: Optio
     sum
 }
 
-/// Where to split an integral over `v` from a to b: perigee, kinks of the profiles, and altitudes at which
-/// the exponentials have thinned, so that each panel is easy.
-pub(crate) fn view_breaks(medium: &Medium, chord: &Chord, a: f64, b: f64, breaks: &mut Vec<f64>) {
+/// Where to split an integral over `v` from a to b: perigee, kinks of the profiles, altitudes at which
+/// the exponentials have thinned, and every `step` of optical depth from `s0`, so that each panel is easy.
+/// Ends where nothing gets through any more.
+pub(crate) fn view_breaks(medium: &Medium, chord: &Chord, s0: f64, a: f64, b: f64, step: f64, breaks: &mut Vec<f64>) {
     let p = &medium.params;
     let low = if a * b <= 0.0 { 0.0 } else { (a * a).min(b * b) };
     breaks.extend([a, b]);
@@ -431,7 +433,35 @@ pub(crate) fn view_breaks(medium: &Medium, chord: &Chord, a: f64, b: f64, breaks
     }
     push(low + 2.5 * p.rayleigh_scale_height);
     breaks.sort_by(f64::total_cmp);
+    let depth = |v: f64| medium.optical_depth(medium.columns(chord, s0, chord.at_v(v).0, ColumnRule::Quick));
+    // A place on the ray and the depth to it.
+    type Mark = (f64, [f64; 3]);
+    let (near, far) = (depth(a), depth(b));
+    if (0..3).all(|c| far[c] - near[c] <= step) {
+        return;
+    }
+    let marks: Vec<Mark> = breaks.iter().map(|&v| (v, depth(v))).collect();
+    // Panels still to be looked at, the nearest last, and how often each may be halved.
+    let mut todo: Vec<(Mark, Mark, u32)> = marks.windows(2).rev().map(|w| (w[0], w[1], 40)).collect();
+    breaks.truncate(1);
+    while let Some((from, to, left)) = todo.pop() {
+        if (0..3).all(|c| from.1[c] > OPAQUE) {
+            return;
+        }
+        // Of a channel that is already dark the depth does not matter.
+        if left > 0 && (0..3).any(|c| from.1[c] < OPAQUE && to.1[c] - from.1[c] > step) {
+            let v = 0.5 * (from.0 + to.0);
+            let middle = (v, depth(v));
+            todo.push((middle, to, left - 1));
+            todo.push((from, middle, left - 1));
+        } else {
+            breaks.push(to.0);
+        }
+    }
 }
+
+/// Optical depth behind which nothing is looked for: 4e-18 gets through.
+const OPAQUE: f64 = 40.0;
 
 /// Share of light, per channel, that gets through from the ray's end (space, ground or scene object)
 /// to its origin.
