@@ -54,6 +54,7 @@ struct Scattered {
     vec3 transmittance;
 };
 const float INV_4PI = 0.07957747;
+const float SUBPIXEL = 0.0625;
 
 layout(std140) uniform Frame_block_0Fragment { Frame _group_0_binding_0_fs; };
 
@@ -399,36 +400,48 @@ void main() {
     end = _e31.length_;
     if ((_e17 >= 0.0)) {
         float _e40 = end;
-        end = min(_e40, (_e17 - _e31.start));
+        float reach = min(_e40, (_e17 - _e31.start));
+        if (_e31.ground) {
+            float _e46 = end;
+            float slant = max((abs((_e31.b + _e46)) / m_5.radius), 0.05);
+            float _e56 = _group_0_binding_0_fs.pixel_angle;
+            float snap = (((SUBPIXEL * _e56) * _e17) / slant);
+            float _e60 = end;
+            float _e61 = end;
+            float _e65 = end;
+            end = (_e60 - ((_e61 - reach) * smoothstep((0.5 * snap), snap, (_e65 - reach))));
+        } else {
+            end = reach;
+        }
     } else {
         if (!(_e31.ground)) {
-            float _e48 = _group_0_binding_0_fs.shell_weight;
-            weight = _e48;
-            float _e49 = weight;
-            dims = (_e49 >= 1.0);
+            float _e74 = _group_0_binding_0_fs.shell_weight;
+            weight = _e74;
+            float _e75 = weight;
+            dims = (_e75 >= 1.0);
         }
     }
-    float _e52 = end;
-    if (!((_e52 <= 0.0))) {
-        float _e58 = weight;
-        local = (_e58 <= 0.0);
+    float _e78 = end;
+    if (!((_e78 <= 0.0))) {
+        float _e84 = weight;
+        local = (_e84 <= 0.0);
     } else {
         local = true;
     }
-    bool _e62 = local;
-    if (_e62) {
+    bool _e88 = local;
+    if (_e88) {
         _fs2p_location0 = behind;
         return;
     }
-    vec3 _e65 = _group_0_binding_0_fs.sun;
-    vec3 offset = (dir_1 - _e65);
-    float _e67 = end;
-    uint _e73 = _group_0_binding_0_fs.view_samples;
-    uint _e76 = _group_0_binding_0_fs.light_samples;
-    Scattered _e77 = single_scattering(m_5, _e31, _e67, (0.5 * dot(offset, offset)), _e73, _e76);
-    bool _e82 = dims;
-    float _e88 = weight;
-    vec3 color = ((behind.xyz * (_e82 ? _e77.transmittance : vec3(1.0))) + ((_e77.radiance * m_5.irradiance) * _e88));
+    vec3 _e91 = _group_0_binding_0_fs.sun;
+    vec3 offset = (dir_1 - _e91);
+    float _e93 = end;
+    uint _e99 = _group_0_binding_0_fs.view_samples;
+    uint _e102 = _group_0_binding_0_fs.light_samples;
+    Scattered _e103 = single_scattering(m_5, _e31, _e93, (0.5 * dot(offset, offset)), _e99, _e102);
+    bool _e108 = dims;
+    float _e114 = weight;
+    vec3 color = ((behind.xyz * (_e108 ? _e103.transmittance : vec3(1.0))) + ((_e103.radiance * m_5.irradiance) * _e114));
     _fs2p_location0 = vec4(color, behind.w);
     return;
 }

@@ -8,6 +8,8 @@
 @group(0) @binding(1) var scene: texture_2d<f32>;
 @group(0) @binding(2) var depth: texture_2d<f32>;
 
+const SUBPIXEL: f32 = 0.0625; // 1/16 pixel: 4 bits, the least that Vulkan and OpenGL ES allow
+
 @fragment
 fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let pixel = vec2i(position.xy);
@@ -22,7 +24,16 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     var weight = 1.0;
     var dims = true;
     if distance >= 0.0 {
-        end = min(end, distance - ray.start);
+        let reach = min(end, distance - ray.start);
+        if ray.ground {
+            // Rasterisers snap vertices to a sixteenth of a pixel or finer, which moves a slanted surface along
+            // the ray. A scene closer to the ground than that is on it, or a far planet would be speckled.
+            let slant = max(abs(ray.b + end) / m.radius, 0.05); // cosine of the ray's angle to the vertical
+            let snap = SUBPIXEL * frame.pixel_angle * distance / slant;
+            end -= (end - reach) * smoothstep(0.5 * snap, snap, end - reach);
+        } else {
+            end = reach;
+        }
     } else if !ray.ground {
         weight = frame.shell_weight;
         // The background pass, as long as it draws any air, has dimmed what lies behind.

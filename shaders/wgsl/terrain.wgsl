@@ -14,7 +14,7 @@ struct Terrain {
     axis: vec3f,          // the camera's axis, zenith frame, unit
     amplitude: f32,       // highest mountains above the surface, km
     grid_x: vec3f,        // two horizontal directions that turn with the planet, zenith frame
-    arc_scale: f32,       // ring distances are arc_scale * sinh(arc_rate * ring), rad
+    arc_scale: f32,       // tan(arc / 2) of a ring is arc_scale * sinh(arc_rate * ring)
     grid_y: vec3f,
     arc_rate: f32,        // per ring
     planet_x: vec3f,      // rows: from the zenith frame to the planet's own axes
@@ -90,19 +90,22 @@ fn vertex_main(@builtin(vertex_index) index: u32) -> Varyings {
     let ring = index / row + (k & 1u);
     let azimuth = TAU * f32((k / 2u) % SEGMENTS) / f32(SEGMENTS);
     let s = terrain.arc_rate * f32(ring);
-    let arc = min(terrain.arc_scale * 0.5 * (exp(s) - exp(-s)), 0.5 * TAU);
-    let flat = terrain.grid_x * cos(azimuth) + terrain.grid_y * sin(azimuth);
+    // Tangent of half the arc: sine and cosine follow from it without trigonometry, which drivers round
+    // as they please.
+    let t = terrain.arc_scale * 0.5 * (exp(s) - exp(-s));
+    let flat = normalize(terrain.grid_x * cos(azimuth) + terrain.grid_y * sin(azimuth));
     let up = vec3f(0.0, 0.0, 1.0);
-    let half_sin = sin(0.5 * arc);
-    let n = flat * sin(arc) + up * cos(arc);
+    let sin_arc = 2.0 * t / (1.0 + t * t);
+    let drop = 2.0 * t * t / (1.0 + t * t); // 1 - cos
+    let n = flat * sin_arc + up * (1.0 - drop);
     let planet_n = vec3f(dot(terrain.planet_x, n), dot(terrain.planet_y, n), dot(terrain.planet_z, n));
     // The mesh's widest step here: along a ring or from ring to ring.
-    let spacing = max(terrain.arc_rate * sqrt(terrain.arc_scale * terrain.arc_scale + arc * arc), sin(arc) * (TAU / f32(SEGMENTS)));
+    let along = 2.0 * terrain.arc_rate * sqrt(terrain.arc_scale * terrain.arc_scale + t * t) / (1.0 + t * t);
+    let spacing = max(along, sin_arc * (TAU / f32(SEGMENTS)));
     let field = height_field(planet_n, terrain.amplitude, terrain.mountain_rate, terrain.sea, spacing);
     let h = field.w;
-    // (R + h) n - (R + camera altitude) up, without the two radii: n - up = flat sin - up 2 sin^2(arc / 2).
-    let position = flat * ((m.radius + h) * sin(arc)) - up * ((m.radius + h) * 2.0 * half_sin * half_sin)
-        + up * (h - f.camera_altitude);
+    // (R + h) n - (R + camera altitude) up, without the two radii: n - up = flat sin - up (1 - cos).
+    let position = flat * ((m.radius + h) * sin_arc) + up * (h - f.camera_altitude - (m.radius + h) * drop);
 
     // The gradient's tangential part tilts the normal.
     let g = terrain.planet_x * field.x + terrain.planet_y * field.y + terrain.planet_z * field.z;

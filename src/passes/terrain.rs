@@ -178,8 +178,8 @@ impl TerrainStyle {
         let (radius, h) = (scene.atmosphere.planet_radius, view.altitude.max(1.0));
         // Arc to the horizon, and on to where the highest mountain would still peep over it.
         let dip = |h: f64| (h * (2.0 * radius + h)).sqrt().atan2(radius);
-        let arc_max = (dip(h) + 1.05 * dip(self.amplitude)).min(std::f64::consts::PI);
-        let arc_scale = 0.5 * h / radius;
+        let arc_max = (dip(h) + 1.05 * dip(self.amplitude)).min(3.0);
+        let arc_scale = 0.25 * h / radius;
         let up = (scene.camera.position - scene.planet_center).normalize();
         let east = DVec3::Z.cross(up);
         let east = if east.length() > 1e-3 { east.normalize() } else { DVec3::Y.cross(up).normalize() };
@@ -199,7 +199,7 @@ impl TerrainStyle {
             grid_x: to_zenith(east),
             arc_scale: arc_scale as f32,
             grid_y: to_zenith(up.cross(east)),
-            arc_rate: ((arc_max / arc_scale).asinh() / f64::from(TERRAIN_RINGS)) as f32,
+            arc_rate: (((0.5 * arc_max).tan() / arc_scale).asinh() / f64::from(TERRAIN_RINGS)) as f32,
             planet_x: row(0),
             sea: if self.sea { 1.0 } else { 0.0 },
             planet_y: row(1),

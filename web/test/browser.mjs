@@ -126,13 +126,17 @@ export async function pixels(page, changes = {}) {
 /** What the canvas shows, as bytes r g b a, rows from the top. */
 export async function shown(page) {
   const png = await page.locator('#stage canvas').screenshot({ animations: 'disabled', style: '#panel, #readout, #messages { display: none }' });
-  const list = await page.evaluate(async (base64) => {
+  return decode(page, png);
+}
+
+/** A PNG's pixels, decoded by the page: bytes r g b a, rows from the top. */
+export function decode(page, png) {
+  return page.evaluate(async (base64) => {
     const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${base64}`)).blob());
     const paper = new OffscreenCanvas(image.width, image.height).getContext('2d');
     paper.drawImage(image, 0, 0);
     return { width: image.width, height: image.height, data: Array.from(paper.getImageData(0, 0, image.width, image.height).data) };
   }, png.toString('base64'));
-  return list;
 }
 
 /** Mean r, g, b of the rows from fraction `top` to fraction `bottom` of a picture. */

@@ -1,8 +1,10 @@
 // The planet viewer in a real browser: the same tests for both backends.
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, describe, it } from 'node:test';
-import { SIZE, artifacts, difference, launch, luminance, mean, pixels, relativeDifference, shown, waitForLine } from './browser.mjs';
+import { SIZE, artifacts, decode, difference, launch, luminance, mean, pixels, relativeDifference, shown, waitForLine, web } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -306,6 +308,41 @@ describe('both backends', () => {
       assert.ok(relative <= 0.02, `${name}: at most ${100 * relative} % apart`);
     }
   });
+});
+
+describe('the browser draws what the native program draws', () => {
+  const program = join(web, '..', 'target', 'debug', 'welkin');
+  const views = {
+    'noon': { alt: 100, pitch: 15, heading: 180, sunElevation: 50, sunAzimuth: 150 },
+    'sunset': { alt: 100, pitch: 8, heading: 270, sunElevation: 2, sunAzimuth: 265 },
+    '30 km': { alt: 30000, pitch: -5, heading: 180, sunElevation: 30, sunAzimuth: 240 },
+    'limb': { alt: 4e5, pitch: -18, heading: 0, sunElevation: 25, sunAzimuth: 60 },
+    'planet': { alt: 1.5e7, pitch: -90, heading: 0, sunElevation: 45, sunAzimuth: 60 },
+  };
+  for (const backend of ['webgl2', 'webgpu']) {
+    it(`on ${backend}`, async (t) => {
+      const page = await use(t, { backend });
+      for (const [name, view] of Object.entries(views)) {
+        const fixed = { planet: 'earth', fov: 60, exposure: 1, toneMap: 'aces', samples: 24, lightSamples: 8, terrain: true };
+        await pixels(page, { ...fixed, ...view });
+        const here = await shown(page);
+        const file = join(artifacts, `native-${backend}.png`);
+        const { alt, pitch, heading, sunElevation, sunAzimuth } = view;
+        execFileSync(program, [
+          'render', '--backend', backend, '--size', `${SIZE.width}x${SIZE.height}`, '--altitude', `${alt}`, '--pitch', `${pitch}`,
+          '--heading', `${heading}`, '--fov', '60', '--sun-elevation', `${sunElevation}`, '--sun-azimuth', `${sunAzimuth}`,
+          '--exposure', '1', '--samples', '24', '--light-samples', '8', '-o', file,
+        ], { stdio: 'pipe' });
+        const native = await decode(page, readFileSync(file));
+        assert.deepEqual([here.width, here.height], [native.width, native.height]);
+        const { max, mean: average } = difference(here.data, native.data);
+        const beyond = here.data.filter((v, i) => Math.abs(v - native.data[i]) > 2).length / here.data.length;
+        t.diagnostic(`${name}: at most ${max}/255 apart, mean ${average.toFixed(4)}, ${(100 * beyond).toFixed(3)} % of the values by more than 2`);
+        // Edges of the terrain's triangles may fall on either side of a pixel's centre; nothing else may differ.
+        assert.ok(beyond < 0.002, `${name}: ${100 * beyond} % of the values differ`);
+      }
+    });
+  }
 });
 
 describe('choosing a backend', () => {

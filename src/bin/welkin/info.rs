@@ -17,7 +17,7 @@ pub fn run() -> anyhow::Result<()> {
         let mark = if Some(choice) == preferred { '*' } else { ' ' };
         lines.push(match Drawer::open(choice) {
             Ok(drawer) => format!("{mark} {}", drawer.describe()),
-            Err(error) => format!("{mark} {}: not available: {error:#}", name(choice)),
+            Err(error) => format!("{mark} not available: {error:#}"),
         });
     }
     lines.push("* drawn with by default (--backend auto)".to_owned());
