@@ -255,8 +255,18 @@ fn a_bad_header_or_request_is_rejected() {
     rejected("samples", good, &["--method", "single", "--samples", "0"], &["--samples", "from 1 to 1024"]);
     rejected("cpu", good, &["--method", "single", "--backend", "cpu"], &["--backend", "'cpu'", "reference-single"]);
     rejected("gpu", good, &["--method", "reference", "--backend", "webgl2"], &["--backend", "'webgl2'", "CPU"]);
-    rejected("no-file", good, &["--method", "reference-single", "--cases", "none.csv"], &["--cases", "'none.csv'", "can be read"]);
-    rejected("unwritable", good, &["--method", "reference-single", "--out", "no/out.csv"], &["--out", "'no/out.csv'", "can be written"]);
+    rejected(
+        "no-file",
+        good,
+        &["--method", "reference-single", "--cases", "none.csv"],
+        &["--cases", "'none.csv'", "can be read"],
+    );
+    rejected(
+        "unwritable",
+        good,
+        &["--method", "reference-single", "--out", "no/out.csv"],
+        &["--out", "'no/out.csv'", "can be written"],
+    );
 }
 
 /// llvmpipe ends loops early and says nothing; the tool does.

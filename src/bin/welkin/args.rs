@@ -63,6 +63,8 @@ pub enum Command {
     Render(Box<RenderArgs>),
     /// Compute the sky's radiance in given directions, from a table to a table
     Radiance(RadianceArgs),
+    /// Measure what accuracy costs in time, on every backend
+    Accuracy(AccuracyArgs),
     /// List the backends and adapters that can draw here
     Info,
     /// Translate shaders/wgsl/ to shaders/glsl/ (for work on welkin itself)
@@ -82,6 +84,7 @@ impl Command {
         match self {
             Self::Render(_) => "render",
             Self::Radiance(_) => "radiance",
+            Self::Accuracy(_) => "accuracy",
             Self::Info => "info",
             Self::Shaders { .. } => "shaders",
         }
@@ -298,6 +301,26 @@ pub struct RadianceArgs {
 
     /// Where to write (CSV)
     #[arg(short, long, value_name = "FILE")]
+    pub out: PathBuf,
+}
+
+const ACCURACY_ABOUT: &str = "\
+Measure what accuracy costs in time, on every backend
+
+Draws a fixed set of scenes (sun from the zenith to 12° below the horizon, camera from 2 m to 10,000 km, Earth, \
+Mars and a thick haze) at many qualities on every backend that this machine has, and compares them with the f64 \
+reference. Writes accuracy.md (tables), accuracy.csv (every number) and accuracy.svg (error against time).";
+
+/// Options of `welkin accuracy`.
+#[derive(Args, Debug)]
+#[command(long_about = ACCURACY_ABOUT)]
+pub struct AccuracyArgs {
+    /// Fewer scenes, smaller pictures, a coarser reference: about a minute instead of many
+    #[arg(long)]
+    pub quick: bool,
+
+    /// Where to write; made if it is not there
+    #[arg(short, long, value_name = "FOLDER", default_value = "accuracy")]
     pub out: PathBuf,
 }
 

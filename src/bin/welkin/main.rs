@@ -1,5 +1,6 @@
 //! `welkin`: skies from the command line. `welkin --help` tells what it can do.
 
+mod accuracy;
 mod args;
 mod draw;
 mod info;
@@ -41,6 +42,7 @@ fn main() -> ExitCode {
 fn run(cli: Cli) -> anyhow::Result<()> {
     match cli.command {
         Command::Render(args) => render::run(&args),
+        Command::Accuracy(args) => accuracy::run(&args),
         Command::Radiance(args) => radiance::run(&args),
         Command::Info => info::run(),
         Command::Shaders { check, root } => shaders::run(&root, check),
