@@ -46,7 +46,8 @@ fn cases(file: &str) -> Vec<Case> {
     for row in csv::Reader::from_path(path).unwrap().deserialize() {
         let row: BTreeMap<String, String> = row.unwrap();
         let number = |name: &str| row[name].parse::<f64>().unwrap();
-        let medium = row.get("atmosphere").map_or_else(|| file[4..].trim_end_matches(".csv"), |a| a);
+        let medium =
+            row.get("atmosphere").map_or(if file.contains("earth") { "earth" } else { "rayleigh" }, String::as_str);
         let azimuth = number("azimuth_from_sun_deg");
         let [altitude, sun, view, azimuth] = if row.contains_key("tangent_altitude_km") {
             from_tangent_point(

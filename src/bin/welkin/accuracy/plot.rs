@@ -44,7 +44,8 @@ fn diagram(
     let span = |values: Vec<f64>| {
         let lo = values.iter().copied().fold(f64::INFINITY, f64::min);
         let hi = values.iter().copied().fold(0.0, f64::max);
-        (lo / 1.6)..(hi * 1.6)
+        // At least a decade and a half: axes without a power of ten have no marks.
+        (lo / 1.6).min(hi / 20.0)..(hi * 1.6)
     };
     let mut chart = ChartBuilder::on(area)
         .caption(title, ("sans-serif", 17))
@@ -55,7 +56,12 @@ fn diagram(
             span(points.iter().map(|p| p.0).collect()).log_scale(),
             span(points.iter().map(|p| p.1).collect()).log_scale(),
         )?;
-    let number = |v: &f64| if *v >= 1.0 { format!("{v:.0}") } else { format!("{v}") };
+    // Names for 1, 2 and 5 times a power of ten: more would not fit.
+    let number = |v: &f64| {
+        let leading = v / 10f64.powf((v * 1.000_001).log10().floor());
+        let named = [1.0, 2.0, 5.0].iter().any(|n| (leading - n).abs() < 0.01);
+        if named { format!("{}", (v * 1e6).round() * 1e-6) } else { String::new() }
+    };
     chart
         .configure_mesh()
         .x_desc("time over that of a full-screen copy")
@@ -65,7 +71,9 @@ fn diagram(
         .light_line_style(RGBColor(235, 235, 235))
         .label_style(("sans-serif", 12))
         .draw()?;
-    for (backend, color) in findings.backends().into_iter().zip(COLORS.into_iter().cycle()) {
+    for (i, (backend, color)) in findings.backends().into_iter().zip(COLORS.into_iter().cycle()).enumerate() {
+        // Above the first front and below the second, so that they do not cover each other.
+        let offset = if i % 2 == 0 { (6, -14) } else { (-34, 6) };
         let all = findings.totals(medium).filter(|e| e.backend == backend);
         chart.draw_series(all.map(|e| Circle::new(point(e), 3, color.mix(0.5).filled())))?;
         let front = findings.front(backend, medium, against);
@@ -78,7 +86,7 @@ fn diagram(
                 + Circle::new((0, 0), 4, color.filled())
                 + Text::new(
                     format!("{}×{}", e.samples[0], e.samples[1]),
-                    (5, -13),
+                    offset,
                     ("sans-serif", 11).into_font().color(&color),
                 )
         }))?;
