@@ -60,7 +60,8 @@ fn diagram(
     let number = |v: &f64| {
         let leading = v / 10f64.powf((v * 1.000_001).log10().floor());
         let named = [1.0, 2.0, 5.0].iter().any(|n| (leading - n).abs() < 0.01);
-        if named { format!("{}", (v * 1e6).round() * 1e-6) } else { String::new() }
+        let text = format!("{v:.4}");
+        if named { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { String::new() }
     };
     chart
         .configure_mesh()
