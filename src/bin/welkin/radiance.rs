@@ -210,10 +210,10 @@ fn single(args: &RadianceArgs, cases: &[Case]) -> anyhow::Result<(Vec<[f64; 3]>,
     let Some(backend) = drawer.backend() else {
         anyhow::bail!("no backend can draw here: {by}; '--method reference-single' needs none");
     };
-    if let Some(most) = most_steps(backend.info()).filter(|most| args.samples * (args.light_samples + 1) > *most) {
+    if let Some(most) = most_steps(backend.info()).filter(|most| args.samples * (args.light_samples + 2) >= *most) {
         return Err(UsageError::new(format!(
             "'--samples {}' and '--light-samples {}' are too many for {}, which silently ends a shader's loops \
-             after {most} rounds in all: samples × (light samples + 1) must be at most that",
+             after {most} rounds in all: samples × (light samples + 2) must be less",
             args.samples,
             args.light_samples,
             backend.info().adapter
@@ -242,7 +242,7 @@ fn single(args: &RadianceArgs, cases: &[Case]) -> anyhow::Result<(Vec<[f64; 3]>,
 
 /// Rounds after which an adapter leaves a pixel's loops, if it is known to.
 ///
-/// Mesa's llvmpipe counts the rounds of all loops together and stops at 65,535
+/// Mesa's llvmpipe counts the rounds of all loops together, each loop's last test included, and stops at 65,535
 /// (`LP_MAX_TGSI_LOOP_ITERATIONS`); pictures then come out dark, without an error.
 fn most_steps(adapter: &AdapterInfo) -> Option<u32> {
     adapter.adapter.contains("llvmpipe").then_some(65_535)
