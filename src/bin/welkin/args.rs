@@ -63,6 +63,10 @@ pub enum Command {
     Render(Box<RenderArgs>),
     /// Draw every view by every backend: how far apart the pictures are, and what each pass costs
     Compare(CompareArgs),
+    /// Compute the sky's radiance in given directions, from a table to a table
+    Radiance(RadianceArgs),
+    /// Measure what accuracy costs in time, on every backend
+    Accuracy(AccuracyArgs),
     /// List the backends and adapters that can draw here
     Info,
     /// Translate shaders/wgsl/ to shaders/glsl/ (for work on welkin itself)
@@ -110,6 +114,20 @@ pub struct CompareArgs {
     /// Compare with pictures kept in this folder, from another machine or driver
     #[arg(long, value_name = "DIR")]
     pub with: Option<PathBuf>,
+}
+
+impl Command {
+    /// As it is written on the command line.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Render(_) => "render",
+            Self::Radiance(_) => "radiance",
+            Self::Accuracy(_) => "accuracy",
+            Self::Compare(_) => "compare",
+            Self::Info => "info",
+            Self::Shaders { .. } => "shaders",
+        }
+    }
 }
 
 const RENDER_ABOUT: &str = "\
@@ -259,6 +277,101 @@ impl ToneMapName {
             Self::Neutral => "Khronos Neutral",
         }
     }
+}
+
+const RADIANCE_ABOUT: &str = "\
+Compute the sky's radiance in given directions, from a table to a table
+
+Radiance is per unit of the sun's irradiance at the top of the atmosphere on a plane normal to the sun: 1/sr. \
+Multiply it by the sun's irradiance. The sun's disk is never part of it; the sun is a point, nothing is \
+refracted or polarised. R, G, B are the medium's three channels (earth: 680, 550, 440 nm).";
+
+const RADIANCE_DETAILS: &str = "\
+The table of cases is CSV with a header. Columns, found by name, in any order:
+  medium                earth, rayleigh, mars, venus or earth-like
+  albedo                share of light that the ground reflects (Lambertian), 0 to 1
+  altitude_m            of the observer above the ground, 0 to 1e12
+  sun_zenith_deg        angle of the sun from the zenith, 0 to 180
+  view_zenith_deg       angle of the view from the zenith, 0 to 180
+  azimuth_from_sun_deg  of the view, 0 towards the sun, -360 to 360
+Other columns are copied. The output adds the columns R, G and B.
+
+What is included:
+  single            light scattered once by the air, by a GPU backend, through the passes that draw
+                    pictures, in 32-bit floats. A ray that meets the ground ends there and sees it
+                    black; the albedo has no influence.
+  reference-single  the same light in f64 on the CPU, relative error 1e-6.
+  reference         light of all orders of scattering in f64 on the CPU, with the light that the ground
+                    reflects: into the air, and to the eye where a ray meets the ground. About 0.2 % by
+                    day, 0.5 % in twilight. Solves once for each medium and albedo: up to a minute each.
+
+Example:
+  welkin radiance --cases sky.csv --method single --samples 256 --light-samples 64 --out radiance.csv
+
+Exit status: 0 written; 1 computing or writing failed; 2 the request or a row was not accepted, and
+nothing was written.";
+
+/// Options of `welkin radiance`.
+#[derive(Args, Debug)]
+#[command(long_about = RADIANCE_ABOUT, after_long_help = RADIANCE_DETAILS)]
+#[command(after_help = "Columns, and what each method includes: welkin radiance --help")]
+pub struct RadianceArgs {
+    /// The table of cases (CSV)
+    #[arg(long, value_name = "FILE")]
+    pub cases: PathBuf,
+
+    /// How to compute
+    #[arg(long, value_name = "NAME")]
+    pub method: Method,
+
+    /// What draws; only for a method that draws
+    #[arg(long, value_name = "NAME", default_value = "auto")]
+    pub backend: BackendChoice,
+
+    /// Samples along each view ray, 1 to 1024; for --method single
+    #[arg(long, value_name = "N", default_value = "32")]
+    #[arg(allow_hyphen_values = true, value_parser = parse_samples)]
+    pub samples: u32,
+
+    /// Samples from each of those towards the sun, 1 to 256; for --method single
+    #[arg(long, value_name = "N", default_value = "8")]
+    #[arg(allow_hyphen_values = true, value_parser = parse_light_samples)]
+    pub light_samples: u32,
+
+    /// Where to write (CSV)
+    #[arg(short, long, value_name = "FILE")]
+    pub out: PathBuf,
+}
+
+const ACCURACY_ABOUT: &str = "\
+Measure what accuracy costs in time, on every backend
+
+Draws a fixed set of scenes (sun from the zenith to 12° below the horizon, camera from 2 m to 10,000 km, Earth, \
+Mars and a thick haze) at many qualities on every backend that this machine has, and compares them with the f64 \
+reference. Writes accuracy.md (tables), accuracy.csv (every number) and accuracy.svg (error against time).";
+
+/// Options of `welkin accuracy`.
+#[derive(Args, Debug)]
+#[command(long_about = ACCURACY_ABOUT)]
+pub struct AccuracyArgs {
+    /// Fewer scenes, smaller pictures, a coarser reference: about a minute instead of many
+    #[arg(long)]
+    pub quick: bool,
+
+    /// Where to write; made if it is not there
+    #[arg(short, long, value_name = "FOLDER", default_value = "accuracy")]
+    pub out: PathBuf,
+}
+
+/// How radiance is computed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Method {
+    /// Single scattering by a GPU backend
+    Single,
+    /// Single scattering in f64
+    ReferenceSingle,
+    /// All orders of scattering in f64
+    Reference,
 }
 
 impl RenderArgs {

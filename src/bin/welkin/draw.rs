@@ -135,6 +135,11 @@ impl Drawer {
         text
     }
 
+    /// The backend behind it; `None` for the CPU.
+    pub fn backend(&mut self) -> Option<&mut dyn Backend> {
+        self.machine.backend()
+    }
+
     /// Draws one picture; `progress` is told the share that is done, 0 to 1.
     pub fn draw(&mut self, shot: &Shot, progress: &dyn Fn(f32)) -> anyhow::Result<Picture> {
         let (width, height) = (shot.width, shot.height);

@@ -1,11 +1,13 @@
 //! `welkin`: skies from the command line. `welkin --help` tells what it can do.
 
+mod accuracy;
 mod args;
 mod compare;
 mod draw;
 mod info;
 mod output;
 mod progress;
+mod radiance;
 mod render;
 mod shaders;
 mod sheet;
@@ -29,7 +31,12 @@ fn main() -> ExitCode {
     std::panic::set_hook(Box::new(|info| {
         complain(&format!("internal error, please report it: {info}"));
     }));
-    std::panic::catch_unwind(|| exit_code(run(Cli::parse()))).unwrap_or(ExitCode::from(INTERNAL))
+    std::panic::catch_unwind(|| {
+        let cli = Cli::parse();
+        let name = cli.command.name();
+        exit_code(run(cli), name)
+    })
+    .unwrap_or(ExitCode::from(INTERNAL))
 }
 
 /// Carries out one subcommand.
@@ -37,20 +44,22 @@ fn run(cli: Cli) -> anyhow::Result<()> {
     match cli.command {
         Command::Render(args) => render::run(&args),
         Command::Compare(args) => compare::run(&args),
+        Command::Accuracy(args) => accuracy::run(&args),
+        Command::Radiance(args) => radiance::run(&args),
         Command::Info => info::run(),
         Command::Shaders { check, root } => shaders::run(&root, check),
     }
 }
 
-/// Says what went wrong, on stderr, and with which status to leave.
-fn exit_code(result: anyhow::Result<()>) -> ExitCode {
+/// Says what went wrong in a subcommand, on stderr, and with which status to leave.
+fn exit_code(result: anyhow::Result<()>, name: &str) -> ExitCode {
     let Err(error) = result else { return ExitCode::SUCCESS };
     if is_broken_pipe(&error) {
         return ExitCode::SUCCESS;
     }
     complain(&format!("{error:#}"));
     if error.is::<UsageError>() {
-        let _ = writeln!(std::io::stderr(), "\nFor what is accepted, try 'welkin help', or --help behind a command.");
+        let _ = writeln!(std::io::stderr(), "\nFor what is accepted, try 'welkin {name} --help'.");
         return ExitCode::from(USAGE);
     }
     ExitCode::FAILURE

@@ -1,4 +1,4 @@
-//! Picture files: formats by their ending, checked before anything is drawn, written whole or not at all.
+//! Files that are checked before any work is done and written whole or not at all; pictures by their ending.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{BufWriter, Write};
@@ -23,12 +23,66 @@ pub enum Format {
 
 /// A file that is going to be written.
 #[derive(Debug)]
-pub struct Output {
+pub struct Destination {
     path: PathBuf,
+}
+
+/// A picture file that is going to be written.
+#[derive(Debug)]
+pub struct Output {
+    file: Destination,
     format: Format,
 }
 
 const OPTION: &str = "--output <FILE>";
+
+impl Destination {
+    /// Checks that a file can be written, without leaving a trace. `option` is what the path was given to.
+    pub fn new(path: &Path, option: &str) -> Result<Self, UsageError> {
+        // Write through a link, not over it.
+        let file = Self { path: fs::canonicalize(path).unwrap_or_else(|_| path.to_owned()) };
+        file.check().map_err(|reason| {
+            UsageError::value(option, path.display(), format_args!("a file that can be written: {reason}"))
+        })?;
+        Ok(file)
+    }
+
+    fn check(&self) -> std::io::Result<()> {
+        if let Ok(there) = fs::metadata(&self.path) {
+            // Asked first: opening a pipe would wait for its reader.
+            if !there.is_file() {
+                return Err(std::io::Error::other("it exists and is not a file"));
+            }
+            // Opening for writing without truncation touches neither content nor time stamps.
+            OpenOptions::new().write(true).open(&self.path)?;
+        }
+        let part = self.part();
+        OpenOptions::new().write(true).create_new(true).open(&part)?;
+        fs::remove_file(&part)
+    }
+
+    /// The file that becomes the output once it is complete. In the same folder, so that renaming is one step.
+    fn part(&self) -> PathBuf {
+        self.path.with_file_name(format!(".welkin-{}.part", std::process::id()))
+    }
+
+    /// Fills the part file, then renames it; removes it if anything fails.
+    pub fn write(&self, fill: impl FnOnce(&mut BufWriter<File>) -> anyhow::Result<()>) -> anyhow::Result<()> {
+        let part = self.part();
+        let written = (|| {
+            let mut file = BufWriter::new(File::create(&part)?);
+            fill(&mut file)?;
+            file.flush()?;
+            drop(file);
+            fs::rename(&part, &self.path)?;
+            anyhow::Ok(())
+        })();
+        if written.is_err() {
+            let _ = fs::remove_file(&part);
+        }
+        written.with_context(|| format!("cannot write {}", self.path.display()))
+    }
+}
 
 impl Output {
     /// Finds the format and checks that the file can be written, without leaving a trace.
@@ -53,32 +107,7 @@ impl Output {
                  as in --view noon",
             ));
         }
-        // Write through a link, not over it.
-        let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-        let output = Self { path, format };
-        output
-            .check()
-            .map_err(|reason| UsageError::value(OPTION, shown, format_args!("a file that can be written: {reason}")))?;
-        Ok(output)
-    }
-
-    fn check(&self) -> std::io::Result<()> {
-        if let Ok(there) = fs::metadata(&self.path) {
-            // Asked first: opening a pipe would wait for its reader.
-            if !there.is_file() {
-                return Err(std::io::Error::other("it exists and is not a file"));
-            }
-            // Opening for writing without truncation touches neither content nor time stamps.
-            OpenOptions::new().write(true).open(&self.path)?;
-        }
-        let part = self.part();
-        OpenOptions::new().write(true).create_new(true).open(&part)?;
-        fs::remove_file(&part)
-    }
-
-    /// The file that becomes the output once it is complete. In the same folder, so that renaming is one step.
-    fn part(&self) -> PathBuf {
-        self.path.with_file_name(format!(".welkin-{}.part", std::process::id()))
+        Ok(Self { file: Destination::new(path, OPTION)?, format })
     }
 
     /// Writes what the format holds of the picture.
@@ -93,35 +122,22 @@ impl Output {
             Format::Exr => (floats(&picture.hdr, |v| v), ExtendedColorType::Rgb32F),
             Format::Hdr => (floats(&picture.hdr, representable_in_rgbe), ExtendedColorType::Rgb32F),
         };
-        self.whole(|file| match self.format {
-            Format::Hdr => image::codecs::hdr::HdrEncoder::new(file).write_image(&bytes, w, h, color),
-            _ => image::codecs::openexr::OpenExrEncoder::new(file).write_image(&bytes, w, h, color),
+        self.file.write(|file| {
+            match self.format {
+                Format::Hdr => image::codecs::hdr::HdrEncoder::new(file).write_image(&bytes, w, h, color),
+                _ => image::codecs::openexr::OpenExrEncoder::new(file).write_image(&bytes, w, h, color),
+            }?;
+            Ok(())
         })
     }
 
     /// Writes sRGB pixels as PNG.
     pub fn write_png(&self, width: u32, height: u32, display: &[[u8; 4]]) -> anyhow::Result<()> {
         let bytes: Vec<u8> = display.iter().flat_map(|p| [p[0], p[1], p[2]]).collect();
-        self.whole(|file| {
-            image::codecs::png::PngEncoder::new(file).write_image(&bytes, width, height, ExtendedColorType::Rgb8)
+        self.file.write(|file| {
+            image::codecs::png::PngEncoder::new(file).write_image(&bytes, width, height, ExtendedColorType::Rgb8)?;
+            Ok(())
         })
-    }
-
-    /// Encodes into the part file, then renames it; removes it if anything fails.
-    fn whole(&self, encode: impl FnOnce(&mut BufWriter<File>) -> image::ImageResult<()>) -> anyhow::Result<()> {
-        let part = self.part();
-        let written = (|| {
-            let mut file = BufWriter::new(File::create(&part)?);
-            encode(&mut file)?;
-            file.flush()?;
-            drop(file);
-            fs::rename(&part, &self.path)?;
-            anyhow::Ok(())
-        })();
-        if written.is_err() {
-            let _ = fs::remove_file(&part);
-        }
-        written.with_context(|| format!("cannot write {}", self.path.display()))
     }
 }
 

@@ -1,4 +1,4 @@
-//! How far the drawing is, on stderr: a bar in a terminal, plain lines elsewhere.
+//! How far the work is, on stderr: a bar in a terminal, plain lines elsewhere.
 
 use std::cell::Cell;
 use std::io::{IsTerminal, Write};
@@ -11,13 +11,19 @@ const FINE: u64 = 1000;
 /// Progress through a known number of steps.
 pub struct Progress {
     bar: Option<ProgressBar>,
+    verb: &'static str,
     steps: u64,
     begun: Cell<u64>,
 }
 
 impl Progress {
-    /// Starts at nothing of `steps`.
+    /// Starts at nothing of `steps` pictures.
     pub fn new(steps: usize) -> Self {
+        Self::of("drawing", steps)
+    }
+
+    /// Starts at nothing of `steps`; `verb` says what is being done.
+    pub fn of(verb: &'static str, steps: usize) -> Self {
         let steps = steps as u64;
         let bar = std::io::stderr().is_terminal().then(|| {
             let bar = ProgressBar::with_draw_target(Some(steps * FINE), ProgressDrawTarget::stderr());
@@ -26,7 +32,7 @@ impl Progress {
             }
             bar
         });
-        Self { bar, steps, begun: Cell::new(0) }
+        Self { bar, verb, steps, begun: Cell::new(0) }
     }
 
     /// Begins the next step; the function returned is told the share of it that is done, 0 to 1.
@@ -39,7 +45,7 @@ impl Progress {
                 bar.set_message(what.to_owned());
             }
             None => {
-                let _ = writeln!(std::io::stderr(), "drawing {}/{}: {what}", before + 1, self.steps);
+                let _ = writeln!(std::io::stderr(), "{} {}/{}: {what}", self.verb, before + 1, self.steps);
             }
         }
         move |share| {

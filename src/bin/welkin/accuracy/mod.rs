@@ -1,0 +1,264 @@
+//! `welkin accuracy`: what every method, quality and backend costs in time, and how exact it is.
+
+mod measure;
+mod plot;
+mod report;
+mod scenes;
+
+use std::io::Write;
+use std::time::Instant;
+
+use anyhow::Context;
+use welkin::PictureRenderer;
+use welkin::backend::{Backend, Format, TextureDesc, TextureId};
+use welkin::reference::multiple::{Orders, Settings};
+
+use crate::args::{AccuracyArgs, UsageError};
+use crate::draw::{BackendChoice, Drawer};
+use crate::info;
+use crate::output::Destination;
+use crate::progress::Progress;
+use measure::{Against, Errors, Frame, Summary, Times, Truth};
+use scenes::{MEDIA, SETUPS, Setup};
+
+const VIEW_SAMPLES: [u32; 5] = [4, 8, 16, 32, 64];
+const LIGHT_SAMPLES: [u32; 3] = [4, 8, 16];
+
+/// Which scenes an [`Entry`] is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Over {
+    /// One, by its name.
+    Scene(&'static str),
+    /// All of a medium, by its index.
+    Medium(usize),
+}
+
+impl Over {
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Scene(name) => name,
+            Self::Medium(i) => MEDIA[i],
+        }
+    }
+}
+
+/// One method and quality on one backend, over some scenes.
+pub struct Entry {
+    pub backend: String,
+    pub samples: [u32; 2],
+    pub over: Over,
+    /// By [`Against::BOTH`].
+    pub errors: [Summary; 2],
+    /// The sky's: the mean over the scenes. The copy's: the best that this backend did in the whole run.
+    pub times: Times,
+}
+
+impl Entry {
+    /// Time over that of a copy.
+    pub fn ratio(&self) -> f64 {
+        self.times.sky / self.times.copy
+    }
+
+    /// The worst channel's mean error.
+    pub fn mean(&self, against: Against) -> f64 {
+        self.errors[against as usize].worst(|s| s.mean)
+    }
+}
+
+/// All that the report is made of.
+pub struct Findings {
+    pub quick: bool,
+    pub frame: Frame,
+    pub scenes: Vec<Setup>,
+    pub runs: u32,
+    /// One line for each backend that was measured.
+    pub adapters: Vec<String>,
+    pub entries: Vec<Entry>,
+    /// What could not be measured, and why.
+    pub missing: Vec<String>,
+    /// Seconds of the whole run.
+    pub seconds: f64,
+}
+
+impl Findings {
+    /// What was measured over all scenes of a medium.
+    pub fn totals(&self, medium: usize) -> impl Iterator<Item = &Entry> {
+        self.entries.iter().filter(move |e| e.over == Over::Medium(medium))
+    }
+
+    /// The backends' names in order.
+    pub fn backends(&self) -> Vec<&str> {
+        let mut names: Vec<_> = self.entries.iter().map(|e| e.backend.as_str()).collect();
+        names.dedup();
+        names
+    }
+
+    /// The settings that nothing cheaper is as exact as, the cheapest first.
+    pub fn front(&self, backend: &str, medium: usize, against: Against) -> Vec<&Entry> {
+        let all = self.totals(medium).filter(|e| e.backend == backend).collect();
+        front(all, |e| (e.ratio(), e.mean(against)))
+    }
+}
+
+/// What of `all` is not beaten in one of two costs by something that is no worse in the other; by the first cost.
+fn front<T: Copy>(mut all: Vec<T>, cost: impl Fn(T) -> (f64, f64)) -> Vec<T> {
+    all.sort_by(|a, b| cost(*a).partial_cmp(&cost(*b)).unwrap_or(std::cmp::Ordering::Equal));
+    let mut best = f64::INFINITY;
+    all.retain(|e| {
+        let better = cost(*e).1 < best;
+        best = best.min(cost(*e).1);
+        better
+    });
+    all
+}
+
+/// Measures and writes `accuracy.md`, `accuracy.csv` and `accuracy.svg`.
+pub fn run(args: &AccuracyArgs) -> anyhow::Result<()> {
+    let out = args.out.display();
+    std::fs::create_dir_all(&args.out).map_err(|e| {
+        UsageError::value("--out <FOLDER>", &out, format_args!("a folder that exists or can be made: {e}"))
+    })?;
+    let file = |name: &str| Destination::new(&args.out.join(name), "--out <FOLDER>");
+    let (markdown, table, picture) = (file("accuracy.md")?, file("accuracy.csv")?, file("accuracy.svg")?);
+    let findings = investigate(args.quick)?;
+    let svg = plot::svg(&findings)?;
+    let text = report::markdown(&findings)?;
+    markdown.write(|f| Ok(f.write_all(text.as_bytes())?))?;
+    table.write(|f| report::csv(&findings, f))?;
+    picture.write(|f| Ok(f.write_all(svg.as_bytes())?))?;
+    let mut stdout = std::io::stdout().lock();
+    write!(stdout, "{}", report::short(&findings)?)?;
+    writeln!(stdout, "{out}: accuracy.md, accuracy.csv, accuracy.svg, in {:.1} s", findings.seconds)?;
+    Ok(())
+}
+
+fn investigate(quick: bool) -> anyhow::Result<Findings> {
+    let start = Instant::now();
+    let (frame, runs, tables) = if quick {
+        (Frame { size: [256, 144], stride: 24 }, 3, Settings::QUICK)
+    } else {
+        (Frame { size: [320, 180], stride: 20 }, 6, Settings::FINE)
+    };
+    let scenes: Vec<_> = SETUPS.into_iter().filter(|s| s.quick || !quick).collect();
+    let mut missing = Vec::new();
+    let mut drawers = Vec::new();
+    for choice in [BackendChoice::WebGpu, BackendChoice::WebGl2] {
+        match Drawer::open(choice) {
+            Ok(drawer) => drawers.push((info::name(choice), drawer)),
+            Err(e) => missing.push(format!("{}: {e:#}", info::name(choice))),
+        }
+    }
+    let settings: Vec<_> = VIEW_SAMPLES.into_iter().flat_map(|v| LIGHT_SAMPLES.map(|l| [v, l])).collect();
+    let progress = Progress::of("measuring", MEDIA.len() + 1 + drawers.len() * settings.len());
+    let mut orders = Vec::new();
+    for (i, name) in MEDIA.into_iter().enumerate() {
+        let tell = progress.step(&format!("reference, all orders: {name}"));
+        let solved = Orders::solve(&scenes::medium(i)?, tables, |p| {
+            tell((p.change.max(1e-300).ln() / tables.tolerance.ln()) as f32);
+        });
+        orders.push(solved.with_context(|| format!("solve {name}"))?);
+    }
+    let tell = progress.step("reference, pictures");
+    let mut truths = Vec::new();
+    for (i, setup) in scenes.iter().enumerate() {
+        let scene = setup.scene(frame.aspect())?;
+        let truth = Truth::new(&scene, &frame, &orders[setup.medium])?;
+        truths.push(Judged { setup: *setup, scene, truth });
+        tell((i + 1) as f32 / scenes.len() as f32);
+    }
+    let (mut adapters, mut entries) = (Vec::new(), Vec::new());
+    for (name, drawer) in &mut drawers {
+        adapters.push(drawer.describe());
+        let Some(backend) = drawer.backend() else { continue };
+        let mut renderer = PictureRenderer::default();
+        let [width, height] = frame.size;
+        let copy_to = backend.create_texture(&TextureDesc::new("copy", width, height, Format::Rgba32Float))?;
+        let first = entries.len();
+        for &samples in &settings {
+            let tell = progress.step(&format!("{name}, {} × {} samples", samples[0], samples[1]));
+            let measured = by_scene(name, backend, &mut renderer, &truths, &frame, samples, runs, copy_to, &tell);
+            // A setting that fails is told, the others are still worth having.
+            match measured {
+                Ok(found) => entries.extend(found),
+                Err(e) => missing.push(format!("{name}, {} × {} samples: {e:#}", samples[0], samples[1])),
+            }
+        }
+        backend.destroy_texture(copy_to);
+        renderer.destroy(backend);
+        let of_backend: &mut [Entry] = &mut entries[first..];
+        let copy = of_backend.iter().map(|e| e.times.copy).fold(f64::INFINITY, f64::min);
+        of_backend.iter_mut().for_each(|e| e.times.copy = copy);
+    }
+    anyhow::ensure!(!entries.is_empty(), "nothing could be measured: {}", missing.join("; "));
+    Ok(Findings { quick, frame, scenes, runs, adapters, entries, missing, seconds: start.elapsed().as_secs_f64() })
+}
+
+/// A scene and the truth about it.
+struct Judged {
+    setup: Setup,
+    scene: welkin::Scene,
+    truth: Truth,
+}
+
+/// One entry for each medium, then one for each scene.
+#[allow(clippy::too_many_arguments)]
+fn by_scene(
+    name: &str,
+    backend: &mut dyn Backend,
+    renderer: &mut PictureRenderer,
+    judged: &[Judged],
+    frame: &Frame,
+    samples: [u32; 2],
+    runs: u32,
+    copy_to: TextureId,
+    tell: &dyn Fn(f32),
+) -> anyhow::Result<Vec<Entry>> {
+    let mut errors = Vec::new();
+    for j in judged {
+        let drawn = measure::draw(backend, renderer, &j.scene, frame, samples).with_context(|| j.setup.name)?;
+        errors.push(Against::BOTH.map(|against| j.truth.errors(&drawn, against)));
+    }
+    let mut times = vec![Times::NEVER; judged.len()];
+    // Round after round, so that a disturbance of a moment does not hit every run of a scene.
+    for run in 0..runs {
+        for (j, best) in judged.iter().zip(&mut times) {
+            let took = measure::time(backend, renderer, &j.scene, frame, samples, copy_to);
+            *best = best.best(took.with_context(|| j.setup.name)?);
+        }
+        tell((run + 1) as f32 / runs as f32);
+    }
+    let entry = |over, errors: &[Errors; 2], times| Entry {
+        backend: name.to_owned(),
+        samples,
+        over,
+        errors: [errors[0].summary(), errors[1].summary()],
+        times,
+    };
+    let mut entries = Vec::new();
+    for medium in 0..MEDIA.len() {
+        let mut all = [Errors::default(), Errors::default()];
+        let members: Vec<_> = (0..judged.len()).filter(|&i| judged[i].setup.medium == medium).collect();
+        for &i in &members {
+            all.iter_mut().zip(&errors[i]).for_each(|(all, e)| all.extend(e));
+        }
+        let sky = members.iter().map(|&i| times[i].sky).sum::<f64>() / members.len() as f64;
+        let copy = members.iter().map(|&i| times[i].copy).fold(f64::INFINITY, f64::min);
+        entries.push(entry(Over::Medium(medium), &all, Times { sky, copy }));
+    }
+    for ((j, errors), times) in judged.iter().zip(&errors).zip(times) {
+        entries.push(entry(Over::Scene(j.setup.name), errors, times));
+    }
+    Ok(entries)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::front;
+
+    #[test]
+    fn the_front_holds_what_is_not_beaten() {
+        let all = vec![(3.0, 1.0), (1.0, 5.0), (2.0, 6.0), (2.0, 5.0), (4.0, 1.0), (2.5, 3.0)];
+        assert_eq!(front(all, |e| e), [(1.0, 5.0), (2.5, 3.0), (3.0, 1.0)]);
+        assert_eq!(front(Vec::<(f64, f64)>::new(), |e| e), []);
+    }
+}

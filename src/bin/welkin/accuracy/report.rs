@@ -1,0 +1,196 @@
+//! The accuracy report as Markdown and CSV.
+
+use std::fmt::Write;
+
+use super::measure::{Against, FLOOR, Statistics};
+use super::{Entry, Findings, MEDIA, Over};
+
+fn percent(v: f64) -> String {
+    // Three digits; large ones without decimals.
+    let p = 100.0 * v;
+    let digits = if p >= 99.95 { 0 } else { (1 - p.max(1e-3).log10().floor() as i32).clamp(0, 4) as usize };
+    format!("{p:.digits$}")
+}
+
+fn three(s: [Statistics; 3], of: impl Fn(&Statistics) -> f64) -> String {
+    s.iter().map(|s| percent(of(s))).collect::<Vec<_>>().join(" / ")
+}
+
+const HEAD: &str = "\
+| samples | time | time / copy | mean, % (R / G / B) | 95th percentile, % | maximum, % | ΔE mean / 95th / max |
+|---|---|---|---|---|---|---|
+";
+
+fn row(text: &mut String, first: &str, e: &Entry, against: Against) -> std::fmt::Result {
+    let s = &e.errors[against as usize];
+    writeln!(
+        text,
+        "| {first} | {:.2} ms | {:.1} | {} | {} | {} | {:.2} / {:.2} / {:.1} |",
+        e.times.sky,
+        e.ratio(),
+        three(s.relative, |s| s.mean),
+        three(s.relative, |s| s.p95),
+        three(s.relative, |s| s.max),
+        s.delta_e.mean,
+        s.delta_e.p95,
+        s.delta_e.max,
+    )
+}
+
+fn samples(e: &Entry) -> String {
+    format!("{} × {}", e.samples[0], e.samples[1])
+}
+
+fn front(findings: &Findings, backend: &str, medium: usize, against: Against) -> String {
+    let front = findings.front(backend, medium, against);
+    let points =
+        front.iter().map(|e| format!("{} ({:.1} copies, {} %)", samples(e), e.ratio(), percent(e.mean(against))));
+    points.collect::<Vec<_>>().join(", ")
+}
+
+/// The fronts alone, for the terminal.
+pub fn short(f: &Findings) -> Result<String, std::fmt::Error> {
+    let mut text = String::new();
+    for (backend, adapter) in f.backends().into_iter().zip(&f.adapters) {
+        writeln!(text, "{adapter}")?;
+        for (medium, name) in MEDIA.into_iter().enumerate() {
+            writeln!(text, "  {name}, sampling: {}", front(f, backend, medium, Against::Single))?;
+            writeln!(text, "  {name}, sampling and model: {}", front(f, backend, medium, Against::AllOrders))?;
+        }
+    }
+    for what in &f.missing {
+        writeln!(text, "not measured: {what}")?;
+    }
+    Ok(text)
+}
+
+/// The whole report.
+pub fn markdown(f: &Findings) -> Result<String, std::fmt::Error> {
+    let mut t = String::new();
+    let [w, h] = f.frame.size;
+    let command = if f.quick { "welkin accuracy --quick" } else { "welkin accuracy" };
+    writeln!(t, "# Accuracy and time\n\nWritten by `{command}`, welkin {}.\n", env!("CARGO_PKG_VERSION"))?;
+    writeln!(
+        t,
+        "{} scenes, {w} × {h} pixels in 32-bit floats, {} pixels of each judged. An error is the difference from \
+         the reference over the reference's radiance, or over {FLOOR} of the picture's brightest where that is \
+         more. ΔE is CIEDE2000 after ACES tone mapping, exposed so that the 95th percentile of the all-orders \
+         luminance comes out at 0.5. Time is that of the sky's passes, and beside it that of a full-screen copy of \
+         the same target, timed in the same submissions: the best of {} for each scene, then the mean over the scenes; \
+         for the copy, the best of all.\n\n\
+         ![Error against time](accuracy.svg)\n",
+        f.scenes.len(),
+        f.frame.pixels().len(),
+        f.runs
+    )?;
+    for (backend, adapter) in f.backends().into_iter().zip(&f.adapters) {
+        let copy =
+            f.entries.iter().filter(|e| e.backend == backend).map(|e| e.times.copy).fold(f64::INFINITY, f64::min);
+        writeln!(t, "## {adapter}\n\nA copy takes {copy:.3} ms.\n")?;
+        for (medium, name) in MEDIA.into_iter().enumerate() {
+            let of = || f.totals(medium).filter(|e| e.backend == backend);
+            writeln!(t, "### {name}: `single` against single scattering (the sampling alone)\n")?;
+            t += HEAD;
+            of().try_for_each(|e| row(&mut t, &samples(e), e, Against::Single))?;
+            let points = front(f, backend, medium, Against::Single);
+            writeln!(t, "\nFront, by the worst channel's mean: {points}.\n")?;
+            writeln!(t, "### {name}: `single` against all orders (what the model leaves out as well)\n")?;
+            t += HEAD;
+            of().try_for_each(|e| row(&mut t, &samples(e), e, Against::AllOrders))?;
+            writeln!(t, "\nFront: {}.\n", front(f, backend, medium, Against::AllOrders))?;
+        }
+        for (against, title) in
+            [(Against::Single, "against single scattering"), (Against::AllOrders, "against all orders")]
+        {
+            writeln!(t, "### Scene by scene, 32 × 8 samples, {title}\n")?;
+            t += &HEAD.replace("samples", "scene");
+            f.entries
+                .iter()
+                .filter(|e| e.backend == backend && e.samples == [32, 8])
+                .filter(|e| matches!(e.over, Over::Scene(_)))
+                .try_for_each(|e| row(&mut t, e.over.name(), e, against))?;
+            writeln!(t)?;
+        }
+    }
+    writeln!(t, "## Scenes\n\nThe sun's azimuth is 0. No terrain; light from the ground itself is left out.\n")?;
+    writeln!(
+        t,
+        "| scene | medium | altitude, m | sun zenith | pitch | heading | field of view |\n|---|---|---|---|---|---|---|"
+    )?;
+    for s in &f.scenes {
+        let medium = MEDIA[s.medium];
+        writeln!(
+            t,
+            "| {} | {medium} | {} | {}° | {}° | {}° | {}° |",
+            s.name, s.altitude, s.sun_zenith, s.pitch, s.heading, s.fov
+        )?;
+    }
+    writeln!(
+        t,
+        "\n`earth` and `mars` are the presets; `haze` is Earth with 400 times the aerosol and g = 0.7 (vertical \
+         optical depth 2.1).\n\n## Not measured\n"
+    )?;
+    for what in &f.missing {
+        writeln!(t, "- {what}")?;
+    }
+    if f.adapters.iter().any(|a| a.contains("llvmpipe")) {
+        writeln!(
+            t,
+            "- A GPU, on the backends that llvmpipe drew: it is a software renderer. Times and ratios are this \
+             processor's; errors are those of 32-bit floats anywhere."
+        )?;
+    }
+    writeln!(t, "- Browsers: both backends ran natively.")?;
+    writeln!(t, "- Methods other than `single`: there are none yet.")?;
+    if f.quick {
+        writeln!(
+            t,
+            "- Anything finer than 1 % against all orders: `--quick` solves the reference on coarse tables. \
+             It also leaves out scenes that `welkin accuracy` has."
+        )?;
+    }
+    Ok(t)
+}
+
+/// One line for each backend, quality, medium or scene, and reference. Errors are shares, times milliseconds.
+pub fn csv(f: &Findings, file: &mut dyn std::io::Write) -> anyhow::Result<()> {
+    let mut writer = csv::Writer::from_writer(file);
+    let mut header: Vec<String> =
+        ["backend", "method", "view_samples", "light_samples", "scene", "against"].map(str::to_owned).to_vec();
+    for channel in ["R", "G", "B", "delta_e"] {
+        header.extend(["mean", "p95", "max"].map(|s| format!("{s}_{channel}")));
+    }
+    header.extend(["time_ms", "copy_ms", "time_over_copy"].map(str::to_owned));
+    writer.write_record(&header)?;
+    for e in &f.entries {
+        for against in Against::BOTH {
+            let s = &e.errors[against as usize];
+            let mut line = vec![
+                e.backend.clone(),
+                "single".to_owned(),
+                e.samples[0].to_string(),
+                e.samples[1].to_string(),
+                e.over.name().to_owned(),
+                against.name().to_owned(),
+            ];
+            for s in s.relative.iter().chain([&s.delta_e]) {
+                line.extend([s.mean, s.p95, s.max].map(|v| format!("{v:.4e}")));
+            }
+            line.extend([e.times.sky, e.times.copy, e.ratio()].map(|v| format!("{v:.4}")));
+            writer.write_record(&line)?;
+        }
+    }
+    writer.flush()?;
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::percent;
+
+    #[test]
+    fn percents_keep_two_digits_or_more() {
+        let texts = [0.0, 0.000123, 0.00123, 0.0123, 0.123, 0.99, 1.23].map(percent);
+        assert_eq!(texts, ["0.0000", "0.012", "0.12", "1.2", "12", "99", "123"]);
+    }
+}
