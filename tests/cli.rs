@@ -102,7 +102,7 @@ fn wrong_numbers_are_rejected_with_option_value_and_range() {
         ("--sun-azimuth", &["NaN", "1e9", "-361"], "from -360.0 to 360.0 degrees"),
         ("--exposure", &["-1", "0", "nan", "inf", "1e7"], "from 1e-6 to 1000000.0"),
         ("--samples", &["0", "-1", "1025", "8.5", "99999999999999999999"], "from 1 to 1024"),
-        ("--light-samples", &["0", "-1", "1025", "many"], "from 1 to 1024"),
+        ("--light-samples", &["0", "-1", "1025", "many"], "from 1 to 256"),
         ("--size", &["0x0", "0x720", "1280", "8193x1", "8192x8192", "-4x4", "nanxnan"], "from 1 to 8192"),
         ("--altitude", &["-4000km", "1e300km", "1e13m", "-1e13"], ""),
         ("--altitude", &["nan", "inf", "high", "12 miles", "km"], "metres"),
