@@ -4,9 +4,11 @@ use anyhow::Context;
 use clap::ValueEnum;
 use welkin::backend::headless::Headless;
 use welkin::backend::wgpu::WgpuBackend;
-use welkin::backend::{Backend, Format, Pass, PassTime, Target, TextureDesc, Uniform};
+use welkin::backend::{AdapterInfo, Backend, Format, Pass, PassTime, Target, TextureDesc, Uniform};
 use welkin::shaders::Program;
 use welkin::{PictureRenderer, PictureSettings, SkySettings, TerrainStyle, ToneMap};
+
+use crate::args::UsageError;
 
 /// Which backend draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -148,6 +150,7 @@ impl Drawer {
             let p = welkin::reference::picture::render(&shot.scene, &settings, [width, height], progress)?;
             return Ok(Picture { width, height, hdr: p.radiance, display: p.display });
         };
+        check_samples(backend.info(), shot.view_samples, shot.light_samples)?;
         progress(0.0);
         let drawn = self.renderer.draw(backend, &shot.scene, &settings, [width, height]).context("draw")?;
         progress(0.5);
@@ -203,6 +206,22 @@ impl Drop for Drawer {
             self.renderer.destroy(backend);
         }
     }
+}
+
+/// Refuses samples that an adapter is known to cut short without an error.
+///
+/// Mesa's llvmpipe counts the rounds of all of a pixel's loops together, each loop's last test included, and
+/// stops at 65,535 (`LP_MAX_TGSI_LOOP_ITERATIONS`); pictures then come out dark.
+pub fn check_samples(adapter: &AdapterInfo, view: u32, light: u32) -> Result<(), UsageError> {
+    const MOST: u32 = 65_535;
+    if !adapter.adapter.contains("llvmpipe") || view * (light + 2) < MOST {
+        return Ok(());
+    }
+    Err(UsageError::new(format!(
+        "'--samples {view}' and '--light-samples {light}' are too many for {}, which silently ends a shader's loops \
+         after {MOST} rounds in all: samples × (light samples + 2) must be less",
+        adapter.adapter
+    )))
 }
 
 /// All backends that can be had here, the preferred one first. Never empty: the CPU is always there.

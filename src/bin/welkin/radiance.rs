@@ -9,13 +9,13 @@ use anyhow::{Context, ensure};
 use csv::StringRecord;
 use glam::DVec3;
 use rayon::prelude::*;
-use welkin::backend::{AdapterInfo, Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform};
+use welkin::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform};
 use welkin::reference::multiple::{Orders, Settings};
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
 use welkin::{AtmosphereParams, Camera, DepthConvention, Scene, SkyRenderer, SkySettings};
 
 use crate::args::{Method, RadianceArgs, UsageError};
-use crate::draw::{BackendChoice, Drawer};
+use crate::draw::{self, BackendChoice, Drawer};
 use crate::output::Destination;
 use crate::progress::Progress;
 
@@ -210,16 +210,7 @@ fn single(args: &RadianceArgs, cases: &[Case]) -> anyhow::Result<(Vec<[f64; 3]>,
     let Some(backend) = drawer.backend() else {
         anyhow::bail!("no backend can draw here: {by}; '--method reference-single' needs none");
     };
-    if let Some(most) = most_steps(backend.info()).filter(|most| args.samples * (args.light_samples + 2) >= *most) {
-        return Err(UsageError::new(format!(
-            "'--samples {}' and '--light-samples {}' are too many for {}, which silently ends a shader's loops \
-             after {most} rounds in all: samples × (light samples + 2) must be less",
-            args.samples,
-            args.light_samples,
-            backend.info().adapter
-        ))
-        .into());
-    }
+    draw::check_samples(backend.info(), args.samples, args.light_samples)?;
     let mut sky = SkyRenderer::new(SkySettings {
         view_samples: args.samples,
         light_samples: args.light_samples,
@@ -238,14 +229,6 @@ fn single(args: &RadianceArgs, cases: &[Case]) -> anyhow::Result<(Vec<[f64; 3]>,
     sky.destroy(backend);
     textures.made.iter().for_each(|&id| backend.destroy_texture(id));
     Ok((radiance?.concat(), by))
-}
-
-/// Rounds after which an adapter leaves a pixel's loops, if it is known to.
-///
-/// Mesa's llvmpipe counts the rounds of all loops together, each loop's last test included, and stops at 65,535
-/// (`LP_MAX_TGSI_LOOP_ITERATIONS`); pictures then come out dark, without an error.
-fn most_steps(adapter: &AdapterInfo) -> Option<u32> {
-    adapter.adapter.contains("llvmpipe").then_some(65_535)
 }
 
 /// Pictures of one pixel.
