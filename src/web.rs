@@ -9,7 +9,7 @@ use web_sys::{HtmlCanvasElement, WebGl2RenderingContext};
 
 use crate::backend::glow::GlowBackend;
 use crate::backend::wgpu::WgpuBackend;
-use crate::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform};
+use crate::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
 use crate::passes::picture::{Drawn, PictureRenderer, PictureSettings};
 use crate::shaders::{Program, ToneMap};
 use crate::{AtmosphereParams, Camera, DepthConvention, Error, Pose, Result, Scene, SkySettings, TerrainStyle};
@@ -92,7 +92,7 @@ impl Canvas {
                 let view = texture.texture.create_view(&Default::default());
                 let id = backend.import_view(view, *desc)?;
                 let program = Some(backend.create_program(Program::Copy)?);
-                let textures = [Some(display), None];
+                let textures = reads([display]);
                 let pass = Pass {
                     label: "present",
                     program,

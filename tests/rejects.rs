@@ -5,7 +5,7 @@ mod common;
 
 use common::{View, on_both};
 use glam::DVec3;
-use welkin::backend::{Backend, Format, Pass, Target, TextureDesc, Uniform};
+use welkin::backend::{Backend, Format, Pass, Target, TextureDesc, Uniform, reads};
 use welkin::shaders::Program;
 use welkin::{AtmosphereParams, DepthConvention, Error, PictureRenderer, PictureSettings, Scene, SkySettings, ToneMap};
 
@@ -122,16 +122,16 @@ fn wrong_requests_of_a_backend_are_refused_and_leave_nothing_behind() {
         let pass = Pass {
             label: "copy onto itself",
             program: Some(copy),
-            textures: [Some(a), None],
+            textures: reads([a]),
             uniform: Uniform::NONE,
             target: Target::color(a),
             depth: Default::default(),
         };
         say("feedback loop", backend.run(&[pass]), "different textures");
         let b = backend.create_texture(&TextureDesc::new("b", 4, 4, Format::Rgba16Float)).unwrap();
-        let lacking = Pass { textures: [None, None], target: Target::color(b), ..pass };
+        let lacking = Pass { textures: reads([]), target: Target::color(b), ..pass };
         say("missing texture", backend.run(&[lacking]), "1 needed");
-        let foreign = Pass { textures: [Some(a), None], target: Target::color(b), ..pass };
+        let foreign = Pass { textures: reads([a]), target: Target::color(b), ..pass };
         say("too few texels", backend.write_texture(a, &[0.0; 3]), "64 values");
         backend.destroy_texture(a);
         say("destroyed texture", backend.run(&[foreign]), "no such object");

@@ -6,7 +6,7 @@ mod common;
 
 use common::{View, mean, on_both};
 use glam::{DQuat, DVec2, DVec3};
-use welkin::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform};
+use welkin::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
 use welkin::passes::sky::background_weight;
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
 use welkin::shaders::Program;
@@ -40,7 +40,7 @@ fn clear_pass(color: TextureId, clear: [f32; 4]) -> Pass {
     Pass {
         label: "clear",
         program: None,
-        textures: [None; 2],
+        textures: reads([]),
         uniform: Uniform::NONE,
         target: Target { clear: Some(clear), ..Target::color(color) },
         depth: DepthUse::Always,
@@ -200,7 +200,7 @@ fn planet_rays_draw_nothing_and_depth_is_left_alone() {
             let mut passes = sky.background(b, &scene, target).unwrap().to_vec();
             let read_depth = Pass {
                 program: Some(copy),
-                textures: [Some(depth), None],
+                textures: reads([depth]),
                 target: Target::color(out),
                 ..clear_pass(out, [0.0; 4])
             };

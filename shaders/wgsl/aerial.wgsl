@@ -1,4 +1,5 @@
 //#include view
+//#include reach
 //#include scattering
 // Air between the camera and the scene: the scene dimmed by transmittance, per channel, plus the light
 // scattered into the ray on the way. Where there is no scene it draws the shell's share of the sky
@@ -7,8 +8,6 @@
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var scene: texture_2d<f32>;
 @group(0) @binding(2) var depth: texture_2d<f32>;
-
-const SUBPIXEL: f32 = 0.0625; // 1/16 pixel: 4 bits, the least that Vulkan and OpenGL ES allow
 
 @fragment
 fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
@@ -24,16 +23,7 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     var weight = 1.0;
     var dims = true;
     if distance >= 0.0 {
-        let reach = min(end, distance - ray.start);
-        if ray.ground {
-            // Rasterisers snap vertices to a sixteenth of a pixel or finer, which moves a slanted surface along
-            // the ray. A scene closer to the ground than that is on it, or a far planet would be speckled.
-            let slant = max(abs(ray.b + end) / m.radius, 0.05); // cosine of the ray's angle to the vertical
-            let snap = SUBPIXEL * frame.pixel_angle * distance / slant;
-            end -= (end - reach) * smoothstep(0.5 * snap, snap, end - reach);
-        } else {
-            end = reach;
-        }
+        end = scene_reach(frame, ray, distance);
     } else if !ray.ground {
         weight = frame.shell_weight;
         // The background pass, as long as it draws any air, has dimmed what lies behind.

@@ -136,3 +136,14 @@ fn shadow_stretch(ray: AirRay) -> vec2f {
     }
     return stretch;
 }
+
+// A ray from inside the air of which it is known whether it ends on the ground, whatever rounding says.
+fn inner_ray(dir: vec3f, h: f32, radius: f32, thickness: f32, sun: vec3f, ground: bool) -> AirRay {
+    let side = cross(dir, sun);
+    let r = radius + h;
+    let x = excess_of(h, radius);
+    let b = r * dir.z;
+    let root = sqrt(max(b * b - x, 0.0));
+    let length = select(distance_to_top(x, b, excess_of(thickness, radius)), x / (root - b), ground && b < 0.0);
+    return AirRay(0.0, length, x, b, r * sun.z, dot(dir, sun), dot(side, side), ground);
+}

@@ -1,16 +1,10 @@
 //#include view
 //#include scattering
+//#include disk
 // The background sky: what a ray sees that meets no ground. Drawn first, depth ALWAYS, no depth write.
 // Out: premultiplied radiance, and in alpha the grey share of what lies behind that the air takes away.
 
 @group(0) @binding(0) var<uniform> frame: Frame;
-
-const HALF_MAX: f32 = 65000.0; // just under the largest 16-bit float, 65504: the sun's disk is brighter
-
-// Share of a pixel that the sun's disk covers; offset: ray minus sun direction, both unit.
-fn disk_coverage(offset: vec3f, chord: f32, pixel: f32) -> f32 {
-    return clamp((chord - length(offset)) / pixel + 0.5, 0.0, 1.0);
-}
 
 @fragment
 fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {

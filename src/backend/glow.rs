@@ -17,8 +17,8 @@ use glow::HasContext as _;
 use slotmap::SlotMap;
 
 use super::{
-    AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, ProgramId, ReadId, TextureDesc, TextureId, TimerId,
-    TimerKind, UNIFORM_MAX, check_pass, decode_texels, encode_texels, unknown,
+    AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, ProgramId, ReadId, TEXTURES_MAX, TextureDesc,
+    TextureId, TimerId, TimerKind, UNIFORM_MAX, check_pass, decode_texels, encode_texels, unknown,
 };
 use crate::error::{Error, Result};
 use crate::shaders::Program;
@@ -310,7 +310,7 @@ impl GlowBackend {
             None => None,
         };
         let desc = self.texture(pass.target.color).ok_or_else(|| unknown(NAME, "target"))?;
-        let mut read = [None; 2];
+        let mut read = [None; TEXTURES_MAX];
         for (slot, id) in read.iter_mut().zip(pass.textures) {
             let Some(id) = id else { continue };
             *slot = match self.textures.get(id).ok_or_else(|| unknown(NAME, "texture"))?.source {

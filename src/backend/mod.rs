@@ -136,6 +136,20 @@ impl Target {
     }
 }
 
+/// Most textures that a pass reads.
+pub const TEXTURES_MAX: usize = 5;
+
+/// What a pass reads, at bindings 1, 2, …
+pub type Textures = [Option<TextureId>; TEXTURES_MAX];
+
+/// Textures at bindings 1, 2, …
+pub fn reads<const N: usize>(ids: [TextureId; N]) -> Textures {
+    const { assert!(N <= TEXTURES_MAX, "more textures than TEXTURES_MAX") };
+    let mut textures = [None; TEXTURES_MAX];
+    textures.iter_mut().zip(ids).for_each(|(slot, id)| *slot = Some(id));
+    textures
+}
+
 /// Largest uniform block, bytes.
 pub const UNIFORM_MAX: usize = 768;
 
@@ -178,8 +192,8 @@ pub struct Pass {
     pub label: &'static str,
     /// What to run; `None` only clears the target.
     pub program: Option<ProgramId>,
-    /// Textures at bindings 1 and 2.
-    pub textures: [Option<TextureId>; 2],
+    /// Textures at bindings 1, 2, …
+    pub textures: Textures,
     /// The block at binding 0.
     pub uniform: Uniform,
     /// Where it draws.

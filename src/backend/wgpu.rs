@@ -11,8 +11,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 use slotmap::SlotMap;
 
 use super::{
-    AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, ProgramId, ReadId, TextureDesc, TextureId, TimerId,
-    TimerKind, UNIFORM_MAX, check_pass, decode_texels, encode_texels, unknown,
+    AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, ProgramId, ReadId, TEXTURES_MAX, TextureDesc,
+    TextureId, Textures, TimerId, TimerKind, UNIFORM_MAX, check_pass, decode_texels, encode_texels, unknown,
 };
 use crate::error::{Error, Result};
 use crate::shaders::Program;
@@ -61,7 +61,7 @@ pub struct WgpuBackend {
     textures: SlotMap<TextureId, Texture>,
     programs: SlotMap<ProgramId, Compiled>,
     pipelines: HashMap<(ProgramId, Format, Option<DepthUse>), wgpu::RenderPipeline>,
-    bind_groups: HashMap<(ProgramId, [Option<TextureId>; 2]), wgpu::BindGroup>,
+    bind_groups: HashMap<(ProgramId, Textures), wgpu::BindGroup>,
     reads: SlotMap<ReadId, Read>,
     timers: SlotMap<TimerId, Timer>,
     ring: wgpu::Buffer,
@@ -247,7 +247,7 @@ impl WgpuBackend {
         let compiled = self.programs.get(program).ok_or_else(|| unknown(NAME, "program"))?;
         check_pass(NAME, pass, compiled.program)?;
         if !self.bind_groups.contains_key(&(program, pass.textures)) {
-            let mut entries = Vec::with_capacity(3);
+            let mut entries = Vec::with_capacity(1 + TEXTURES_MAX);
             if compiled.program.uniform_size() > 0 {
                 entries.push(wgpu::BindGroupEntry {
                     binding: 0,
@@ -531,7 +531,7 @@ impl Backend for WgpuBackend {
             label: Some(&label),
             source: wgpu::ShaderSource::Wgsl(program.wgsl().into()),
         });
-        let mut entries = Vec::with_capacity(3);
+        let mut entries = Vec::with_capacity(1 + TEXTURES_MAX);
         if program.uniform_size() > 0 {
             entries.push(wgpu::BindGroupLayoutEntry {
                 binding: 0,

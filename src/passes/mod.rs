@@ -1,6 +1,7 @@
 //! The passes: what each reads, computes and draws, as data for a [`crate::backend::Backend`].
 
 pub mod frame;
+pub mod lut;
 pub mod picture;
 pub mod sky;
 pub mod terrain;

@@ -3,7 +3,7 @@
 use super::sky::{SkyRenderer, SkySettings};
 use super::terrain::TerrainStyle;
 use super::tone::{ToneMap, tone_pass};
-use crate::backend::{Backend, Format, Pass, Target, TextureDesc, TextureId};
+use crate::backend::{Backend, Format, Pass, Target, TextureDesc, TextureId, reads};
 use crate::error::Result;
 use crate::view::Scene;
 
@@ -88,7 +88,7 @@ impl PictureRenderer {
             self.passes.push(terrain.pass(backend, scene, target)?);
         }
         if self.passes.is_empty() {
-            let (textures, uniform) = ([None; 2], crate::backend::Uniform::NONE);
+            let (textures, uniform) = (reads([]), crate::backend::Uniform::NONE);
             self.passes.push(Pass {
                 label: "clear",
                 program: None,

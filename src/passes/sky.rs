@@ -1,7 +1,7 @@
 //! The renderer that a user plugs in: background sky, and air before the scene.
 
 use super::frame::{FrameOptions, FrameUniform};
-use crate::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform};
+use crate::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
 use crate::error::{Error, Result, in_range};
 use crate::shaders::{Constituents, Program};
 use crate::view::{Scene, ZenithView};
@@ -123,7 +123,7 @@ impl SkyRenderer {
             self.passes.push(Pass {
                 label,
                 program,
-                textures: [None; 2],
+                textures: reads([]),
                 uniform: full,
                 target,
                 depth: DepthUse::Always,
@@ -136,7 +136,7 @@ impl SkyRenderer {
         self.passes.push(Pass {
             label,
             program,
-            textures: [None; 2],
+            textures: reads([]),
             uniform: Uniform::new(&FrameUniform::new(scene, &view, &options)),
             target: Target { clear: Some([0.0; 4]), ..Target::color(low) },
             depth: DepthUse::Always,
@@ -144,7 +144,7 @@ impl SkyRenderer {
         self.passes.push(Pass {
             label: "upsample sky",
             program: Some(backend.create_program(Program::Upsample)?),
-            textures: [Some(low), None],
+            textures: reads([low]),
             uniform: full,
             target,
             depth: DepthUse::Always,
@@ -184,7 +184,7 @@ impl SkyRenderer {
             self.passes.push(Pass {
                 label: "aerial perspective",
                 program: Some(backend.create_program(Program::Aerial { air })?),
-                textures: [Some(color), Some(depth)],
+                textures: reads([color, depth]),
                 uniform: Uniform::new(&FrameUniform::new(scene, &view, &self.options(&desc, &view))),
                 target: Target::color(target),
                 depth: DepthUse::Always,

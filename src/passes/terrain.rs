@@ -8,7 +8,7 @@ use glam::{DVec3, IVec3};
 use super::frame::{FrameOptions, FrameUniform, block};
 use super::sky::texture;
 use crate::atmosphere::AtmosphereParams;
-use crate::backend::{Backend, DepthUse, Pass, Target, Uniform};
+use crate::backend::{Backend, DepthUse, Pass, Target, Uniform, reads};
 use crate::error::Result;
 use crate::shaders::{Program, TERRAIN_RINGS};
 use crate::view::Scene;
@@ -216,7 +216,7 @@ impl TerrainStyle {
         Ok(Pass {
             label: "terrain",
             program: Some(backend.create_program(Program::Terrain)?),
-            textures: [None; 2],
+            textures: reads([]),
             uniform: Uniform::new(&uniform),
             target,
             depth: DepthUse::Nearer { reversed: scene.depth.is_reversed() },

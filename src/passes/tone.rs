@@ -1,7 +1,7 @@
 //! Exposure, tone mapping and sRGB encoding: the pass, and the same formulas on the CPU.
 
 use super::frame::block;
-use crate::backend::{Backend, DepthUse, Pass, Target, TextureId, Uniform};
+use crate::backend::{Backend, DepthUse, Pass, Target, TextureId, Uniform, reads};
 use crate::error::{Result, in_range};
 use crate::shaders::Program;
 pub use crate::shaders::ToneMap;
@@ -30,7 +30,7 @@ pub fn tone_pass(
     Ok(Pass {
         label: "tone mapping",
         program: Some(backend.create_program(Program::ToneMap(tone_map))?),
-        textures: [Some(from), None],
+        textures: reads([from]),
         uniform: Uniform::new(&ToneUniform { exposure: exposure as f32, pad: [0.0; 3] }),
         target: Target::color(to),
         depth: DepthUse::Always,

@@ -52,6 +52,11 @@ impl Constituents {
         })
     }
 
+    /// For tables, which hold no phase function: any aerosol is the same.
+    pub fn without_phase(self) -> Self {
+        Self { mie: self.mie.map(|_| MiePhase::HenyeyGreenstein), ..self }
+    }
+
     fn flags(self, flags: &mut Vec<&'static str>) {
         let mut add = |on: bool, names: &[&'static str]| {
             if on {
@@ -64,6 +69,7 @@ impl Constituents {
         add(self.mie == Some(MiePhase::HenyeyGreenstein), &["MIE", "MIE_HG"]);
         add(self.mie == Some(MiePhase::CornetteShanks), &["MIE", "MIE_CS"]);
         add(self.ozone, &["OZONE"]);
+        add(self.mie.is_none(), &["NO_MIE"]);
     }
 }
 
@@ -116,6 +122,39 @@ pub enum Program {
         /// What the air holds.
         air: Constituents,
     },
+    /// The background sky from its tables, `sky_lut.wgsl`.
+    SkyLut {
+        /// What the air holds.
+        air: Constituents,
+        /// Whether the sun's disk is drawn.
+        sun: bool,
+    },
+    /// Air before the scene from its tables, `aerial_lut.wgsl`.
+    AerialLut {
+        /// What the air holds.
+        air: Constituents,
+    },
+    /// Fills the table of densities' integrals towards the top, `lut_columns.wgsl`.
+    LutColumns,
+    /// Gathers light at the nodes of the table of moments, `lut_radiance.wgsl`.
+    LutRadiance,
+    /// Fills the table of moments, `lut_moments.wgsl`.
+    LutMoments,
+    /// Fills the sky table, `lut_sky.wgsl`; any aerosol stands for both phase functions.
+    LutSky {
+        /// What the air holds.
+        air: Constituents,
+    },
+    /// Fills the slices of the air table, `lut_air.wgsl`; any aerosol stands for both phase functions.
+    LutAir {
+        /// What the air holds.
+        air: Constituents,
+    },
+    /// Adds up the slices of the air table, `lut_scan.wgsl`.
+    LutScan {
+        /// The last step: radiance becomes its share of the whole ray's.
+        finish: bool,
+    },
     /// A low-resolution sky brought to full size, `upsample.wgsl`.
     Upsample,
     /// Exposure, tone mapping and sRGB, `tonemap.wgsl`.
@@ -134,11 +173,18 @@ impl Program {
     /// Every program that can be asked for.
     pub fn all() -> Vec<Self> {
         let mut all = vec![Self::Copy, Self::Upsample, Self::Terrain];
+        all.extend([Self::LutColumns, Self::LutRadiance, Self::LutMoments]);
+        all.extend([false, true].map(|finish| Self::LutScan { finish }));
         all.extend(ToneMap::ALL.map(Self::ToneMap));
         for air in Constituents::each() {
             if air.any() {
                 all.push(Self::Sky { air, sun: false });
                 all.push(Self::Aerial { air });
+                all.extend([false, true].map(|sun| Self::SkyLut { air, sun }));
+                all.push(Self::AerialLut { air });
+            }
+            if air.any() && air == air.without_phase() {
+                all.extend([Self::LutSky { air }, Self::LutAir { air }]);
             }
             all.push(Self::Sky { air, sun: true });
         }
@@ -150,9 +196,15 @@ impl Program {
         let flags = self.flags();
         let part = |flag: &str, text: &'static str| if flags.contains(&flag) { text } else { "" };
         match self {
-            Self::Copy | Self::Upsample | Self::Terrain => self.module().to_owned(),
+            Self::Copy | Self::Upsample | Self::Terrain | Self::LutColumns | Self::LutRadiance | Self::LutMoments => {
+                self.module().to_owned()
+            }
+            Self::LutScan { finish } => format!("lut_scan-{}", if finish { "finish" } else { "add" }),
             Self::ToneMap(t) => format!("tonemap-{}", t.name()),
-            Self::Sky { .. } | Self::Aerial { .. } => [
+            Self::LutSky { .. } | Self::LutAir { .. } => {
+                [self.module(), part("RAYLEIGH", "-rayleigh"), part("MIE", "-mie"), part("OZONE", "-ozone")].concat()
+            }
+            Self::Sky { .. } | Self::Aerial { .. } | Self::SkyLut { .. } | Self::AerialLut { .. } => [
                 self.module(),
                 part("RAYLEIGH", "-rayleigh"),
                 part("MIE_HG", "-mie_hg"),
@@ -169,6 +221,14 @@ impl Program {
         match self {
             Self::Sky { .. } => "sky",
             Self::Aerial { .. } => "aerial",
+            Self::SkyLut { .. } => "sky_lut",
+            Self::AerialLut { .. } => "aerial_lut",
+            Self::LutColumns => "lut_columns",
+            Self::LutRadiance => "lut_radiance",
+            Self::LutMoments => "lut_moments",
+            Self::LutSky { .. } => "lut_sky",
+            Self::LutAir { .. } => "lut_air",
+            Self::LutScan { .. } => "lut_scan",
             Self::Upsample => "upsample",
             Self::ToneMap(_) => "tonemap",
             Self::Terrain => "terrain",
@@ -179,19 +239,22 @@ impl Program {
     fn flags(self) -> Vec<&'static str> {
         let mut flags = Vec::new();
         match self {
-            Self::Sky { air, sun } => {
+            Self::Sky { air, sun } | Self::SkyLut { air, sun } => {
                 air.flags(&mut flags);
                 if sun {
                     flags.push("SUN");
                 }
             }
-            Self::Aerial { air } => air.flags(&mut flags),
+            Self::Aerial { air } | Self::AerialLut { air } | Self::LutSky { air } | Self::LutAir { air } => {
+                air.flags(&mut flags);
+            }
+            Self::LutScan { finish } => flags.extend(["NO_MIE", if finish { "FINISH" } else { "ADD" }]),
             Self::ToneMap(t) => flags.push(match t {
                 ToneMap::Aces => "ACES",
                 ToneMap::AgX => "AGX",
                 ToneMap::Neutral => "NEUTRAL",
             }),
-            Self::Terrain => {
+            Self::Terrain | Self::LutColumns | Self::LutRadiance | Self::LutMoments => {
                 Constituents { rayleigh: true, mie: Some(MiePhase::HenyeyGreenstein), ozone: true }.flags(&mut flags)
             }
             Self::Upsample | Self::Copy => {}
@@ -213,19 +276,27 @@ impl Program {
     /// How many textures it reads, at bindings 1, 2, …; none is filtered.
     pub fn textures(self) -> usize {
         match self {
-            Self::Sky { .. } | Self::Terrain => 0,
-            Self::Upsample | Self::ToneMap(_) | Self::Copy => 1,
-            Self::Aerial { .. } => 2,
+            Self::Sky { .. } | Self::Terrain | Self::LutColumns => 0,
+            Self::Upsample | Self::ToneMap(_) | Self::Copy | Self::LutMoments | Self::LutScan { .. } => 1,
+            Self::SkyLut { sun, .. } => 1 + usize::from(sun),
+            Self::Aerial { .. } | Self::LutRadiance | Self::LutSky { .. } | Self::LutAir { .. } => 2,
+            Self::AerialLut { .. } => 5,
         }
     }
 
     /// Size of its uniform block at binding 0 in bytes; 0 for none.
     pub fn uniform_size(self) -> usize {
-        use crate::passes::{frame::FrameUniform, terrain::TerrainUniform, tone::ToneUniform};
+        use crate::passes::{frame::FrameUniform, lut, terrain::TerrainUniform, tone::ToneUniform};
         match self {
             Self::Sky { .. } | Self::Aerial { .. } | Self::Upsample => size_of::<FrameUniform>(),
             Self::Terrain => size_of::<TerrainUniform>(),
             Self::ToneMap(_) => size_of::<ToneUniform>(),
+            Self::LutColumns | Self::LutRadiance | Self::LutMoments => size_of::<lut::MediumTables>(),
+            Self::SkyLut { .. }
+            | Self::AerialLut { .. }
+            | Self::LutSky { .. }
+            | Self::LutAir { .. }
+            | Self::LutScan { .. } => size_of::<lut::FrameTables>(),
             Self::Copy => 0,
         }
     }
@@ -240,7 +311,7 @@ impl Program {
 
     /// Whether the output is laid over the target by its (premultiplied) alpha.
     pub fn blends(self) -> bool {
-        matches!(self, Self::Sky { .. } | Self::Upsample)
+        matches!(self, Self::Sky { .. } | Self::SkyLut { .. } | Self::Upsample)
     }
 
     /// The translated shaders and the names naga gave to what they bind.
@@ -261,7 +332,7 @@ pub(crate) struct Glsl {
     /// Names of the uniform block in the vertex and in the fragment shader; empty where there is none.
     pub blocks: [&'static str; 2],
     /// Sampler names of the textures at bindings 1, 2, …; empty where a shader does not read one.
-    pub textures: [&'static str; 2],
+    pub textures: [&'static str; crate::backend::TEXTURES_MAX],
 }
 
 #[cfg(feature = "glow")]
@@ -286,15 +357,32 @@ macro_rules! modules {
 /// Name and text of every WGSL module.
 pub const MODULES: &[(&str, &str)] = modules![
     "aerial",
+    "aerial_lut",
+    "air",
     "copy",
+    "directions",
+    "disk",
     "frame",
     "fullscreen",
     "geometry",
+    "lut_air",
+    "lut_columns",
+    "lut_moments",
+    "lut_radiance",
+    "lut_scan",
+    "lut_sky",
+    "march",
     "medium",
     "noise",
+    "path",
     "phase",
+    "reach",
     "scattering",
     "sky",
+    "sky_lut",
+    "skylight",
+    "skyview",
+    "tables",
     "terrain",
     "tonemap",
     "upsample",

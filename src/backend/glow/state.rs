@@ -39,7 +39,7 @@ pub(super) struct Saved {
     program: Option<glow::Program>,
     vertex_array: Option<glow::VertexArray>,
     active: i32,
-    units: [(Option<glow::Texture>, Option<glow::Sampler>); 2],
+    units: [(Option<glow::Texture>, Option<glow::Sampler>); TEXTURES_MAX],
     uniform: Option<glow::Buffer>,
     pack: Option<glow::Buffer>,
     unpack: Option<glow::Buffer>,
@@ -62,8 +62,8 @@ impl Saved {
             let mut viewport = [0; 4];
             gl.get_parameter_i32_slice(glow::VIEWPORT, &mut viewport);
             let active = gl.get_parameter_i32(glow::ACTIVE_TEXTURE);
-            let units = [0, 1].map(|unit| {
-                gl.active_texture(glow::TEXTURE0 + unit);
+            let units = std::array::from_fn(|unit| {
+                gl.active_texture(glow::TEXTURE0 + unit as u32);
                 (gl.get_parameter_texture(glow::TEXTURE_BINDING_2D), gl.get_parameter_sampler(glow::SAMPLER_BINDING))
             });
             Self {

@@ -4,7 +4,7 @@ use anyhow::Context;
 use clap::ValueEnum;
 use welkin::backend::headless::Headless;
 use welkin::backend::wgpu::WgpuBackend;
-use welkin::backend::{AdapterInfo, Backend, Format, Pass, PassTime, Target, TextureDesc, Uniform};
+use welkin::backend::{AdapterInfo, Backend, Format, Pass, PassTime, Target, TextureDesc, Uniform, reads};
 use welkin::shaders::Program;
 use welkin::{PictureRenderer, PictureSettings, SkySettings, TerrainStyle, ToneMap};
 
@@ -176,7 +176,7 @@ impl Drawer {
         passes.push(Pass {
             label: "copy",
             program: Some(backend.create_program(Program::Copy)?),
-            textures: [Some(drawn.radiance), None],
+            textures: reads([drawn.radiance]),
             uniform: Uniform::NONE,
             target: Target::color(copy),
             depth: Default::default(),

@@ -9,7 +9,7 @@ use anyhow::{Context, ensure};
 use csv::StringRecord;
 use glam::DVec3;
 use rayon::prelude::*;
-use welkin::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform};
+use welkin::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
 use welkin::reference::multiple::{Orders, Settings};
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
 use welkin::{AtmosphereParams, Camera, DepthConvention, Scene, SkyRenderer, SkySettings};
@@ -264,7 +264,7 @@ impl Textures {
             passes.push(Pass {
                 label: "clear",
                 program: None,
-                textures: [None; 2],
+                textures: reads([]),
                 uniform: Uniform::NONE,
                 target: Target {
                     color: behind,

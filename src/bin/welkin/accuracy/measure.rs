@@ -6,7 +6,7 @@ use palette::color_difference::Ciede2000;
 use palette::white_point::D65;
 use palette::{IntoColor, Lab, Srgb};
 use rayon::prelude::*;
-use welkin::backend::{Backend, DepthUse, Format, Pass, PassTime, Target, TextureId, Uniform};
+use welkin::backend::{Backend, DepthUse, Format, Pass, PassTime, Target, TextureId, Uniform, reads};
 use welkin::passes::tone::{srgb_encode, tone_map};
 use welkin::reference::multiple::Orders;
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
@@ -252,7 +252,7 @@ pub fn time(
     passes.push(Pass {
         label: "copy",
         program: Some(backend.create_program(Program::Copy)?),
-        textures: [Some(radiance), None],
+        textures: reads([radiance]),
         uniform: Uniform::NONE,
         target: Target::color(copy_to),
         depth: DepthUse::Always,

@@ -1,0 +1,47 @@
+//#include march
+//#include air
+//#include phase
+// Each slice on its own: what it scatters and what it lets through. `lut_scan` adds them up along the rays.
+
+struct Uniforms {
+    frame: Frame,
+    tables: Tables,
+}
+
+@group(0) @binding(0) var<uniform> uniforms: Uniforms;
+@group(0) @binding(1) var columns: texture_2d<f32>;
+@group(0) @binding(2) var moments: texture_2d<f32>;
+
+@fragment
+fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
+    let f = uniforms.frame;
+    let t = uniforms.tables;
+    let m = f.medium;
+    let a = air_texel(position.xy, t);
+    let ground_rows = i32(t.ground_rows);
+    let ground = a.row < ground_rows;
+    let first = select(ground_rows, 0, ground);
+    let rows = select(a.rows - ground_rows, ground_rows, ground);
+    let azimuth = f32(a.column) / f32(a.columns - 1);
+    let ray = table_ray(azimuth, f32(a.row - first) / f32(rows - 1), ground, f.altitude, m, f.sun).ray;
+    if ray.length <= 0.0 {
+        return vec4f(vec3f(select(0.0, 1.0, a.kind >= AIR_BEAM)), 0.0);
+    }
+    let low = clamp(-ray.b, 0.0, ray.length);
+    let u0 = unwarp(low, 0.0);
+    let du = (unwarp(low, ray.length) - u0) / f32(t.slices);
+    let from_ = u0 + du * f32(a.slice);
+    var gas = vec3f(0.0);
+    var aerosol = vec3f(0.0);
+    if a.kind == AIR_SMOOTH {
+        gas = m.rayleigh * rayleigh_phase(ray.nu);
+    } else {
+        aerosol = m.mie_scattering;
+    }
+    let g = gather(columns, moments, m, t, ray, low, from_, from_ + du, gas, aerosol, a.kind < AIR_BEAM, a.kind == AIR_SMOOTH);
+    switch a.kind {
+        case AIR_BEAM: { return vec4f(g.transmittance, 0.0); }
+        case AIR_THROUGH: { return vec4f(exp(-extinction(m, g.columns)), 0.0); }
+        default: { return vec4f(g.radiance, 0.0); }
+    }
+}

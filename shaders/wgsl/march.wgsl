@@ -1,0 +1,63 @@
+//#include tables
+//#include path
+// All orders of scattering along a ray, with the tables. Per unit of the sun's irradiance: 1/sr.
+
+struct Gathered {
+    radiance: vec3f,       // 1/sr
+    transmittance: vec3f,  // with the aerosol's forward light counted as not scattered
+    columns: vec3f,        // densities integrated, km
+}
+
+// From distance `from` to `to` (km from the entry) in even steps of u. gas, aerosol: scattering coefficient at
+// altitude 0 times phase function for direct sunlight, 1/(km sr). direct, diffuse: which light
+// is scattered: the sun's, and what was scattered before.
+fn gather(
+    columns: texture_2d<f32>, moments: texture_2d<f32>, medium: Medium, t: Tables, ray: AirRay,
+    low: f32, u_from: f32, u_to: f32, gas: vec3f, aerosol: vec3f, direct: bool, diffuse: bool,
+) -> Gathered {
+    var m = medium;
+    m.mie_extinction = t.mie_extinction;
+    var out = Gathered(vec3f(0.0), vec3f(1.0), vec3f(0.0));
+    let shadow = shadow_stretch(ray);
+    let du = (u_to - u_from) / f32(t.steps);
+    var t0 = warp(low, u_from);
+    for (var i = 0u; i < t.steps; i++) {
+        let u = u_from + du * f32(i);
+        let t1 = warp(low, u + du);
+        let step = t1 - t0;
+        let mid = warp(low, u + 0.5 * du);
+        let x = max(ray.x + mid * (2.0 * ray.b + mid), 0.0);
+        let h = altitude_of(x, m.radius);
+        let d = densities(m, h);
+        let tau = extinction(m, d) * step;
+        let share = out.transmittance * mean_transmittance(tau);
+        let dark0 = clamp(shadow.x, t0, t1);
+        let dark1 = clamp(shadow.y, t0, t1);
+        let dark = select(0.0, max(dark1 - dark0, 0.0), shadow.y > shadow.x);
+        if direct && dark < step {
+            var lit_t = mid;
+            if dark > 0.0 {
+                let first = dark0 - t0 > t1 - dark1;
+                let lit0 = select(dark1, t0, first);
+                let lit1 = select(t1, dark0, first);
+                lit_t = warp(low, 0.5 * (unwarp(low, lit0) + unwarp(low, lit1)));
+            }
+            let lit_x = max(ray.x + lit_t * (2.0 * ray.b + lit_t), 0.0);
+            let lit_h = altitude_of(lit_x, m.radius);
+            let lit_d = densities(m, lit_h);
+            let path = columns_to_top(columns, m, lit_x, lit_h, ray.sun_b + ray.nu * lit_t);
+            let source = (gas * lit_d.x + aerosol * lit_d.y) * exp(-extinction(m, path));
+            out.radiance += share * source * (step - dark);
+        }
+        if diffuse {
+            let r = m.radius + h;
+            let mu = clamp((ray.b + mid) / r, -1.0, 1.0);
+            let mu_sun = clamp((ray.sun_b + ray.nu * mid) / r, -1.0, 1.0);
+            out.radiance += share * step * diffuse_source(moments, m, t, d, h, mu, mu_sun, ray.nu);
+        }
+        out.transmittance *= exp(-tau);
+        out.columns += d * step;
+        t0 = t1;
+    }
+    return out;
+}

@@ -1,0 +1,31 @@
+//#include skyview
+//#include phase
+// The sky tables as a pixel reads them.
+
+// Light scattered into a ray over all of its length, 1/sr per unit of the sun's irradiance, and in w the grey
+// transmittance. away: 1 - cos of the angle between ray and sun.
+struct SkyLight {
+    even: vec3f,      // by the gas and by all that was scattered before
+    aerosol: vec3f,   // by the aerosol, straight from the sun
+    grey: f32,        // transmittance of the whole ray, mean over the channels
+}
+
+fn sky_light(sky: texture_2d<f32>, m: Medium, t: Tables, h: f32, dir: vec3f, ray: AirRay, away: f32) -> SkyLight {
+    let dims = vec2i(textureDimensions(sky));
+    let size = vec2i(dims.x / SKY_HALVES, dims.y);
+    let row = sky_row(zenith_share(ray, dir, h, m), ray.ground, size.y, t.ground_rows);
+    var c = corner(vec2f(azimuth_share(dir) * f32(size.x - 1), row), size);
+    let texel = bilinear(sky, c, vec2i(0));
+    let scale = select(1.0, ray.length, ray.ground);
+    var out = SkyLight(texel.rgb * scale, vec3f(0.0), texel.a);
+    //#if MIE
+    let aerosol = bilinear(sky, c, vec2i(size.x, 0)).rgb;
+    //#endif
+    //#if MIE_HG
+    out.aerosol = aerosol * henyey_greenstein_phase(away, m.mie_asymmetry) * scale;
+    //#endif
+    //#if MIE_CS
+    out.aerosol = aerosol * cornette_shanks_phase(1.0 - away, away, m.mie_asymmetry) * scale;
+    //#endif
+    return out;
+}

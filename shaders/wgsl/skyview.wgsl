@@ -1,0 +1,112 @@
+//#include frame
+//#include geometry
+//#include tables
+// Where a view ray is in the sky tables, and which ray a texel stands for. Column: azimuth from the sun, half a turn (the
+// other half is its mirror image). Rows: first the rays that end on the ground, by their angle there, then the others,
+// by their angle above the horizon or, from outside, by the altitude that they pass. Both begin at the horizon,
+// where the light changes most, and no texel straddles it. No coordinate needs an arc function.
+
+//#if MIE
+const SKY_HALVES: i32 = 2; // the right one for the aerosol
+//#endif
+//#if NO_MIE
+const SKY_HALVES: i32 = 1;
+//#endif
+const SQRT_HALF: f32 = 0.7071067811865476;
+
+// Half an angle's sine s to a share: 0 where s = s_max, 1 at s = 0; square root at the first end, linear at the other.
+// rest: s_max^2 - s^2, which is what the caller has without a difference.
+fn crowded(rest: f32, s: f32, s_max: f32) -> f32 {
+    return sqrt(max(rest, 0.0) / (s_max * (s + s_max)));
+}
+
+fn azimuth_share(dir: vec3f) -> f32 {
+    let flat = max(length(dir.xy), 1e-30);
+    let cosine = dir.x / flat;
+    let large = sqrt(0.5 + 0.5 * min(abs(cosine), 1.0)); // cosine (or sine) of half the azimuth
+    let small = 0.5 * abs(dir.y) / flat / large;
+    let s = select(large, small, cosine >= 0.0);
+    return s / (large + small);
+}
+
+// Cosine and sine of the azimuth.
+fn share_azimuth(share: f32) -> vec2f {
+    let c = 1.0 - share;
+    let norm = 1.0 / (share * share + c * c);
+    return vec2f((c - share) * (c + share), 2.0 * share * c) * norm;
+}
+
+// Share of a ray along its part of the rows. h: camera's altitude.
+fn zenith_share(ray: AirRay, dir: vec3f, h: f32, m: Medium) -> f32 {
+    if ray.ground {
+        // Cosine of the angle to the vertical where the ray ends.
+        let mu = clamp(-(ray.b + ray.length) / m.radius, 0.0, 1.0);
+        return crowded(0.5 * mu, sqrt(0.5 - 0.5 * mu), SQRT_HALF);
+    }
+    if ray.start > 0.0 || h > m.thickness {
+        let tangent = (m.radius + h) * length(dir.xy) - m.radius;
+        return sqrt(clamp(tangent / m.thickness, 0.0, 1.0));
+    }
+    let horizon = sqrt(ray.x) / (m.radius + h); // less the horizon's cosine
+    return crowded(0.5 * (dir.z + horizon), sqrt(max(0.5 - 0.5 * dir.z, 0.0)), sqrt(0.5 + 0.5 * horizon));
+}
+
+struct TableRay {
+    dir: vec3f,
+    ray: AirRay,
+}
+
+// The ray of a share of the azimuth and of the rows; the inverse of the above.
+fn table_ray(azimuth: f32, share: f32, ground: bool, h: f32, m: Medium, sun: vec3f) -> TableRay {
+    let r = m.radius + h;
+    let x = excess_of(h, m.radius);
+    let x_top = excess_of(m.thickness, m.radius);
+    let around = share_azimuth(azimuth);
+    let outside = h > m.thickness;
+    if !outside && !ground {
+        let horizon = sqrt(x) / r;
+        let s_max = sqrt(0.5 + 0.5 * horizon);
+        let s = s_max * (1.0 - share * share);
+        let mu = 1.0 - 2.0 * s * s;
+        let dir = vec3f(around * (2.0 * s * sqrt(max(1.0 - s * s, 0.0))), mu);
+        return TableRay(dir, inner_ray(dir, h, m.radius, m.thickness, sun, false));
+    }
+    // The rest is given by the closest approach, c2 = its square less R^2.
+    var c2 = 0.0;
+    var mu = 0.0; // cosine at the ground
+    if ground {
+        let s = SQRT_HALF * (1.0 - share * share);
+        mu = max(1.0 - 2.0 * s * s, 0.0);
+        c2 = -m.radius * m.radius * mu * mu;
+    } else {
+        c2 = excess_of(m.thickness * share * share, m.radius);
+    }
+    let start_x = select(x, x_top, outside);
+    let b = -sqrt(max(start_x - c2, 0.0));
+    let approach = sqrt(max(m.radius * m.radius + c2, 0.0));
+    let sine = min(approach / r, 1.0);
+    let down = -sqrt(max((x - c2), 0.0)) / r;
+    let dir = vec3f(around * sine, down);
+    let side = cross(dir, sun);
+    var ray: AirRay;
+    ray.nu = dot(dir, sun);
+    ray.cross2 = dot(side, side);
+    ray.ground = ground;
+    ray.x = start_x;
+    ray.b = b;
+    ray.start = 0.0;
+    ray.sun_b = r * sun.z;
+    if outside {
+        ray.start = (h - m.thickness) * (2.0 * m.radius + m.thickness + h) / (-b - r * down);
+        // Point of closest approach, r (z - dir.z dir), has the parts below; the entry is -b before it.
+        let closest = vec3f(-down * dir.xy, sine * sine) * r;
+        ray.sun_b = dot(closest, sun) + b * ray.nu;
+    }
+    ray.length = select(-2.0 * b, start_x / (m.radius * mu - b), ground);
+    return TableRay(dir, ray);
+}
+
+// Rows of a sky table of so many, and where in them a ray is.
+fn sky_row(share: f32, ground: bool, rows: i32, ground_rows: f32) -> f32 {
+    return select(ground_rows + share * (f32(rows) - ground_rows - 1.0), share * (ground_rows - 1.0), ground);
+}

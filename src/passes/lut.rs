@@ -1,0 +1,412 @@
+//! The precomputed tables: what depends on the medium alone, what on the camera's altitude and the sun, and which
+//! passes bring the stale ones up to date.
+//!
+//! | table | depends on | holds |
+//! |---|---|---|
+//! | columns | medium | densities integrated towards the top (Bruneton & Neyret 2008, section 4), as logarithms |
+//! | moments | medium, ground | light of all orders, as angular moments per altitude and sun angle |
+//! | sky | + altitude of the camera, sun's elevation | light of every ray's whole length (Hillaire 2020, section 5.3) |
+//! | air | the same | shares of that light, and transmittance, along each ray |
+//!
+//! Nothing depends on where the camera looks. In a spherical atmosphere under a parallel sun, light at a point
+//! depends on two numbers; scattering after Rayleigh needs its moments of degree 0 and 2 only, so that
+//! six numbers per colour carry all orders of it exactly. What an aerosol turns by small angles only counts as
+//! not scattered in `moments` (delta-M, Wiscombe 1977), and is seen with its whole phase function when it comes straight
+//! from the sun (TMS, Nakajima & Tanaka 1988).
+
+use super::frame::{FrameUniform, MediumUniform, block};
+use crate::atmosphere::{AtmosphereParams, MiePhase};
+use crate::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
+use crate::error::{Error, Result};
+use crate::shaders::{Constituents, Program};
+
+block! {
+    /// `struct Tables`: see the fields' comments in `tables.wgsl`.
+    #[allow(missing_docs)]
+    TablesUniform {
+        mie_extinction: [f32; 3],
+        altitude_steepness: f32,
+        mie_moment0: [f32; 3],
+        altitude_growth: f32,
+        mie_moment1: [f32; 3],
+        sun_middle: f32,
+        mie_moment2: [f32; 3],
+        sun_width: f32,
+        albedo: [f32; 3],
+        sun_first: f32,
+        sun_span: f32,
+        ground_rows: f32,
+        size: [u32; 2],
+        steps: u32,
+        shift: u32,
+        slices: u32,
+        air_ground_rows: f32,
+    }
+}
+
+block! {
+    /// `struct Uniforms` of the passes whose tables depend on the medium alone.
+    #[allow(missing_docs)]
+    MediumTables {
+        medium: MediumUniform,
+        tables: TablesUniform,
+    }
+}
+
+block! {
+    /// `struct Uniforms` of the passes that know the camera.
+    #[allow(missing_docs)]
+    FrameTables {
+        frame: FrameUniform,
+        tables: TablesUniform,
+    }
+}
+
+/// Sizes of the tables and steps along rays. All sides count texels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LutSettings {
+    /// Distances to the top and altitudes of the columns' table, 8 to 1024 each.
+    pub columns: [u32; 2],
+    /// Sun angles and altitudes of the table of moments, 8 to 256 each.
+    pub moments: [u32; 2],
+    /// Steps along the rays that fill the table of moments, 4 to 256.
+    pub moment_steps: u32,
+    /// How often light is scattered again before the rest is left out, 1 to 64.
+    pub orders: u32,
+    /// Azimuths in half a turn (the other half is the mirror image) and zenith angles of the sky table, 8 to 1024 each.
+    pub sky: [u32; 2],
+    /// Steps along the rays that fill the sky table, 4 to 256.
+    pub sky_steps: u32,
+    /// Azimuths in half a turn, zenith angles and slices along the ray of the air table, 4 to 128 each.
+    pub air: [u32; 3],
+    /// Steps in each slice, 1 to 16.
+    pub air_steps: u32,
+}
+
+impl Default for LutSettings {
+    fn default() -> Self {
+        Self {
+            columns: [128, 64],
+            moments: [64, 20],
+            moment_steps: 16,
+            orders: 8,
+            sky: [100, 200],
+            sky_steps: 28,
+            air: [16, 32, 16],
+            air_steps: 1,
+        }
+    }
+}
+
+impl LutSettings {
+    /// Checks the ranges given at the fields.
+    pub fn validate(&self) -> Result<()> {
+        let check = |name: &str, v: u32, lo: u32, hi: u32| {
+            let allowed = (lo..=hi).contains(&v);
+            if allowed { Ok(()) } else { Err(Error::invalid(name, v, format_args!("from {lo} to {hi}"))) }
+        };
+        for v in self.columns {
+            check("lut.columns", v, 8, 1024)?;
+        }
+        for v in self.moments {
+            check("lut.moments", v, 8, 256)?;
+        }
+        for v in self.sky {
+            check("lut.sky", v, 8, 1024)?;
+        }
+        for v in self.air {
+            check("lut.air", v, 4, 128)?;
+        }
+        check("lut.moment_steps", self.moment_steps, 4, 256)?;
+        check("lut.orders", self.orders, 1, 64)?;
+        check("lut.sky_steps", self.sky_steps, 4, 256)?;
+        check("lut.air_steps", self.air_steps, 1, 16)
+    }
+
+    /// Rows of the sky and of the air table for rays that end on the ground.
+    fn ground_rows(&self) -> [u32; 2] {
+        [self.sky[1] * 2 / 5, self.air[1] / 2]
+    }
+}
+
+/// Directions per node, see `directions.wgsl`.
+const NODE_DIRECTIONS: [u32; 2] = [8, 16];
+/// Moments per node, see `tables.wgsl`.
+const MOMENTS: u32 = 6;
+/// Kinds of values in the air table, see `air.wgsl`.
+const AIR_KINDS: u32 = 4;
+/// Steps of the columns' integrals.
+const COLUMN_STEPS: u32 = 96;
+
+/// Phase moments `χ_l = ∫ p(μ) P_l(μ) 2π dμ`, l from 0 to 3.
+fn phase_moments(phase: MiePhase, g: f64) -> [f64; 4] {
+    let hg = |l: i32| if l < 0 { 0.0 } else { g.powi(l) };
+    match phase {
+        MiePhase::HenyeyGreenstein => [0, 1, 2, 3].map(hg),
+        MiePhase::CornetteShanks => {
+            // 1.5 (1 + μ²) / (2 + g²) of the former; twice (2 l + 1) μ P_l = (l + 1) P_{l+1} + l P_{l-1}.
+            let once = |l: i32| {
+                let k = f64::from(l);
+                ((k + 1.0) * hg(l + 1) + k * hg(l - 1)) / (2.0 * k + 1.0)
+            };
+            [0, 1, 2, 3].map(|l| {
+                let k = f64::from(l);
+                let below = if l == 0 { 0.0 } else { once(l - 1) };
+                let twice = ((k + 1.0) * once(l + 1) + k * below) / (2.0 * k + 1.0);
+                1.5 / (2.0 + g * g) * (hg(l) + twice)
+            })
+        }
+    }
+}
+
+impl TablesUniform {
+    fn new(p: &AtmosphereParams, settings: &LutSettings) -> Self {
+        let moments: [[f64; 4]; 3] = std::array::from_fn(|c| phase_moments(p.mie_phase, p.mie_asymmetry[c]));
+        // The share that goes on as if nothing had happened: the first moment that is left out.
+        let forward = moments.map(|m| m[3].max(0.0));
+        let extinction = p.mie_extinction();
+        let top = p.thickness();
+        let mut scale = p.rayleigh_scale_height;
+        if extinction.iter().any(|&v| v > 0.0) {
+            scale = scale.min(p.mie_scale_height);
+        }
+        let steepness = (1.0 + top / (8.0 * scale)).ln().clamp(0.5, 9.0);
+        // Where the top of the air still sees the sun when the ground does not.
+        let dip = (p.planet_radius / p.atmosphere_radius).acos();
+        let middle = -0.5 * dip.sin();
+        let width = (0.3 * dip.sin()).clamp(0.01, 0.3);
+        let last = ((1.0 - middle) / width).asinh();
+        let lowest = -(2.5 * dip).min(std::f64::consts::FRAC_PI_2).sin();
+        let first = ((lowest - middle) / width).asinh();
+        let moment = |l: usize| std::array::from_fn(|c| (moments[c][l] - forward[c]) as f32);
+        let [sky, air] = settings.ground_rows().map(|rows| rows as f32);
+        Self {
+            mie_extinction: std::array::from_fn(|c| ((extinction[c] - forward[c] * p.mie_scattering[c]) * 1e3) as f32),
+            altitude_steepness: steepness as f32,
+            mie_moment0: moment(0),
+            altitude_growth: steepness.exp_m1() as f32,
+            mie_moment1: moment(1),
+            sun_middle: middle as f32,
+            mie_moment2: moment(2),
+            sun_width: width as f32,
+            albedo: p.ground_albedo.map(|a| a as f32),
+            sun_first: first as f32,
+            sun_span: (last - first) as f32,
+            ground_rows: sky,
+            slices: settings.air[2],
+            air_ground_rows: air,
+            ..Self::default()
+        }
+    }
+}
+
+/// Textures of the tables.
+#[derive(Clone, Copy, Debug)]
+struct Textures {
+    columns: TextureId,
+    radiance: TextureId,
+    moments: [TextureId; 2],
+    sky: TextureId,
+    air: Option<[TextureId; 2]>,
+}
+
+/// The tables as a pass reads them.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Ready {
+    pub columns: TextureId,
+    pub sky: TextureId,
+    pub air: Option<TextureId>,
+}
+
+/// What a table that is up to date was made for.
+type ViewKey = [f32; 4];
+
+/// The tables of one medium and one view.
+#[derive(Debug, Default)]
+pub(crate) struct Luts {
+    textures: Option<(LutSettings, bool, Textures)>,
+    medium: Option<MediumTables>,
+    sky: Option<ViewKey>,
+    air: Option<ViewKey>,
+}
+
+impl Luts {
+    /// Appends the passes that bring stale tables up to date. `frame`: the camera's block.
+    pub fn update(
+        &mut self,
+        backend: &mut dyn Backend,
+        params: &AtmosphereParams,
+        settings: &LutSettings,
+        frame: &FrameUniform,
+        with_air: bool,
+        passes: &mut Vec<Pass>,
+    ) -> Result<(Ready, TablesUniform)> {
+        let constituents = Constituents::of(params).without_phase();
+        let t = self.textures(backend, settings, constituents.mie.is_some(), with_air)?;
+        let tables = TablesUniform::new(params, settings);
+        // Tables hold light per unit of irradiance.
+        let medium = MediumUniform { irradiance: [0.0; 3], ..frame.medium };
+        let key = MediumTables { medium, tables };
+        let last_moments = t.moments[settings.orders as usize % 2];
+        if self.medium != Some(key) {
+            self.forget();
+            self.medium_passes(backend, settings, key, &t, passes)?;
+            self.medium = Some(key);
+        }
+        let view = [frame.altitude, frame.sun[0], frame.sun[1], frame.sun[2]];
+        let block = |tables: TablesUniform| Uniform::new(&FrameTables { frame: *frame, tables });
+        if self.sky != Some(view) {
+            let size = size_of(backend, t.sky)?;
+            passes.push(Pass {
+                label: "sky table",
+                program: Some(backend.create_program(Program::LutSky { air: constituents })?),
+                textures: reads([t.columns, last_moments]),
+                uniform: block(TablesUniform { size, steps: settings.sky_steps, ..tables }),
+                target: Target::color(t.sky),
+                depth: DepthUse::Always,
+            });
+            self.sky = Some(view);
+        }
+        let mut ready = Ready { columns: t.columns, sky: t.sky, air: None };
+        if let (true, Some(air)) = (with_air, t.air) {
+            let scans = settings.air[2].next_power_of_two().trailing_zeros();
+            let at = |step: u32| air[(step % 2) as usize];
+            if self.air != Some(view) {
+                let size = size_of(backend, at(0))?;
+                let [_, ground_rows] = settings.ground_rows();
+                let own = TablesUniform { size, steps: settings.air_steps, ground_rows: ground_rows as f32, ..tables };
+                passes.push(Pass {
+                    label: "air table",
+                    program: Some(backend.create_program(Program::LutAir { air: constituents })?),
+                    textures: reads([t.columns, last_moments]),
+                    uniform: block(own),
+                    target: Target::color(at(0)),
+                    depth: DepthUse::Always,
+                });
+                for step in 0..=scans {
+                    let finish = step == scans;
+                    passes.push(Pass {
+                        label: "air table",
+                        program: Some(backend.create_program(Program::LutScan { finish })?),
+                        textures: reads([at(step)]),
+                        uniform: block(TablesUniform { shift: 1 << step, ..own }),
+                        target: Target::color(at(step + 1)),
+                        depth: DepthUse::Always,
+                    });
+                }
+                self.air = Some(view);
+            }
+            ready.air = Some(at(scans + 1));
+        }
+        Ok((ready, tables))
+    }
+
+    fn medium_passes(
+        &self,
+        backend: &mut dyn Backend,
+        settings: &LutSettings,
+        block: MediumTables,
+        t: &Textures,
+        passes: &mut Vec<Pass>,
+    ) -> Result<()> {
+        let uniform = |size: [u32; 2], steps: u32| {
+            Uniform::new(&MediumTables { tables: TablesUniform { size, steps, ..block.tables }, ..block })
+        };
+        let mut pass = |label, program: Option<Program>, textures, uniform, target| {
+            let program = program.map(|p| backend.create_program(p)).transpose()?;
+            passes.push(Pass { label, program, textures, uniform, target, depth: DepthUse::Always });
+            Ok::<_, Error>(())
+        };
+        let columns = uniform(settings.columns, COLUMN_STEPS);
+        pass("columns table", Some(Program::LutColumns), reads([]), columns, Target::color(t.columns))?;
+        // Darkness: logarithms of next to nothing.
+        let dark = Target { clear: Some([-100.0; 4]), ..Target::color(t.moments[0]) };
+        pass("moments table", None, reads([]), Uniform::NONE, dark)?;
+        for order in 0..settings.orders as usize {
+            let (from, to) = (t.moments[order % 2], t.moments[(order + 1) % 2]);
+            let block = uniform(settings.moments, settings.moment_steps);
+            let gather = Some(Program::LutRadiance);
+            pass("moments table", gather, reads([t.columns, from]), block, Target::color(t.radiance))?;
+            pass("moments table", Some(Program::LutMoments), reads([t.radiance]), block, Target::color(to))?;
+        }
+        Ok(())
+    }
+
+    /// Nothing is up to date any more.
+    fn forget(&mut self) {
+        self.medium = None;
+        self.sky = None;
+        self.air = None;
+    }
+
+    /// Frees all textures.
+    pub fn destroy(&mut self, backend: &mut dyn Backend) {
+        self.forget();
+        if let Some((.., t)) = self.textures.take() {
+            for id in [t.columns, t.radiance, t.sky].into_iter().chain(t.moments).chain(t.air.into_iter().flatten()) {
+                backend.destroy_texture(id);
+            }
+        }
+    }
+
+    fn textures(
+        &mut self,
+        backend: &mut dyn Backend,
+        settings: &LutSettings,
+        mie: bool,
+        with_air: bool,
+    ) -> Result<Textures> {
+        if let Some((made_for, made_mie, t)) = self.textures
+            && (made_for, made_mie) == (*settings, mie)
+            && backend.texture(t.columns).is_some()
+            && (t.air.is_some() || !with_air)
+        {
+            return Ok(t);
+        }
+        let with_air = with_air || self.textures.is_some_and(|(.., t)| t.air.is_some());
+        self.destroy(backend);
+        let [suns, altitudes] = settings.moments;
+        let moments = [suns, altitudes * MOMENTS + 1];
+        let sky = [settings.sky[0] * (1 + u32::from(mie)), settings.sky[1]];
+        let [azimuths, zeniths, slices] = settings.air;
+        let air = [azimuths * slices, zeniths * AIR_KINDS];
+        let radiance = [suns * NODE_DIRECTIONS[0], altitudes * NODE_DIRECTIONS[1]];
+        let sizes: [(&'static str, [u32; 2]); 7] = [
+            ("columns table", settings.columns),
+            ("gathered radiance", radiance),
+            ("moments table", moments),
+            ("moments table", moments),
+            ("sky table", sky),
+            ("air table", air),
+            ("air table", air),
+        ];
+        let max = backend.info().max_texture_size;
+        let descs = sizes.map(|(label, [w, h])| TextureDesc::new(label, w, h, Format::Rgba32Float));
+        let wanted = if with_air { &descs[..] } else { &descs[..5] };
+        wanted.iter().try_for_each(|d| d.validate(max))?;
+        let mut made = Vec::with_capacity(7);
+        for desc in wanted {
+            match backend.create_texture(desc) {
+                Ok(id) => made.push(id),
+                Err(e) => {
+                    made.into_iter().for_each(|id| backend.destroy_texture(id));
+                    return Err(e);
+                }
+            }
+        }
+        let t = Textures {
+            columns: made[0],
+            radiance: made[1],
+            moments: [made[2], made[3]],
+            sky: made[4],
+            air: with_air.then(|| [made[5], made[6]]),
+        };
+        self.textures = Some((*settings, mie, t));
+        Ok(t)
+    }
+}
+
+fn size_of(backend: &dyn Backend, id: TextureId) -> Result<[u32; 2]> {
+    let desc = super::sky::texture(backend, id)?;
+    Ok([desc.width, desc.height])
+}
