@@ -12,7 +12,7 @@ use crate::backend::wgpu::WgpuBackend;
 use crate::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
 use crate::passes::picture::{Drawn, PictureRenderer, PictureSettings};
 use crate::shaders::{Program, ToneMap};
-use crate::{AtmosphereParams, Camera, DepthConvention, Error, Pose, Result, Scene, SkySettings, TerrainStyle};
+use crate::{AtmosphereParams, Camera, DepthConvention, Error, Method, Pose, Result, Scene, SkySettings, TerrainStyle};
 
 impl From<Error> for JsValue {
     fn from(e: Error) -> Self {
@@ -273,10 +273,13 @@ impl Viewer {
         Ok(())
     }
 
-    /// Steps along the view ray (1 to 1024) and towards the sun (1 to 256).
+    /// Single scattering with steps along the view ray (1 to 1024) and towards the sun (1 to 256).
     pub fn set_samples(&mut self, view: f64, light: f64) -> std::result::Result<(), JsValue> {
-        let samples = (whole("view_samples", view, 1024)?, whole("light_samples", light, 256)?);
-        self.set_sky(|s| (s.view_samples, s.light_samples) = samples)
+        let method = Method::Single {
+            view_samples: whole("view_samples", view, 1024)?,
+            light_samples: whole("light_samples", light, 256)?,
+        };
+        self.set_sky(|s| s.method = method)
     }
 
     /// Turns the whole atmosphere on or off.

@@ -11,7 +11,7 @@ use welkin::backend::glow::GlowBackend;
 use welkin::backend::headless::Headless;
 use welkin::backend::wgpu::WgpuBackend;
 use welkin::backend::{Backend, Format, RowOrder, Target, TextureDesc};
-use welkin::{Error, PictureRenderer, PictureSettings, Scene, SkyRenderer, SkySettings};
+use welkin::{Error, Method, PictureRenderer, PictureSettings, Scene, SkyRenderer, SkySettings};
 
 const SIZE: u32 = 32;
 
@@ -269,7 +269,7 @@ fn nothing_leaks_over_many_sizes_and_settings() {
     on_both(|backend| {
         let mut renderer = PictureRenderer::default();
         let mut settings = PictureSettings { terrain: None, ..Default::default() };
-        (settings.sky.view_samples, settings.sky.light_samples) = (2, 1);
+        settings.sky.method = Method::Single { view_samples: 2, light_samples: 1 };
         let mut draw = |backend: &mut dyn Backend, i: u32| {
             settings.sky.render_scale = if i.is_multiple_of(2) { 1.0 } else { 0.5 };
             renderer.draw(backend, &scene(), &settings, [1 + i % 13, 1 + i % 7]).unwrap();

@@ -7,7 +7,9 @@ use common::{View, on_both};
 use glam::DVec3;
 use welkin::backend::{Backend, Format, Pass, Target, TextureDesc, Uniform, reads};
 use welkin::shaders::Program;
-use welkin::{AtmosphereParams, DepthConvention, Error, PictureRenderer, PictureSettings, Scene, SkySettings, ToneMap};
+use welkin::{
+    AtmosphereParams, DepthConvention, Error, Method, PictureRenderer, PictureSettings, Scene, SkySettings, ToneMap,
+};
 
 fn scene(change: impl FnOnce(&mut Scene)) -> Result<(), Error> {
     let mut scene = View::default().scene();
@@ -19,6 +21,10 @@ fn air(change: impl FnOnce(&mut AtmosphereParams)) -> Result<(), Error> {
     let mut params = AtmosphereParams::earth();
     change(&mut params);
     params.validate()
+}
+
+fn single(view_samples: u32, light_samples: u32) -> Method {
+    Method::Single { view_samples, light_samples }
 }
 
 fn sky(change: impl FnOnce(&mut SkySettings)) -> Result<(), Error> {
@@ -73,8 +79,8 @@ fn wrong_scenes_are_refused_by_name_value_and_range() {
         ("field of view of 180°", scene(|s| s.camera.tangents.top = f64::INFINITY), ["camera.tangents.top", "inf"]),
         ("near plane 0", depth(DepthConvention::ReversedInfinite { near: 0.0 }), ["depth.near", "= 0 "]),
         ("far before near", depth(DepthConvention::ZeroToOne { near: 1.0, far: 0.5 }), ["depth.far", "0.5"]),
-        ("no samples", sky(|s| s.view_samples = 0), ["view_samples", "from 1 to 1024"]),
-        ("too many samples", sky(|s| s.light_samples = 100_000), ["light_samples", "100000"]),
+        ("no samples", sky(|s| s.method = single(0, 8)), ["view_samples", "from 1 to 1024"]),
+        ("too many samples", sky(|s| s.method = single(16, 100_000)), ["light_samples", "100000"]),
         ("scale 0", sky(|s| s.render_scale = 0.0), ["render_scale", "0.125"]),
         ("unknown planet", AtmosphereParams::preset("vulcan").map(|_| ()), ["planet", "vulcan"]),
         ("unknown tone map", ToneMap::from_name("linear").map(|_| ()), ["tone_map", "agx"]),

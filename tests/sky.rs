@@ -11,11 +11,16 @@ use welkin::passes::sky::background_weight;
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
 use welkin::shaders::Program;
 use welkin::{
-    AtmosphereParams, DepthConvention, MiePhase, PictureRenderer, PictureSettings, Scene, SkyRenderer, SkySettings,
+    AtmosphereParams, DepthConvention, Method, MiePhase, PictureRenderer, PictureSettings, Scene, SkyRenderer,
+    SkySettings,
 };
 
-const FINE: SkySettings =
-    SkySettings { enabled: true, view_samples: 256, light_samples: 64, render_scale: 1.0, sun_disk: false };
+const FINE: SkySettings = SkySettings {
+    enabled: true,
+    method: Method::Single { view_samples: 256, light_samples: 64 },
+    render_scale: 1.0,
+    sun_disk: false,
+};
 
 /// The background alone, 32-bit floats, over `clear`.
 fn background(
@@ -393,7 +398,8 @@ fn extreme_viewports_are_drawn() {
             let scene =
                 View { pitch: 30.0, fov: 1.0, aspect: f64::from(size[0]) / f64::from(size[1]), ..View::default() }
                     .scene();
-            let p = whole_sky(b, &scene, SkySettings { view_samples: 4, light_samples: 2, ..Default::default() }, size);
+            let method = Method::Single { view_samples: 4, light_samples: 2 };
+            let p = whole_sky(b, &scene, SkySettings { method, ..Default::default() }, size);
             assert_finite(&p, "viewport");
             assert!(mean(&p)[2] > 0.1, "{size:?} is dark");
         }

@@ -1,20 +1,74 @@
 //! The renderer that a user plugs in: background sky, and air before the scene.
 
+use std::fmt;
+
 use super::frame::{FrameOptions, FrameUniform};
 use crate::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
 use crate::error::{Error, Result, in_range};
 use crate::shaders::{Constituents, Program};
 use crate::view::{Scene, ZenithView};
 
+/// How the sky's light is computed, and how finely.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Method {
+    /// Light scattered once, marched along the view ray and from each step towards the sun. What is
+    /// scattered more often is missing.
+    Single {
+        /// Steps along the view ray, 1 to 1024.
+        view_samples: u32,
+        /// Steps towards the sun at each of them, 1 to 256.
+        light_samples: u32,
+    },
+}
+
+impl Method {
+    /// Its short name, as in tables and on the command line: `single`.
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Single { .. } => "single",
+        }
+    }
+
+    /// Checks the ranges given at the variants' fields; errors name these fields.
+    pub fn validate(&self) -> Result<()> {
+        let whole = |name: &str, v: u32, hi: u32| {
+            if (1..=hi).contains(&v) { Ok(()) } else { Err(Error::invalid(name, v, format_args!("from 1 to {hi}"))) }
+        };
+        match *self {
+            Self::Single { view_samples, light_samples } => {
+                whole("view_samples", view_samples, 1024)?;
+                whole("light_samples", light_samples, 256)
+            }
+        }
+    }
+
+    /// Steps along a view ray and from each towards the sun, for passes that march both.
+    fn samples(&self) -> [u32; 2] {
+        match *self {
+            Self::Single { view_samples, light_samples } => [view_samples, light_samples],
+        }
+    }
+}
+
+impl fmt::Display for Method {
+    /// Name and numbers: `single 16 × 8`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Single { view_samples, light_samples } => {
+                write!(f, "{} {view_samples} × {light_samples}", self.name())
+            }
+        }
+    }
+}
+
 /// What may be turned on a [`SkyRenderer`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SkySettings {
     /// Off: no passes at all.
     pub enabled: bool,
-    /// Steps along the view ray, 1 to 1024.
-    pub view_samples: u32,
-    /// Steps towards the sun at each of them, 1 to 256.
-    pub light_samples: u32,
+    /// How the light is computed.
+    pub method: Method,
     /// Background resolution as a share of the target's, per side, 0.125 to 1.
     pub render_scale: f64,
     /// Whether the background holds the sun's disk.
@@ -22,20 +76,17 @@ pub struct SkySettings {
 }
 
 impl Default for SkySettings {
-    /// 24 × 8 samples, full resolution, with the sun.
+    /// Single scattering by 24 × 8 samples, full resolution, with the sun.
     fn default() -> Self {
-        Self { enabled: true, view_samples: 24, light_samples: 8, render_scale: 1.0, sun_disk: true }
+        let method = Method::Single { view_samples: 24, light_samples: 8 };
+        Self { enabled: true, method, render_scale: 1.0, sun_disk: true }
     }
 }
 
 impl SkySettings {
-    /// Checks the ranges given at the fields.
+    /// Checks the method and the ranges given at the fields.
     pub fn validate(&self) -> Result<()> {
-        let whole = |name: &str, v: u32, hi: u32| {
-            if (1..=hi).contains(&v) { Ok(()) } else { Err(Error::invalid(name, v, format_args!("from 1 to {hi}"))) }
-        };
-        whole("view_samples", self.view_samples, 1024)?;
-        whole("light_samples", self.light_samples, 256)?;
+        self.method.validate()?;
         in_range("render_scale", self.render_scale, 0.125, 1.0, "")?;
         Ok(())
     }
@@ -85,11 +136,12 @@ impl SkyRenderer {
     }
 
     fn options(&self, desc: &TextureDesc, view: &ZenithView) -> FrameOptions {
+        let [view_samples, light_samples] = self.settings.method.samples();
         FrameOptions {
             size: [desc.width, desc.height],
             rows: desc.rows,
-            view_samples: self.settings.view_samples,
-            light_samples: self.settings.light_samples,
+            view_samples,
+            light_samples,
             sky_weight: background_weight(view.altitude),
             low_resolution: false,
         }

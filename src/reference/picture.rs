@@ -29,7 +29,7 @@ pub struct CpuPicture {
 /// Largest side of a picture, pixels.
 const MAX_SIDE: u32 = 16_384;
 
-/// Draws a scene. `settings.sky`'s samples do not matter here; `progress` hears the share that is done.
+/// Draws a scene. `settings.sky.method` does not matter here; `progress` hears the share that is done.
 ///
 /// # Errors
 /// [`crate::Error::Invalid`] for a scene, a setting or a size out of range.

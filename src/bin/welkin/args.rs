@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use welkin::{AtmosphereParams, ToneMap};
+use welkin::{AtmosphereParams, SkySettings, ToneMap};
 
 use crate::draw::{BackendChoice, Shot};
 use crate::sun;
@@ -429,8 +429,10 @@ impl RenderArgs {
             scene,
             width,
             height,
-            view_samples: self.samples,
-            light_samples: self.light_samples,
+            sky: SkySettings {
+                method: welkin::Method::Single { view_samples: self.samples, light_samples: self.light_samples },
+                ..SkySettings::default()
+            },
             exposure: view.exposure,
             tone_map: self.tone_map.into(),
             terrain,

@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::Path;
 
 use anyhow::{Context, ensure};
-use welkin::ToneMap;
+use welkin::{Method, SkySettings, ToneMap};
 
 use crate::args::{CompareArgs, UsageError};
 use crate::draw::{self, BackendChoice, Drawer, Picture, Shot};
@@ -64,8 +64,10 @@ fn shot(args: &CompareArgs, view: &View, [width, height]: [u32; 2]) -> anyhow::R
         scene: view.scene(Place::DEFAULT, f64::from(width) / f64::from(height), Some(&terrain))?,
         width,
         height,
-        view_samples: args.samples,
-        light_samples: args.light_samples,
+        sky: SkySettings {
+            method: Method::Single { view_samples: args.samples, light_samples: args.light_samples },
+            ..SkySettings::default()
+        },
         exposure: view.exposure,
         tone_map: ToneMap::Aces,
         terrain: Some(terrain),

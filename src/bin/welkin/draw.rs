@@ -6,7 +6,7 @@ use welkin::backend::headless::Headless;
 use welkin::backend::wgpu::WgpuBackend;
 use welkin::backend::{AdapterInfo, Backend, Format, Pass, PassTime, Target, TextureDesc, Uniform, reads};
 use welkin::shaders::Program;
-use welkin::{PictureRenderer, PictureSettings, SkySettings, TerrainStyle, ToneMap};
+use welkin::{Method, PictureRenderer, PictureSettings, SkySettings, TerrainStyle, ToneMap};
 
 use crate::args::UsageError;
 
@@ -34,10 +34,8 @@ pub struct Shot {
     pub width: u32,
     /// Pixels.
     pub height: u32,
-    /// Samples along a view ray.
-    pub view_samples: u32,
-    /// Samples from each of those towards the sun.
-    pub light_samples: u32,
+    /// Method and quality of the sky.
+    pub sky: SkySettings,
     /// Radiance is multiplied by this before tone mapping.
     pub exposure: f32,
     /// The tone curve.
@@ -48,9 +46,8 @@ pub struct Shot {
 
 impl Shot {
     fn settings(&self) -> PictureSettings {
-        let (view_samples, light_samples) = (self.view_samples, self.light_samples);
         PictureSettings {
-            sky: SkySettings { view_samples, light_samples, ..Default::default() },
+            sky: self.sky,
             exposure: self.exposure.into(),
             tone_map: self.tone_map,
             terrain: self.terrain,
@@ -150,7 +147,7 @@ impl Drawer {
             let p = welkin::reference::picture::render(&shot.scene, &settings, [width, height], progress)?;
             return Ok(Picture { width, height, hdr: p.radiance, display: p.display });
         };
-        check_samples(backend.info(), shot.view_samples, shot.light_samples)?;
+        check_samples(backend.info(), &shot.sky.method)?;
         progress(0.0);
         let drawn = self.renderer.draw(backend, &shot.scene, &settings, [width, height]).context("draw")?;
         progress(0.5);
@@ -212,8 +209,9 @@ impl Drop for Drawer {
 ///
 /// Mesa's llvmpipe counts the rounds of all of a pixel's loops together, each loop's last test included, and
 /// stops at 65,535 (`LP_MAX_TGSI_LOOP_ITERATIONS`); pictures then come out dark.
-pub fn check_samples(adapter: &AdapterInfo, view: u32, light: u32) -> Result<(), UsageError> {
+pub fn check_samples(adapter: &AdapterInfo, method: &Method) -> Result<(), UsageError> {
     const MOST: u32 = 65_535;
+    let Method::Single { view_samples: view, light_samples: light } = *method else { return Ok(()) };
     if !adapter.adapter.contains("llvmpipe") || view * (light + 2) < MOST {
         return Ok(());
     }

@@ -210,13 +210,9 @@ fn single(args: &RadianceArgs, cases: &[Case]) -> anyhow::Result<(Vec<[f64; 3]>,
     let Some(backend) = drawer.backend() else {
         anyhow::bail!("no backend can draw here: {by}; '--method reference-single' needs none");
     };
-    draw::check_samples(backend.info(), args.samples, args.light_samples)?;
-    let mut sky = SkyRenderer::new(SkySettings {
-        view_samples: args.samples,
-        light_samples: args.light_samples,
-        sun_disk: false,
-        ..SkySettings::default()
-    })?;
+    let method = welkin::Method::Single { view_samples: args.samples, light_samples: args.light_samples };
+    draw::check_samples(backend.info(), &method)?;
+    let mut sky = SkyRenderer::new(SkySettings { method, sun_disk: false, ..SkySettings::default() })?;
     let progress = Progress::of("drawing", cases.len().div_ceil(BATCH));
     let mut textures = Textures { made: Vec::new(), pixels: Vec::new() };
     let radiance = cases

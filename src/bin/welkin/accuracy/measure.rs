@@ -11,7 +11,7 @@ use welkin::passes::tone::{srgb_encode, tone_map};
 use welkin::reference::multiple::Orders;
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
 use welkin::shaders::Program;
-use welkin::{PictureRenderer, PictureSettings, Scene, SkySettings, ToneMap};
+use welkin::{Method, PictureRenderer, PictureSettings, Scene, SkySettings, ToneMap};
 
 /// Values below this share of the picture's brightest count as that bright: errors in the dark do not show.
 pub const FLOOR: f64 = 1e-3;
@@ -206,7 +206,11 @@ fn sky_passes(
     [view_samples, light_samples]: [u32; 2],
 ) -> welkin::Result<(Vec<Pass>, TextureId)> {
     let settings = PictureSettings {
-        sky: SkySettings { view_samples, light_samples, sun_disk: false, ..SkySettings::default() },
+        sky: SkySettings {
+            method: Method::Single { view_samples, light_samples },
+            sun_disk: false,
+            ..SkySettings::default()
+        },
         terrain: None,
         radiance: Format::Rgba32Float,
         ..PictureSettings::default()
