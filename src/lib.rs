@@ -85,8 +85,9 @@ pub mod view;
 
 pub use atmosphere::{AtmosphereParams, MiePhase};
 pub use error::{Error, Result};
+pub use passes::lut::LutSettings;
 pub use passes::picture::{PictureRenderer, PictureSettings};
-pub use passes::sky::{Method, SkyRenderer, SkySettings};
+pub use passes::sky::{Composition, Method, Mode, SkyRenderer, SkySettings};
 pub use passes::terrain::TerrainStyle;
 pub use passes::tone::ToneMap;
 pub use reference::{clip_segment, compute_single_scatter, ray_sphere_intersect, ray_sphere_intersect_f32};

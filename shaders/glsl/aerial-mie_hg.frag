@@ -53,8 +53,8 @@ struct Scattered {
     vec3 radiance;
     vec3 transmittance;
 };
-const float INV_4PI = 0.07957747;
 const float SUBPIXEL = 0.0625;
+const float INV_4PI = 0.07957747;
 
 layout(std140) uniform Frame_block_0Fragment { Frame _group_0_binding_0_fs; };
 
@@ -211,6 +211,16 @@ vec2 shadow_stretch(AirRay ray_1) {
     return _e67;
 }
 
+float scene_reach(Frame f_2, AirRay ray_2, float distance_) {
+    float reach = min(ray_2.length_, (distance_ - ray_2.start));
+    if (!(ray_2.ground)) {
+        return reach;
+    }
+    float slant = max((abs((ray_2.b + ray_2.length_)) / f_2.medium.radius), 0.05);
+    float snap = (((SUBPIXEL * f_2.pixel_angle) * distance_) / slant);
+    return (ray_2.length_ - ((ray_2.length_ - reach) * smoothstep((0.5 * snap), snap, (ray_2.length_ - reach))));
+}
+
 vec3 densities(Medium m, float h_2) {
     vec3 d = vec3(0.0);
     d.y = exp((-(h_2) * m.mie_inv_height));
@@ -226,11 +236,6 @@ vec3 extinction(Medium m_1, vec3 d_1) {
     return _e10;
 }
 
-vec3 henyey_greenstein_phase(float away, vec3 g) {
-    vec3 base = (((vec3(1.0) - g) * (vec3(1.0) - g)) + ((2.0 * g) * away));
-    return ((INV_4PI * (vec3(1.0) - (g * g))) / (base * sqrt(base)));
-}
-
 float warp(float low, float u) {
     return (low + (u * abs(u)));
 }
@@ -239,13 +244,13 @@ float unwarp(float low_1, float t) {
     return (sign((t - low_1)) * sqrt(abs((t - low_1))));
 }
 
-vec3 path_densities(Medium m_2, float x_2, float b_1, float distance_, uint samples) {
+vec3 path_densities(Medium m_2, float x_2, float b_1, float distance_1, uint samples) {
     vec3 sum_1 = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
-    float low_2 = clamp(-(b_1), 0.0, distance_);
+    float low_2 = clamp(-(b_1), 0.0, distance_1);
     float u0_ = -(sqrt(low_2));
-    float du = ((sqrt((distance_ - low_2)) - u0_) / float(samples));
+    float du = ((sqrt((distance_1 - low_2)) - u0_) / float(samples));
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
@@ -276,6 +281,16 @@ vec3 path_densities(Medium m_2, float x_2, float b_1, float distance_, uint samp
     return _e52;
 }
 
+vec3 mean_transmittance(vec3 tau) {
+    vec3 series = (vec3(1.0) - (tau * (vec3(0.5) - (tau * 0.16666667))));
+    return mix(((vec3(1.0) - exp(-(tau))) / tau), series, lessThan(tau, vec3(0.01)));
+}
+
+vec3 henyey_greenstein_phase(float away, vec3 g) {
+    vec3 base = (((vec3(1.0) - g) * (vec3(1.0) - g)) + ((2.0 * g) * away));
+    return ((INV_4PI * (vec3(1.0) - (g * g))) / (base * sqrt(base)));
+}
+
 vec3 sun_transmittance(Medium m_3, float x_3, float sun_b, uint samples_1) {
     float _e6 = excess_of(m_3.thickness, m_3.radius);
     float _e7 = distance_to_top(x_3, sun_b, _e6);
@@ -284,12 +299,7 @@ vec3 sun_transmittance(Medium m_3, float x_3, float sun_b, uint samples_1) {
     return exp(-(_e9));
 }
 
-vec3 mean_transmittance(vec3 tau) {
-    vec3 series = (vec3(1.0) - (tau * (vec3(0.5) - (tau * 0.16666667))));
-    return mix(((vec3(1.0) - exp(-(tau))) / tau), series, lessThan(tau, vec3(0.01)));
-}
-
-Scattered single_scattering(Medium m_4, AirRay ray_2, float length_, float away_1, uint view_samples, uint light_samples) {
+Scattered single_scattering(Medium m_4, AirRay ray_3, float length_, float away_1, uint view_samples, uint light_samples) {
     Scattered out_ = Scattered(vec3(0.0), vec3(0.0));
     float t0_1 = 0.0;
     uint i_1 = 0u;
@@ -300,10 +310,10 @@ Scattered single_scattering(Medium m_4, AirRay ray_2, float length_, float away_
     float mu = (1.0 - away_1);
     vec3 _e17 = henyey_greenstein_phase(away_1, m_4.mie_asymmetry);
     vec3 mie = (m_4.mie_scattering * _e17);
-    float low_3 = clamp(-(ray_2.b), 0.0, length_);
+    float low_3 = clamp(-(ray_3.b), 0.0, length_);
     float u0_1 = -(sqrt(low_3));
     float du_1 = ((sqrt((length_ - low_3)) - u0_1) / float(view_samples));
-    vec2 _e30 = shadow_stretch(ray_2);
+    vec2 _e30 = shadow_stretch(ray_3);
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
@@ -323,7 +333,7 @@ Scattered single_scattering(Medium m_4, AirRay ray_2, float length_, float away_
             float _e43 = t0_1;
             float step_ = (_e42 - _e43);
             float _e48 = warp(low_3, (u_2 + (0.5 * du_1)));
-            float _e57 = altitude_of((ray_2.x + (_e48 * ((2.0 * ray_2.b) + _e48))), m_4.radius);
+            float _e57 = altitude_of((ray_3.x + (_e48 * ((2.0 * ray_3.b) + _e48))), m_4.radius);
             float h_4 = max(_e57, 0.0);
             vec3 _e60 = densities(m_4, h_4);
             vec3 _e61 = extinction(m_4, _e60);
@@ -348,7 +358,7 @@ Scattered single_scattering(Medium m_4, AirRay ray_2, float length_, float away_
                 }
                 float _e95 = lit_t;
                 float _e99 = lit_t;
-                float x_4 = (ray_2.x + (_e95 * ((2.0 * ray_2.b) + _e99)));
+                float x_4 = (ray_3.x + (_e95 * ((2.0 * ray_3.b) + _e99)));
                 float _e104 = altitude_of(x_4, m_4.radius);
                 vec3 _e107 = densities(m_4, max(_e104, 0.0));
                 source = vec3(0.0);
@@ -356,7 +366,7 @@ Scattered single_scattering(Medium m_4, AirRay ray_2, float length_, float away_
                 source = (_e111 + (mie * _e107.y));
                 vec3 _e115 = source;
                 float _e118 = lit_t;
-                vec3 _e121 = sun_transmittance(m_4, x_4, (ray_2.sun_b + (ray_2.nu * _e118)), light_samples);
+                vec3 _e121 = sun_transmittance(m_4, x_4, (ray_3.sun_b + (ray_3.nu * _e118)), light_samples);
                 source = (_e115 * _e121);
                 vec3 _e124 = out_.radiance;
                 vec3 _e126 = out_.transmittance;
@@ -394,50 +404,40 @@ void main() {
     AirRay _e31 = air_ray(dir_1, _e25, m_5.radius, m_5.thickness, _e30);
     end = _e31.length_;
     if ((_e17 >= 0.0)) {
-        float _e40 = end;
-        float reach = min(_e40, (_e17 - _e31.start));
-        if (_e31.ground) {
-            float _e46 = end;
-            float slant = max((abs((_e31.b + _e46)) / m_5.radius), 0.05);
-            float _e56 = _group_0_binding_0_fs.pixel_angle;
-            float snap = (((SUBPIXEL * _e56) * _e17) / slant);
-            float _e60 = end;
-            float _e61 = end;
-            float _e65 = end;
-            end = (_e60 - ((_e61 - reach) * smoothstep((0.5 * snap), snap, (_e65 - reach))));
-        } else {
-            end = reach;
-        }
+        Frame _e41 = _group_0_binding_0_fs;
+        float _e42 = scene_reach(_e41, _e31, _e17);
+        end = _e42;
     } else {
         if (!(_e31.ground)) {
-            float _e74 = _group_0_binding_0_fs.shell_weight;
-            weight = _e74;
-            float _e75 = weight;
-            dims = (_e75 >= 1.0);
+            float _e47 = _group_0_binding_0_fs.shell_weight;
+            weight = _e47;
+            float _e48 = weight;
+            dims = (_e48 >= 1.0);
         }
     }
-    float _e78 = end;
-    if (!((_e78 <= 0.0))) {
-        float _e84 = weight;
-        local = (_e84 <= 0.0);
+    float _e51 = end;
+    if (!((_e51 <= 0.0))) {
+        float _e57 = weight;
+        local = (_e57 <= 0.0);
     } else {
         local = true;
     }
-    bool _e88 = local;
-    if (_e88) {
+    bool _e61 = local;
+    if (_e61) {
         _fs2p_location0 = behind;
         return;
     }
-    vec3 _e91 = _group_0_binding_0_fs.sun;
-    vec3 offset = (dir_1 - _e91);
-    float _e93 = end;
-    uint _e99 = _group_0_binding_0_fs.view_samples;
-    uint _e102 = _group_0_binding_0_fs.light_samples;
-    Scattered _e103 = single_scattering(m_5, _e31, _e93, (0.5 * dot(offset, offset)), _e99, _e102);
-    bool _e108 = dims;
-    float _e114 = weight;
-    vec3 color = ((behind.xyz * (_e108 ? _e103.transmittance : vec3(1.0))) + ((_e103.radiance * m_5.irradiance) * _e114));
-    _fs2p_location0 = vec4(color, behind.w);
+    vec3 _e64 = _group_0_binding_0_fs.sun;
+    vec3 offset = (dir_1 - _e64);
+    float _e66 = end;
+    uint _e72 = _group_0_binding_0_fs.view_samples;
+    uint _e75 = _group_0_binding_0_fs.light_samples;
+    Scattered _e76 = single_scattering(m_5, _e31, _e66, (0.5 * dot(offset, offset)), _e72, _e75);
+    bool _e80 = dims;
+    vec3 through = (_e80 ? _e76.transmittance : vec3(1.0));
+    float _e85 = weight;
+    vec3 light = ((_e76.radiance * m_5.irradiance) * _e85);
+    _fs2p_location0 = vec4(((behind.xyz * through) + light), behind.w);
     return;
 }
 

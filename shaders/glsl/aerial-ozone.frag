@@ -53,8 +53,8 @@ struct Scattered {
     vec3 radiance;
     vec3 transmittance;
 };
-const float INV_4PI = 0.07957747;
 const float SUBPIXEL = 0.0625;
+const float INV_4PI = 0.07957747;
 
 layout(std140) uniform Frame_block_0Fragment { Frame _group_0_binding_0_fs; };
 
@@ -172,6 +172,16 @@ AirRay air_ray(vec3 dir, float h_1, float radius_2, float thickness, vec3 sun) {
     return _e121;
 }
 
+float scene_reach(Frame f_2, AirRay ray_1, float distance_) {
+    float reach = min(ray_1.length_, (distance_ - ray_1.start));
+    if (!(ray_1.ground)) {
+        return reach;
+    }
+    float slant = max((abs((ray_1.b + ray_1.length_)) / f_2.medium.radius), 0.05);
+    float snap = (((SUBPIXEL * f_2.pixel_angle) * distance_) / slant);
+    return (ray_1.length_ - ((ray_1.length_ - reach) * smoothstep((0.5 * snap), snap, (ray_1.length_ - reach))));
+}
+
 vec3 densities(Medium m, float h_2) {
     vec3 d = vec3(0.0);
     d.z = max(0.0, (1.0 - (abs((h_2 - m.ozone_center)) * m.ozone_inv_half_width)));
@@ -191,14 +201,14 @@ float warp(float low, float u) {
     return (low + (u * abs(u)));
 }
 
-Scattered single_scattering(Medium m_2, AirRay ray_1, float length_, float away, uint view_samples, uint light_samples) {
+Scattered single_scattering(Medium m_2, AirRay ray_2, float length_, float away, uint view_samples, uint light_samples) {
     Scattered out_ = Scattered(vec3(0.0), vec3(0.0));
     float t0_ = 0.0;
     uint i = 0u;
     out_.radiance = vec3(0.0);
     out_.transmittance = vec3(1.0);
     float mu = (1.0 - away);
-    float low_1 = clamp(-(ray_1.b), 0.0, length_);
+    float low_1 = clamp(-(ray_2.b), 0.0, length_);
     float u0_ = -(sqrt(low_1));
     float du = ((sqrt((length_ - low_1)) - u0_) / float(view_samples));
     bool loop_init = true;
@@ -220,7 +230,7 @@ Scattered single_scattering(Medium m_2, AirRay ray_1, float length_, float away,
             float _e38 = t0_;
             float step_ = (_e37 - _e38);
             float _e43 = warp(low_1, (u_1 + (0.5 * du)));
-            float _e52 = altitude_of((ray_1.x + (_e43 * ((2.0 * ray_1.b) + _e43))), m_2.radius);
+            float _e52 = altitude_of((ray_2.x + (_e43 * ((2.0 * ray_2.b) + _e43))), m_2.radius);
             float h_3 = max(_e52, 0.0);
             vec3 _e55 = densities(m_2, h_3);
             vec3 _e56 = extinction(m_2, _e55);
@@ -255,50 +265,40 @@ void main() {
     AirRay _e31 = air_ray(dir_1, _e25, m_3.radius, m_3.thickness, _e30);
     end = _e31.length_;
     if ((_e17 >= 0.0)) {
-        float _e40 = end;
-        float reach = min(_e40, (_e17 - _e31.start));
-        if (_e31.ground) {
-            float _e46 = end;
-            float slant = max((abs((_e31.b + _e46)) / m_3.radius), 0.05);
-            float _e56 = _group_0_binding_0_fs.pixel_angle;
-            float snap = (((SUBPIXEL * _e56) * _e17) / slant);
-            float _e60 = end;
-            float _e61 = end;
-            float _e65 = end;
-            end = (_e60 - ((_e61 - reach) * smoothstep((0.5 * snap), snap, (_e65 - reach))));
-        } else {
-            end = reach;
-        }
+        Frame _e41 = _group_0_binding_0_fs;
+        float _e42 = scene_reach(_e41, _e31, _e17);
+        end = _e42;
     } else {
         if (!(_e31.ground)) {
-            float _e74 = _group_0_binding_0_fs.shell_weight;
-            weight = _e74;
-            float _e75 = weight;
-            dims = (_e75 >= 1.0);
+            float _e47 = _group_0_binding_0_fs.shell_weight;
+            weight = _e47;
+            float _e48 = weight;
+            dims = (_e48 >= 1.0);
         }
     }
-    float _e78 = end;
-    if (!((_e78 <= 0.0))) {
-        float _e84 = weight;
-        local = (_e84 <= 0.0);
+    float _e51 = end;
+    if (!((_e51 <= 0.0))) {
+        float _e57 = weight;
+        local = (_e57 <= 0.0);
     } else {
         local = true;
     }
-    bool _e88 = local;
-    if (_e88) {
+    bool _e61 = local;
+    if (_e61) {
         _fs2p_location0 = behind;
         return;
     }
-    vec3 _e91 = _group_0_binding_0_fs.sun;
-    vec3 offset = (dir_1 - _e91);
-    float _e93 = end;
-    uint _e99 = _group_0_binding_0_fs.view_samples;
-    uint _e102 = _group_0_binding_0_fs.light_samples;
-    Scattered _e103 = single_scattering(m_3, _e31, _e93, (0.5 * dot(offset, offset)), _e99, _e102);
-    bool _e108 = dims;
-    float _e114 = weight;
-    vec3 color = ((behind.xyz * (_e108 ? _e103.transmittance : vec3(1.0))) + ((_e103.radiance * m_3.irradiance) * _e114));
-    _fs2p_location0 = vec4(color, behind.w);
+    vec3 _e64 = _group_0_binding_0_fs.sun;
+    vec3 offset = (dir_1 - _e64);
+    float _e66 = end;
+    uint _e72 = _group_0_binding_0_fs.view_samples;
+    uint _e75 = _group_0_binding_0_fs.light_samples;
+    Scattered _e76 = single_scattering(m_3, _e31, _e66, (0.5 * dot(offset, offset)), _e72, _e75);
+    bool _e80 = dims;
+    vec3 through = (_e80 ? _e76.transmittance : vec3(1.0));
+    float _e85 = weight;
+    vec3 light = ((_e76.radiance * m_3.irradiance) * _e85);
+    _fs2p_location0 = vec4(((behind.xyz * through) + light), behind.w);
     return;
 }
 

@@ -227,15 +227,6 @@ vec3 extinction(Medium m_1, vec3 d_1) {
     return _e20;
 }
 
-float rayleigh_phase(float mu) {
-    return (0.0596831 * (1.0 + (mu * mu)));
-}
-
-vec3 henyey_greenstein_phase(float away, vec3 g) {
-    vec3 base = (((vec3(1.0) - g) * (vec3(1.0) - g)) + ((2.0 * g) * away));
-    return ((INV_4PI * (vec3(1.0) - (g * g))) / (base * sqrt(base)));
-}
-
 float warp(float low, float u) {
     return (low + (u * abs(u)));
 }
@@ -281,17 +272,26 @@ vec3 path_densities(Medium m_2, float x_2, float b_1, float distance_, uint samp
     return _e52;
 }
 
+vec3 mean_transmittance(vec3 tau) {
+    vec3 series = (vec3(1.0) - (tau * (vec3(0.5) - (tau * 0.16666667))));
+    return mix(((vec3(1.0) - exp(-(tau))) / tau), series, lessThan(tau, vec3(0.01)));
+}
+
+float rayleigh_phase(float mu) {
+    return (0.0596831 * (1.0 + (mu * mu)));
+}
+
+vec3 henyey_greenstein_phase(float away, vec3 g) {
+    vec3 base = (((vec3(1.0) - g) * (vec3(1.0) - g)) + ((2.0 * g) * away));
+    return ((INV_4PI * (vec3(1.0) - (g * g))) / (base * sqrt(base)));
+}
+
 vec3 sun_transmittance(Medium m_3, float x_3, float sun_b, uint samples_1) {
     float _e6 = excess_of(m_3.thickness, m_3.radius);
     float _e7 = distance_to_top(x_3, sun_b, _e6);
     vec3 _e8 = path_densities(m_3, x_3, sun_b, _e7, samples_1);
     vec3 _e9 = extinction(m_3, _e8);
     return exp(-(_e9));
-}
-
-vec3 mean_transmittance(vec3 tau) {
-    vec3 series = (vec3(1.0) - (tau * (vec3(0.5) - (tau * 0.16666667))));
-    return mix(((vec3(1.0) - exp(-(tau))) / tau), series, lessThan(tau, vec3(0.01)));
 }
 
 Scattered single_scattering(Medium m_4, AirRay ray_2, float length_, float away_1, uint view_samples, uint light_samples) {

@@ -4,15 +4,26 @@
 // Air between the camera and the scene: the scene dimmed by transmittance, per channel, plus the light
 // scattered into the ray on the way. Where there is no scene it draws the shell's share of the sky
 // (all of it from orbit, none of it near the ground, where the background pass has drawn it).
+// BLEND: laid over the scene, which is dimmed by the grey mean in alpha; READ: the scene's colour is an input.
 
 @group(0) @binding(0) var<uniform> frame: Frame;
+//#if BLEND
+@group(0) @binding(1) var depth: texture_2d<f32>;
+//#endif
+//#if READ
 @group(0) @binding(1) var scene: texture_2d<f32>;
 @group(0) @binding(2) var depth: texture_2d<f32>;
+//#endif
 
 @fragment
 fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let pixel = vec2i(position.xy);
+    //#if BLEND
+    let behind = vec4f(0.0);
+    //#endif
+    //#if READ
     let behind = textureLoad(scene, pixel, 0);
+    //#endif
     let direction = pixel_ray(frame, position.xy);
     let ray_length = length(direction);
     let distance = depth_distance(frame, textureLoad(depth, pixel, 0).x, ray_length);
@@ -34,6 +45,12 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     }
     let offset = dir - frame.sun;
     let s = single_scattering(m, ray, end, 0.5 * dot(offset, offset), frame.view_samples, frame.light_samples);
-    let color = behind.rgb * select(vec3f(1.0), s.transmittance, dims) + s.radiance * m.irradiance * weight;
-    return vec4f(color, behind.a);
+    let through = select(vec3f(1.0), s.transmittance, dims);
+    let light = s.radiance * m.irradiance * weight;
+    //#if BLEND
+    return vec4f(light, 1.0 - dot(through, vec3f(1.0 / 3.0)));
+    //#endif
+    //#if READ
+    return vec4f(behind.rgb * through + light, behind.a);
+    //#endif
 }

@@ -11,11 +11,19 @@ struct Uniforms {
 }
 
 @group(0) @binding(0) var<uniform> uniforms: Uniforms;
+//#if BLEND
+@group(0) @binding(1) var depth: texture_2d<f32>;
+@group(0) @binding(2) var sky: texture_2d<f32>;
+@group(0) @binding(3) var table_air: texture_2d<f32>;
+@group(0) @binding(4) var columns: texture_2d<f32>;
+//#endif
+//#if READ
 @group(0) @binding(1) var scene: texture_2d<f32>;
 @group(0) @binding(2) var depth: texture_2d<f32>;
 @group(0) @binding(3) var sky: texture_2d<f32>;
 @group(0) @binding(4) var table_air: texture_2d<f32>;
 @group(0) @binding(5) var columns: texture_2d<f32>;
+//#endif
 
 // Between two slices of a kind; `at` counts slices, the first ends at 0. before: the value at the camera.
 fn air_between(air: texture_2d<f32>, t: Tables, c: Corner, at: f32, kind: i32, size: vec2i, before: f32) -> vec3f {
@@ -34,7 +42,12 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let t = uniforms.tables;
     let m = f.medium;
     let pixel = vec2i(position.xy);
+    //#if BLEND
+    let behind = vec4f(0.0);
+    //#endif
+    //#if READ
     let behind = textureLoad(scene, pixel, 0);
+    //#endif
     let direction = pixel_ray(f, position.xy);
     let ray_length = length(direction);
     let distance = depth_distance(f, textureLoad(depth, pixel, 0).x, ray_length);
@@ -76,5 +89,11 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
         }
         through = air_between(table_air, t, c, at, AIR_THROUGH, size, 1.0);
     }
-    return vec4f(behind.rgb * through + light * m.irradiance * weight, behind.a);
+    light *= m.irradiance * weight;
+    //#if BLEND
+    return vec4f(light, 1.0 - dot(through, vec3f(1.0 / 3.0)));
+    //#endif
+    //#if READ
+    return vec4f(behind.rgb * through + light, behind.a);
+    //#endif
 }

@@ -42,6 +42,6 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     switch a.kind {
         case AIR_BEAM: { return vec4f(g.transmittance, 0.0); }
         case AIR_THROUGH: { return vec4f(exp(-extinction(m, g.columns)), 0.0); }
-        default: { return vec4f(g.radiance, 0.0); }
+        default: { return vec4f(max(g.radiance, vec3f(0.0)), 0.0); }
     }
 }

@@ -31,10 +31,9 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let dir = vec3f(sine * cos(view.azimuth), sine * sin(view.azimuth), view.mu);
     let ray = inner_ray(dir, h, m.radius, m.thickness, sun, !view.above);
     let nu = ray.nu;
-    // Direct light with as much of the aerosol's phase function as the moments hold.
+    // Direct light: of the aerosol's phase function the part that is not counted as passing straight on.
     let gas = m.rayleigh * rayleigh_phase(nu);
-    let aerosol = m.mie_scattering * INV_4PI
-        * (t.mie_moment0 + 3.0 * t.mie_moment1 * nu + 2.5 * t.mie_moment2 * (3.0 * nu * nu - 1.0));
+    let aerosol = m.mie_scattering * t.mie_moment0 * henyey_greenstein_phase(1.0 - nu, t.mie_asymmetry);
     let low = clamp(-ray.b, 0.0, ray.length);
     let g = gather(columns, moments, m, t, ray, low, unwarp(low, 0.0), unwarp(low, ray.length), gas, aerosol, true, true);
     var radiance = g.radiance;

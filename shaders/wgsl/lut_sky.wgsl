@@ -4,6 +4,7 @@
 // The light of the whole sky around the camera, see `skyview` for the layout. Left half: light scattered by the gas, and
 // all that was scattered before; alpha: grey transmittance. Right half: sunlight scattered once by the aerosol, without
 // its phase function, which changes too fast near the sun for any table. Over the ray's length where it ends on the ground.
+// Fourth roots: between texels light then changes almost exponentially, as it does with altitude.
 
 struct Uniforms {
     frame: Frame,
@@ -46,5 +47,5 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let g = gather(columns, moments, m, t, ray, low, unwarp(low, 0.0), u_end, gas, aerosol, true, !aerosol_half);
     let grey = dot(exp(-extinction(m, g.columns)), vec3f(1.0 / 3.0));
     let scale = select(1.0, 1.0 / ray.length, ground);
-    return vec4f(g.radiance * scale, grey);
+    return vec4f(sqrt(sqrt(max(g.radiance, vec3f(0.0)) * scale)), grey);
 }

@@ -17,9 +17,12 @@ fn sky_light(sky: texture_2d<f32>, m: Medium, t: Tables, h: f32, dir: vec3f, ray
     var c = corner(vec2f(azimuth_share(dir) * f32(size.x - 1), row), size);
     let texel = bilinear(sky, c, vec2i(0));
     let scale = select(1.0, ray.length, ray.ground);
-    var out = SkyLight(texel.rgb * scale, vec3f(0.0), texel.a);
+    let root = texel.rgb * texel.rgb;
+    var out = SkyLight(root * root * scale, vec3f(0.0), texel.a);
     //#if MIE
-    let aerosol = bilinear(sky, c, vec2i(size.x, 0)).rgb;
+    let fourth = bilinear(sky, c, vec2i(size.x, 0)).rgb;
+    let second = fourth * fourth;
+    let aerosol = second * second;
     //#endif
     //#if MIE_HG
     out.aerosol = aerosol * henyey_greenstein_phase(away, m.mie_asymmetry) * scale;

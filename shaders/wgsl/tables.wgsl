@@ -16,6 +16,8 @@ struct Tables {
     sun_middle: f32,            // cosine of the sun's zenith angle where the columns crowd
     mie_moment2: vec3f,
     sun_width: f32,             // of the crowd, in the cosine
+    mie_asymmetry: vec3f,       // of the rest
+    altitude_pad: f32,
     albedo: vec3f,              // of the ground, Lambert
     sun_first: f32,             // asinh((cosine - middle) / width) of the first column of `moments`
     sun_span: f32,              // ... of the last, less the first
@@ -146,7 +148,7 @@ fn diffuse_source(table: texture_2d<f32>, m: Medium, t: Tables, d: vec3f, h: f32
         + bilinear(table, c, vec2i(0, 2)).xyz * harmonic(2, mu, along);
     source += m.mie_scattering * d.y * (SH0 * t.mie_moment0 + l1 * t.mie_moment1 + l2 * t.mie_moment2);
     //#endif
-    return max(source, vec3f(0.0)) * mean;
+    return source * mean;
 }
 
 // Irradiance of level ground from the sky.

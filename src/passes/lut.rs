@@ -11,7 +11,7 @@
 //! Nothing depends on where the camera looks. In a spherical atmosphere under a parallel sun, light at a point
 //! depends on two numbers; scattering after Rayleigh needs its moments of degree 0 and 2 only, so that
 //! six numbers per colour carry all orders of it exactly. What an aerosol turns by small angles only counts as
-//! not scattered in `moments` (delta-M, Wiscombe 1977), and is seen with its whole phase function when it comes straight
+//! not scattered in `moments` (delta-M, Wiscombe 1977, with a smaller share), and is seen with its whole phase function when it comes straight
 //! from the sun (TMS, Nakajima & Tanaka 1988).
 
 use super::frame::{FrameUniform, MediumUniform, block};
@@ -32,6 +32,8 @@ block! {
         sun_middle: f32,
         mie_moment2: [f32; 3],
         sun_width: f32,
+        mie_asymmetry: [f32; 3],
+        pad: f32,
         albedo: [f32; 3],
         sun_first: f32,
         sun_span: f32,
@@ -71,7 +73,8 @@ pub struct LutSettings {
     pub moments: [u32; 2],
     /// Steps along the rays that fill the table of moments, 4 to 256.
     pub moment_steps: u32,
-    /// How often light is scattered again before the rest is left out, 1 to 64.
+    /// How often light is scattered again before the rest is left out, 1 to 64, in thin air; times 1 + the
+    /// optical depth of scattering in thick (never more than 64).
     pub orders: u32,
     /// Azimuths in half a turn (the other half is the mirror image) and zenith angles of the sky table, 8 to 1024 each.
     pub sky: [u32; 2],
@@ -84,21 +87,55 @@ pub struct LutSettings {
 }
 
 impl Default for LutSettings {
+    /// [`Self::MEDIUM`].
     fn default() -> Self {
-        Self {
-            columns: [128, 64],
-            moments: [64, 20],
-            moment_steps: 16,
-            orders: 8,
-            sky: [100, 200],
-            sky_steps: 28,
-            air: [16, 32, 16],
-            air_steps: 1,
-        }
+        Self::MEDIUM
     }
 }
 
 impl LutSettings {
+    /// Rounds of scattering for a medium: thick ones need more than `orders`.
+    fn rounds(&self, p: &AtmosphereParams) -> u32 {
+        let depth = scattering_depths(p).iter().sum::<f64>();
+        (f64::from(self.orders) * (1.0 + depth)).round().clamp(1.0, 64.0) as u32
+    }
+
+    /// The least that keeps the sky within about a percent of [`Self::HIGH`] by day; coarse at the limb.
+    pub const LOW: Self = Self {
+        columns: [64, 32],
+        moments: [40, 14],
+        moment_steps: 12,
+        orders: 6,
+        sky: [48, 64],
+        sky_steps: 16,
+        air: [12, 24, 12],
+        air_steps: 1,
+    };
+
+    /// For ordinary use. The sky table has 200 × 100 texels over the whole turn, half of which are mirrored.
+    pub const MEDIUM: Self = Self {
+        columns: [128, 64],
+        moments: [48, 16],
+        moment_steps: 12,
+        orders: 8,
+        sky: [100, 100],
+        sky_steps: 32,
+        air: [16, 32, 16],
+        air_steps: 1,
+    };
+
+    /// Next to no sampling error: what is left is the model's.
+    pub const HIGH: Self = Self {
+        columns: [256, 64],
+        moments: [64, 24],
+        moment_steps: 16,
+        orders: 10,
+        sky: [200, 400],
+        sky_steps: 64,
+        air: [32, 64, 32],
+        air_steps: 1,
+    };
+
     /// Checks the ranges given at the fields.
     pub fn validate(&self) -> Result<()> {
         let check = |name: &str, v: u32, lo: u32, hi: u32| {
@@ -159,11 +196,28 @@ fn phase_moments(phase: MiePhase, g: f64) -> [f64; 4] {
     }
 }
 
+/// Vertical optical depth of scattering, the largest channel's: gas and aerosol.
+fn scattering_depths(p: &AtmosphereParams) -> [f64; 2] {
+    let depth = |c: [f64; 3], height: f64| c.iter().fold(0.0, |a: f64, &v| a.max(v * height));
+    [depth(p.rayleigh_scattering, p.rayleigh_scale_height), depth(p.mie_scattering, p.mie_scale_height)]
+}
+
+/// The share of the light that an aerosol scatters which counts as going straight on, per channel.
+///
+/// Delta-M would take the first moment that is left out, g³. A lobe of g = 0.8 is wider than the bright band at the
+/// horizon, though, and light that it turns is lost from there: a much smaller share is right in thin haze. The
+/// powers of g are the best for Earth's haze (10) and for Mars' dust (5) against the f64 reference.
+fn forward_shares(p: &AtmosphereParams) -> [f64; 3] {
+    let [_, depth] = scattering_depths(p);
+    let power = 5.0 + 5.0 * (-depth / 0.05).exp();
+    p.mie_asymmetry.map(|g| g.max(0.0).powf(power))
+}
+
 impl TablesUniform {
     fn new(p: &AtmosphereParams, settings: &LutSettings) -> Self {
         let moments: [[f64; 4]; 3] = std::array::from_fn(|c| phase_moments(p.mie_phase, p.mie_asymmetry[c]));
         // The share that goes on as if nothing had happened: the first moment that is left out.
-        let forward = moments.map(|m| m[3].max(0.0));
+        let forward = forward_shares(p);
         let extinction = p.mie_extinction();
         let top = p.thickness();
         let mut scale = p.rayleigh_scale_height;
@@ -189,6 +243,7 @@ impl TablesUniform {
             sun_middle: middle as f32,
             mie_moment2: moment(2),
             sun_width: width as f32,
+            mie_asymmetry: std::array::from_fn(|c| ((moments[c][1] - forward[c]) / (1.0 - forward[c])) as f32),
             albedo: p.ground_albedo.map(|a| a as f32),
             sun_first: first as f32,
             sun_span: (last - first) as f32,
@@ -215,7 +270,8 @@ struct Textures {
 pub(crate) struct Ready {
     pub columns: TextureId,
     pub sky: TextureId,
-    pub air: Option<TextureId>,
+    /// The columns' again where no air table was asked for.
+    pub air: TextureId,
 }
 
 /// What a table that is up to date was made for.
@@ -247,10 +303,11 @@ impl Luts {
         // Tables hold light per unit of irradiance.
         let medium = MediumUniform { irradiance: [0.0; 3], ..frame.medium };
         let key = MediumTables { medium, tables };
-        let last_moments = t.moments[settings.orders as usize % 2];
+        let rounds = settings.rounds(params) as usize;
+        let last_moments = t.moments[rounds % 2];
         if self.medium != Some(key) {
             self.forget();
-            self.medium_passes(backend, settings, key, &t, passes)?;
+            self.medium_passes(backend, settings, key, rounds, &t, passes)?;
             self.medium = Some(key);
         }
         let view = [frame.altitude, frame.sun[0], frame.sun[1], frame.sun[2]];
@@ -267,7 +324,7 @@ impl Luts {
             });
             self.sky = Some(view);
         }
-        let mut ready = Ready { columns: t.columns, sky: t.sky, air: None };
+        let mut ready = Ready { columns: t.columns, sky: t.sky, air: t.columns };
         if let (true, Some(air)) = (with_air, t.air) {
             let scans = settings.air[2].next_power_of_two().trailing_zeros();
             let at = |step: u32| air[(step % 2) as usize];
@@ -296,7 +353,7 @@ impl Luts {
                 }
                 self.air = Some(view);
             }
-            ready.air = Some(at(scans + 1));
+            ready.air = at(scans + 1);
         }
         Ok((ready, tables))
     }
@@ -306,6 +363,7 @@ impl Luts {
         backend: &mut dyn Backend,
         settings: &LutSettings,
         block: MediumTables,
+        rounds: usize,
         t: &Textures,
         passes: &mut Vec<Pass>,
     ) -> Result<()> {
@@ -322,7 +380,7 @@ impl Luts {
         // Darkness: logarithms of next to nothing.
         let dark = Target { clear: Some([-100.0; 4]), ..Target::color(t.moments[0]) };
         pass("moments table", None, reads([]), Uniform::NONE, dark)?;
-        for order in 0..settings.orders as usize {
+        for order in 0..rounds {
             let (from, to) = (t.moments[order % 2], t.moments[(order + 1) % 2]);
             let block = uniform(settings.moments, settings.moment_steps);
             let gather = Some(Program::LutRadiance);
@@ -356,54 +414,60 @@ impl Luts {
         mie: bool,
         with_air: bool,
     ) -> Result<Textures> {
-        if let Some((made_for, made_mie, t)) = self.textures
-            && (made_for, made_mie) == (*settings, mie)
-            && backend.texture(t.columns).is_some()
-            && (t.air.is_some() || !with_air)
-        {
-            return Ok(t);
-        }
-        let with_air = with_air || self.textures.is_some_and(|(.., t)| t.air.is_some());
-        self.destroy(backend);
-        let [suns, altitudes] = settings.moments;
-        let moments = [suns, altitudes * MOMENTS + 1];
-        let sky = [settings.sky[0] * (1 + u32::from(mie)), settings.sky[1]];
-        let [azimuths, zeniths, slices] = settings.air;
-        let air = [azimuths * slices, zeniths * AIR_KINDS];
-        let radiance = [suns * NODE_DIRECTIONS[0], altitudes * NODE_DIRECTIONS[1]];
-        let sizes: [(&'static str, [u32; 2]); 7] = [
-            ("columns table", settings.columns),
-            ("gathered radiance", radiance),
-            ("moments table", moments),
-            ("moments table", moments),
-            ("sky table", sky),
-            ("air table", air),
-            ("air table", air),
-        ];
-        let max = backend.info().max_texture_size;
-        let descs = sizes.map(|(label, [w, h])| TextureDesc::new(label, w, h, Format::Rgba32Float));
-        let wanted = if with_air { &descs[..] } else { &descs[..5] };
-        wanted.iter().try_for_each(|d| d.validate(max))?;
-        let mut made = Vec::with_capacity(7);
-        for desc in wanted {
-            match backend.create_texture(desc) {
-                Ok(id) => made.push(id),
+        let known = self.textures.filter(|(made_for, made_mie, t)| {
+            (made_for, *made_mie) == (settings, mie) && backend.texture(t.columns).is_some()
+        });
+        let mut t = match known {
+            Some((.., t)) => t,
+            None => {
+                self.destroy(backend);
+                let [suns, altitudes] = settings.moments;
+                let moments = [suns, altitudes * MOMENTS + 1];
+                let radiance = [suns * NODE_DIRECTIONS[0], altitudes * NODE_DIRECTIONS[1]];
+                let sky = [settings.sky[0] * (1 + u32::from(mie)), settings.sky[1]];
+                let sizes = [
+                    ("columns table", settings.columns),
+                    ("gathered radiance", radiance),
+                    ("moments table", moments),
+                    ("moments table", moments),
+                    ("sky table", sky),
+                ];
+                let [columns, radiance, even, odd, sky] = create(backend, sizes)?;
+                Textures { columns, radiance, moments: [even, odd], sky, air: None }
+            }
+        };
+        if with_air && t.air.is_none() {
+            let [azimuths, zeniths, slices] = settings.air;
+            let size = [azimuths * slices, zeniths * AIR_KINDS];
+            match create(backend, [("air table", size); 2]) {
+                Ok(air) => t.air = Some(air),
                 Err(e) => {
-                    made.into_iter().for_each(|id| backend.destroy_texture(id));
+                    self.textures = Some((*settings, mie, t));
                     return Err(e);
                 }
             }
         }
-        let t = Textures {
-            columns: made[0],
-            radiance: made[1],
-            moments: [made[2], made[3]],
-            sky: made[4],
-            air: with_air.then(|| [made[5], made[6]]),
-        };
         self.textures = Some((*settings, mie, t));
         Ok(t)
     }
+}
+
+/// All of the textures or none.
+fn create<const N: usize>(backend: &mut dyn Backend, sizes: [(&'static str, [u32; 2]); N]) -> Result<[TextureId; N]> {
+    let max = backend.info().max_texture_size;
+    let descs = sizes.map(|(label, [w, h])| TextureDesc::new(label, w, h, Format::Rgba32Float));
+    descs.iter().try_for_each(|d| d.validate(max))?;
+    let mut made = [TextureId::default(); N];
+    for (i, desc) in descs.iter().enumerate() {
+        match backend.create_texture(desc) {
+            Ok(id) => made[i] = id,
+            Err(e) => {
+                made[..i].iter().for_each(|&id| backend.destroy_texture(id));
+                return Err(e);
+            }
+        }
+    }
+    Ok(made)
 }
 
 fn size_of(backend: &dyn Backend, id: TextureId) -> Result<[u32; 2]> {

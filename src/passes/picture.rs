@@ -106,6 +106,7 @@ impl PictureRenderer {
         let air = self.sky.aerial(backend, scene, t.scene, t.depth, t.aerial)?;
         let radiance = if air.is_empty() { t.scene } else { t.aerial };
         self.passes.extend_from_slice(air);
+        self.passes.extend_from_slice(self.sky.shell(backend, scene, t.depth, Target::color(t.scene))?);
         self.passes.push(tone_pass(backend, settings.tone_map, settings.exposure, radiance, t.display)?);
         Ok((&self.passes, Drawn { radiance, depth: t.depth, display: t.display }))
     }

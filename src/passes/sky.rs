@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::frame::{FrameOptions, FrameUniform};
+use super::lut::{FrameTables, LutSettings, Luts};
 use crate::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
 use crate::error::{Error, Result, in_range};
 use crate::shaders::{Constituents, Program};
@@ -20,13 +21,16 @@ pub enum Method {
         /// Steps towards the sun at each of them, 1 to 256.
         light_samples: u32,
     },
+    /// Light of all orders, from precomputed tables.
+    Lut(LutSettings),
 }
 
 impl Method {
-    /// Its short name, as in tables and on the command line: `single`.
+    /// Its short name, as in tables and on the command line: `single`, `lut`.
     pub const fn name(&self) -> &'static str {
         match self {
             Self::Single { .. } => "single",
+            Self::Lut(_) => "lut",
         }
     }
 
@@ -40,6 +44,7 @@ impl Method {
                 whole("view_samples", view_samples, 1024)?;
                 whole("light_samples", light_samples, 256)
             }
+            Self::Lut(settings) => settings.validate(),
         }
     }
 
@@ -47,6 +52,7 @@ impl Method {
     fn samples(&self) -> [u32; 2] {
         match *self {
             Self::Single { view_samples, light_samples } => [view_samples, light_samples],
+            Self::Lut(_) => [0; 2],
         }
     }
 }
@@ -58,7 +64,75 @@ impl fmt::Display for Method {
             Self::Single { view_samples, light_samples } => {
                 write!(f, "{} {view_samples} × {light_samples}", self.name())
             }
+            Self::Lut(LutSettings { sky: [width, height], sky_steps, .. }) => {
+                write!(f, "{} {width} × {height} × {sky_steps}", self.name())
+            }
         }
+    }
+}
+
+/// Which passes draw the atmosphere, and how they share the sky.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Composition {
+    /// From the ground to far orbit: [`SkyRenderer::background`] draws the sky near the ground,
+    /// [`SkyRenderer::aerial`] the air before the scene and, handed over from 15 to 50 km, the planet's shell.
+    #[default]
+    Full,
+    /// The sky alone, in one pass: [`SkyRenderer::background`], at any altitude.
+    SkyDome,
+    /// Everything in one pass after the scene, which reads its colour and depth: [`SkyRenderer::aerial`].
+    /// [`SkyRenderer::background`] draws the sun's disk only.
+    AtmospherePost,
+    /// A shell around a planet's mesh, laid over the scene by blending, where its colour cannot be read:
+    /// [`SkyRenderer::shell`], which dims it by the grey mean of the transmittance.
+    /// [`SkyRenderer::background`] draws the sun's disk only.
+    Planet,
+}
+
+/// The four ways to use the library, each a composition with a method; see [`Self::settings`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Mode {
+    /// One pass behind the scene: [`Composition::SkyDome`], single scattering by 24 × 8 samples.
+    SkyDome,
+    /// One pass over the scene: [`Composition::AtmospherePost`], single scattering by 24 × 8 samples.
+    AtmospherePost,
+    /// A shell around a mesh: [`Composition::Planet`], single scattering by 24 × 8 samples.
+    Planet,
+    /// Everything from tables, all orders of scattering: [`Composition::Full`] with [`Method::Lut`].
+    Lut,
+}
+
+impl Mode {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::SkyDome, Self::AtmospherePost, Self::Planet, Self::Lut];
+
+    /// Its name: `sky-dome`, `atmosphere-post`, `planet`, `lut`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::SkyDome => "sky-dome",
+            Self::AtmospherePost => "atmosphere-post",
+            Self::Planet => "planet",
+            Self::Lut => "lut",
+        }
+    }
+
+    /// By its name; the error lists the names.
+    pub fn from_name(name: &str) -> Result<Self> {
+        Self::ALL.into_iter().find(|m| m.name() == name).ok_or_else(|| {
+            Error::invalid("mode", format_args!("{name:?}"), "one of sky-dome, atmosphere-post, planet, lut")
+        })
+    }
+
+    /// The settings that it stands for.
+    pub fn settings(self) -> SkySettings {
+        let march = Method::Single { view_samples: 24, light_samples: 8 };
+        let (composition, method) = match self {
+            Self::SkyDome => (Composition::SkyDome, march),
+            Self::AtmospherePost => (Composition::AtmospherePost, march),
+            Self::Planet => (Composition::Planet, march),
+            Self::Lut => (Composition::Full, Method::Lut(LutSettings::default())),
+        };
+        SkySettings { composition, method, ..SkySettings::default() }
     }
 }
 
@@ -67,6 +141,8 @@ impl fmt::Display for Method {
 pub struct SkySettings {
     /// Off: no passes at all.
     pub enabled: bool,
+    /// Which passes draw it.
+    pub composition: Composition,
     /// How the light is computed.
     pub method: Method,
     /// Background resolution as a share of the target's, per side, 0.125 to 1.
@@ -76,10 +152,10 @@ pub struct SkySettings {
 }
 
 impl Default for SkySettings {
-    /// Single scattering by 24 × 8 samples, full resolution, with the sun.
+    /// From the ground to orbit, all orders of scattering from tables, full resolution, with the sun.
     fn default() -> Self {
-        let method = Method::Single { view_samples: 24, light_samples: 8 };
-        Self { enabled: true, method, render_scale: 1.0, sun_disk: true }
+        let method = Method::Lut(LutSettings::default());
+        Self { enabled: true, composition: Composition::Full, method, render_scale: 1.0, sun_disk: true }
     }
 }
 
@@ -111,6 +187,7 @@ pub struct SkyRenderer {
     settings: SkySettings,
     passes: Vec<Pass>,
     low: Option<TextureId>,
+    luts: Luts,
 }
 
 impl SkyRenderer {
@@ -120,7 +197,7 @@ impl SkyRenderer {
     /// [`Error::Invalid`] from [`SkySettings::validate`].
     pub fn new(settings: SkySettings) -> Result<Self> {
         settings.validate()?;
-        Ok(Self { settings, passes: Vec::with_capacity(2), low: None })
+        Ok(Self { settings, passes: Vec::with_capacity(4), low: None, luts: Luts::default() })
     }
 
     /// The settings in use.
@@ -142,7 +219,11 @@ impl SkyRenderer {
             rows: desc.rows,
             view_samples,
             light_samples,
-            sky_weight: background_weight(view.altitude),
+            sky_weight: match self.settings.composition {
+                Composition::Full => background_weight(view.altitude),
+                Composition::SkyDome => 1.0,
+                Composition::AtmospherePost | Composition::Planet => 0.0,
+            },
             low_resolution: false,
         }
     }
@@ -165,39 +246,37 @@ impl SkyRenderer {
             self.free_low(backend);
             return Ok(&self.passes);
         }
-        let program = Some(backend.create_program(Program::Sky { air, sun })?);
+        let frame = FrameUniform::new(scene, &view, &options);
         let label = "background sky";
         let side = |s: u32| ((f64::from(s) * self.settings.render_scale).ceil() as u32).max(1);
         let small = [side(desc.width), side(desc.height)];
-        let full = Uniform::new(&FrameUniform::new(scene, &view, &options));
-        if small == options.size {
+        let full = small == options.size;
+        options.size = small;
+        options.low_resolution = !full;
+        let drawn = FrameUniform::new(scene, &view, &options);
+        let (program, textures, uniform) = match &self.settings.method {
+            Method::Lut(lut) if air.any() => {
+                let passes = &mut self.passes;
+                let (t, tables) = self.luts.update(backend, &scene.atmosphere, lut, &frame, false, passes)?;
+                let textures = if sun { reads([t.sky, t.columns]) } else { reads([t.sky]) };
+                (Program::SkyLut { air, sun }, textures, Uniform::new(&FrameTables { frame: drawn, tables }))
+            }
+            _ => (Program::Sky { air, sun }, reads([]), Uniform::new(&drawn)),
+        };
+        let program = Some(backend.create_program(program)?);
+        if full {
             self.free_low(backend);
-            self.passes.push(Pass {
-                label,
-                program,
-                textures: reads([]),
-                uniform: full,
-                target,
-                depth: DepthUse::Always,
-            });
+            self.passes.push(Pass { label, program, textures, uniform, target, depth: DepthUse::Always });
             return Ok(&self.passes);
         }
         let low = self.low_texture(backend, small)?;
-        options.size = small;
-        options.low_resolution = true;
-        self.passes.push(Pass {
-            label,
-            program,
-            textures: reads([]),
-            uniform: Uniform::new(&FrameUniform::new(scene, &view, &options)),
-            target: Target { clear: Some([0.0; 4]), ..Target::color(low) },
-            depth: DepthUse::Always,
-        });
+        let clear = Target { clear: Some([0.0; 4]), ..Target::color(low) };
+        self.passes.push(Pass { label, program, textures, uniform, target: clear, depth: DepthUse::Always });
         self.passes.push(Pass {
             label: "upsample sky",
             program: Some(backend.create_program(Program::Upsample)?),
             textures: reads([low]),
-            uniform: full,
+            uniform: Uniform::new(&frame),
             target,
             depth: DepthUse::Always,
         });
@@ -221,33 +300,80 @@ impl SkyRenderer {
         let view = scene.validate()?;
         self.passes.clear();
         let desc = texture(backend, target)?;
-        for (name, id) in [("color", color), ("depth", depth)] {
-            let other = texture(backend, id)?;
-            if (other.width, other.height, other.rows) != (desc.width, desc.height, desc.rows) {
-                return Err(Error::invalid(
-                    format_args!("aerial {name}"),
-                    format_args!("{} × {}, {:?}", other.width, other.height, other.rows),
-                    format_args!("as the target: {} × {}, {:?}", desc.width, desc.height, desc.rows),
-                ));
-            }
-        }
-        let air = Constituents::of(&scene.atmosphere);
-        if self.settings.enabled && air.any() {
-            self.passes.push(Pass {
-                label: "aerial perspective",
-                program: Some(backend.create_program(Program::Aerial { air })?),
-                textures: reads([color, depth]),
-                uniform: Uniform::new(&FrameUniform::new(scene, &view, &self.options(&desc, &view))),
-                target: Target::color(target),
-                depth: DepthUse::Always,
-            });
+        same_size(backend, "aerial color", color, &desc)?;
+        same_size(backend, "aerial depth", depth, &desc)?;
+        let wanted = matches!(self.settings.composition, Composition::Full | Composition::AtmospherePost);
+        if wanted {
+            self.before(backend, scene, &view, &desc, Some(color), depth, Target::color(target))?;
         }
         Ok(&self.passes)
+    }
+
+    /// As [`Self::aerial`], but laid over the target by blending: for [`Composition::Planet`], where the
+    /// scene's colour cannot be read. It is dimmed by the grey mean of the transmittance. `target` must not hold
+    /// `depth` as its depth buffer: it is read here.
+    ///
+    /// # Errors
+    /// As [`Self::aerial`].
+    pub fn shell(
+        &mut self,
+        backend: &mut dyn Backend,
+        scene: &Scene,
+        depth: TextureId,
+        target: Target,
+    ) -> Result<&[Pass]> {
+        let view = scene.validate()?;
+        self.passes.clear();
+        let desc = texture(backend, target.color)?;
+        same_size(backend, "shell depth", depth, &desc)?;
+        if self.settings.composition == Composition::Planet {
+            self.before(backend, scene, &view, &desc, None, depth, target)?;
+        }
+        Ok(&self.passes)
+    }
+
+    /// The pass for the air before a scene: reads its colour, or is laid over it.
+    #[allow(clippy::too_many_arguments)]
+    fn before(
+        &mut self,
+        backend: &mut dyn Backend,
+        scene: &Scene,
+        view: &ZenithView,
+        desc: &TextureDesc,
+        color: Option<TextureId>,
+        depth: TextureId,
+        target: Target,
+    ) -> Result<()> {
+        let air = Constituents::of(&scene.atmosphere);
+        if self.settings.enabled && air.any() {
+            let blend = color.is_none();
+            let frame = FrameUniform::new(scene, view, &self.options(desc, view));
+            let (program, textures, uniform) = match &self.settings.method {
+                Method::Lut(lut) => {
+                    let passes = &mut self.passes;
+                    let (t, tables) = self.luts.update(backend, &scene.atmosphere, lut, &frame, true, passes)?;
+                    let textures = match color {
+                        Some(color) => reads([color, depth, t.sky, t.air, t.columns]),
+                        None => reads([depth, t.sky, t.air, t.columns]),
+                    };
+                    (Program::AerialLut { air, blend }, textures, Uniform::new(&FrameTables { frame, tables }))
+                }
+                _ => {
+                    let textures = color.map_or(reads([depth]), |color| reads([color, depth]));
+                    (Program::Aerial { air, blend }, textures, Uniform::new(&frame))
+                }
+            };
+            let program = Some(backend.create_program(program)?);
+            let label = if blend { "planet shell" } else { "aerial perspective" };
+            self.passes.push(Pass { label, program, textures, uniform, target, depth: DepthUse::Always });
+        }
+        Ok(())
     }
 
     /// Frees what this renderer made on a backend.
     pub fn destroy(&mut self, backend: &mut dyn Backend) {
         self.free_low(backend);
+        self.luts.destroy(backend);
     }
 
     fn free_low(&mut self, backend: &mut dyn Backend) {
@@ -268,6 +394,19 @@ impl SkyRenderer {
         self.low = Some(low);
         Ok(low)
     }
+}
+
+/// Checks that a texture covers the same pixels as the target.
+fn same_size(backend: &dyn Backend, name: &str, id: TextureId, target: &TextureDesc) -> Result<()> {
+    let other = texture(backend, id)?;
+    if (other.width, other.height, other.rows) == (target.width, target.height, target.rows) {
+        return Ok(());
+    }
+    Err(Error::invalid(
+        name,
+        format_args!("{} × {}, {:?}", other.width, other.height, other.rows),
+        format_args!("as the target: {} × {}, {:?}", target.width, target.height, target.rows),
+    ))
 }
 
 pub(crate) fn texture(backend: &dyn Backend, id: TextureId) -> Result<TextureDesc> {

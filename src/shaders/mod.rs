@@ -121,6 +121,8 @@ pub enum Program {
     Aerial {
         /// What the air holds.
         air: Constituents,
+        /// Laid over the scene instead of reading its colour.
+        blend: bool,
     },
     /// The background sky from its tables, `sky_lut.wgsl`.
     SkyLut {
@@ -133,6 +135,8 @@ pub enum Program {
     AerialLut {
         /// What the air holds.
         air: Constituents,
+        /// Laid over the scene instead of reading its colour.
+        blend: bool,
     },
     /// Fills the table of densities' integrals towards the top, `lut_columns.wgsl`.
     LutColumns,
@@ -179,9 +183,9 @@ impl Program {
         for air in Constituents::each() {
             if air.any() {
                 all.push(Self::Sky { air, sun: false });
-                all.push(Self::Aerial { air });
                 all.extend([false, true].map(|sun| Self::SkyLut { air, sun }));
-                all.push(Self::AerialLut { air });
+                all.extend([false, true].map(|blend| Self::Aerial { air, blend }));
+                all.extend([false, true].map(|blend| Self::AerialLut { air, blend }));
             }
             if air.any() && air == air.without_phase() {
                 all.extend([Self::LutSky { air }, Self::LutAir { air }]);
@@ -211,6 +215,7 @@ impl Program {
                 part("MIE_CS", "-mie_cs"),
                 part("OZONE", "-ozone"),
                 part("SUN", "-sun"),
+                part("BLEND", "-blend"),
             ]
             .concat(),
         }
@@ -245,9 +250,11 @@ impl Program {
                     flags.push("SUN");
                 }
             }
-            Self::Aerial { air } | Self::AerialLut { air } | Self::LutSky { air } | Self::LutAir { air } => {
+            Self::Aerial { air, blend } | Self::AerialLut { air, blend } => {
                 air.flags(&mut flags);
+                flags.push(if blend { "BLEND" } else { "READ" });
             }
+            Self::LutSky { air } | Self::LutAir { air } => air.flags(&mut flags),
             Self::LutScan { finish } => flags.extend(["NO_MIE", if finish { "FINISH" } else { "ADD" }]),
             Self::ToneMap(t) => flags.push(match t {
                 ToneMap::Aces => "ACES",
@@ -279,8 +286,9 @@ impl Program {
             Self::Sky { .. } | Self::Terrain | Self::LutColumns => 0,
             Self::Upsample | Self::ToneMap(_) | Self::Copy | Self::LutMoments | Self::LutScan { .. } => 1,
             Self::SkyLut { sun, .. } => 1 + usize::from(sun),
-            Self::Aerial { .. } | Self::LutRadiance | Self::LutSky { .. } | Self::LutAir { .. } => 2,
-            Self::AerialLut { .. } => 5,
+            Self::LutRadiance | Self::LutSky { .. } | Self::LutAir { .. } => 2,
+            Self::Aerial { blend, .. } => 2 - usize::from(blend),
+            Self::AerialLut { blend, .. } => 5 - usize::from(blend),
         }
     }
 
@@ -311,7 +319,11 @@ impl Program {
 
     /// Whether the output is laid over the target by its (premultiplied) alpha.
     pub fn blends(self) -> bool {
-        matches!(self, Self::Sky { .. } | Self::SkyLut { .. } | Self::Upsample)
+        match self {
+            Self::Sky { .. } | Self::SkyLut { .. } | Self::Upsample => true,
+            Self::Aerial { blend, .. } | Self::AerialLut { blend, .. } => blend,
+            _ => false,
+        }
     }
 
     /// The translated shaders and the names naga gave to what they bind.
@@ -332,7 +344,7 @@ pub(crate) struct Glsl {
     /// Names of the uniform block in the vertex and in the fragment shader; empty where there is none.
     pub blocks: [&'static str; 2],
     /// Sampler names of the textures at bindings 1, 2, …; empty where a shader does not read one.
-    pub textures: [&'static str; crate::backend::TEXTURES_MAX],
+    pub textures: &'static [&'static str],
 }
 
 #[cfg(feature = "glow")]

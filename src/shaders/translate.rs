@@ -6,7 +6,6 @@ use naga::back::glsl;
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 
 use super::Program;
-use crate::backend::TEXTURES_MAX;
 use crate::error::{Error, Result};
 
 /// A translated program: its name, both shaders, the uniform block's name in each, and the sampler names
@@ -18,7 +17,7 @@ pub struct Translated {
     pub vertex: String,
     pub fragment: String,
     pub blocks: [String; 2],
-    pub textures: [String; TEXTURES_MAX],
+    pub textures: Vec<String>,
 }
 
 fn driver_error(what: &str, program: Program, reason: impl ToString) -> Error {
@@ -50,7 +49,7 @@ pub fn translate(program: Program) -> Result<Translated> {
     Ok(Translated { name: program.name(), vertex, fragment, blocks: [vertex_block, fragment_block], textures })
 }
 
-fn stage(program: Program, stage: naga::ShaderStage, entry: &str) -> Result<(String, String, [String; TEXTURES_MAX])> {
+fn stage(program: Program, stage: naga::ShaderStage, entry: &str) -> Result<(String, String, Vec<String>)> {
     let mut module = parse(program)?;
     module.entry_points.retain(|e| e.name == entry);
     // The writer asks for features of every function left in the module, reachable or not.
@@ -68,7 +67,7 @@ fn stage(program: Program, stage: naga::ShaderStage, entry: &str) -> Result<(Str
             .and_then(|mut writer| writer.write())
             .map_err(|e| driver_error("translate", program, e))?;
     let block = reflection.uniforms.values().next().cloned().unwrap_or_default();
-    let mut textures = [const { String::new() }; TEXTURES_MAX];
+    let mut textures = vec![String::new(); program.textures()];
     for (name, mapping) in &reflection.texture_mapping {
         let binding = module.global_variables[mapping.texture].binding.as_ref().map_or(0, |b| b.binding);
         if let Some(slot) = textures.get_mut((binding as usize).wrapping_sub(1)) {
@@ -109,7 +108,7 @@ pub fn generate() -> Result<Vec<(String, String)>> {
         };
         let (vertex, fragment) = (list(&t.vertex), list(&t.fragment));
         rows += &format!(
-            "    Glsl {{ name: {:?}, vertex: &[{vertex}], fragment: &[{fragment}], blocks: {:?}, textures: {:?} }},\n",
+            "    Glsl {{ name: {:?}, vertex: &[{vertex}], fragment: &[{fragment}], blocks: {:?}, textures: &{:?} }},\n",
             t.name, t.blocks, t.textures,
         );
     }

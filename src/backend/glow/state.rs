@@ -2,6 +2,8 @@
 
 use glow::HasContext as _;
 
+use crate::backend::TEXTURES_MAX;
+
 // WebGL only: how texSubImage2D reads its rows.
 const UNPACK_FLIP_Y_WEBGL: u32 = 0x9240;
 const UNPACK_PREMULTIPLY_ALPHA_WEBGL: u32 = 0x9241;

@@ -368,6 +368,8 @@ pub struct AccuracyArgs {
 pub enum Method {
     /// Single scattering by a GPU backend
     Single,
+    /// All orders of scattering by a GPU backend, from tables
+    Lut,
     /// Single scattering in f64
     ReferenceSingle,
     /// All orders of scattering in f64
@@ -430,7 +432,11 @@ impl RenderArgs {
             width,
             height,
             sky: SkySettings {
-                method: welkin::Method::Single { view_samples: self.samples, light_samples: self.light_samples },
+                method: if std::env::var("WLUT").is_ok() {
+                    welkin::Method::Lut(Default::default())
+                } else {
+                    welkin::Method::Single { view_samples: self.samples, light_samples: self.light_samples }
+                },
                 ..SkySettings::default()
             },
             exposure: view.exposure,

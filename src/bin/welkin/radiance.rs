@@ -47,7 +47,7 @@ struct Table {
 
 /// Checks everything, then computes, then writes.
 pub fn run(args: &RadianceArgs) -> anyhow::Result<()> {
-    let draws = args.method == Method::Single;
+    let draws = matches!(args.method, Method::Single | Method::Lut);
     if draws && args.backend == BackendChoice::Cpu {
         return Err(UsageError::value(
             "--backend <NAME>",
@@ -68,7 +68,7 @@ pub fn run(args: &RadianceArgs) -> anyhow::Result<()> {
     let destination = Destination::new(&args.out, "--out <FILE>")?;
     let start = std::time::Instant::now();
     let (radiance, by) = match args.method {
-        Method::Single => single(args, &table.cases)?,
+        Method::Single | Method::Lut => single(args, &table.cases)?,
         Method::ReferenceSingle => (reference_single(&table.cases)?, "f64 reference, single scattering".to_owned()),
         Method::Reference => (reference(&table.cases)?, "f64 reference, all orders".to_owned()),
     };
@@ -210,13 +210,18 @@ fn single(args: &RadianceArgs, cases: &[Case]) -> anyhow::Result<(Vec<[f64; 3]>,
     let Some(backend) = drawer.backend() else {
         anyhow::bail!("no backend can draw here: {by}; '--method reference-single' needs none");
     };
-    let method = welkin::Method::Single { view_samples: args.samples, light_samples: args.light_samples };
+    let method = match args.method {
+        Method::Lut => welkin::Method::Lut(Default::default()),
+        _ => welkin::Method::Single { view_samples: args.samples, light_samples: args.light_samples },
+    };
     draw::check_samples(backend.info(), &method)?;
     let mut sky = SkyRenderer::new(SkySettings { method, sun_disk: false, ..SkySettings::default() })?;
     let progress = Progress::of("drawing", cases.len().div_ceil(BATCH));
     let mut textures = Textures { made: Vec::new(), pixels: Vec::new() };
+    // Tables are made anew for each medium, and what is not drawn by then would lose them.
     let radiance = cases
-        .chunks(BATCH)
+        .chunk_by(|a, b| a.medium == b.medium)
+        .flat_map(|cases| cases.chunks(BATCH))
         .map(|batch| {
             let _ = progress.step(&format!("{} cases", batch.len()));
             textures.draw(backend, &mut sky, batch)

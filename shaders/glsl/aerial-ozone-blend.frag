@@ -1,0 +1,302 @@
+#version 300 es
+
+precision highp float;
+precision highp int;
+
+struct Medium {
+    vec3 rayleigh;
+    float rayleigh_inv_height;
+    vec3 mie_scattering;
+    float mie_inv_height;
+    vec3 mie_extinction;
+    float ozone_center;
+    vec3 mie_asymmetry;
+    float ozone_inv_half_width;
+    vec3 ozone;
+    float radius;
+    vec3 irradiance;
+    float thickness;
+};
+struct Frame {
+    Medium medium;
+    vec3 ray_forward;
+    float altitude;
+    vec3 ray_right;
+    float sky_weight;
+    vec3 ray_up;
+    float shell_weight;
+    vec3 sun;
+    float sun_chord;
+    vec2 size;
+    float sun_disk;
+    float pixel_angle;
+    float depth_scale;
+    float depth_bias;
+    float depth_log;
+    float depth_background;
+    uint view_samples;
+    uint light_samples;
+    uint low_resolution;
+    float camera_altitude;
+};
+struct AirRay {
+    float start;
+    float length_;
+    float x;
+    float b;
+    float sun_b;
+    float nu;
+    float cross2_;
+    bool ground;
+};
+struct Scattered {
+    vec3 radiance;
+    vec3 transmittance;
+};
+const float SUBPIXEL = 0.0625;
+const float INV_4PI = 0.07957747;
+
+layout(std140) uniform Frame_block_0Fragment { Frame _group_0_binding_0_fs; };
+
+uniform highp sampler2D _group_0_binding_1_fs;
+
+layout(location = 0) out vec4 _fs2p_location0;
+
+vec3 pixel_ray(Frame f, vec2 pixel) {
+    vec2 ndc = (((pixel / f.size) * vec2(2.0, -2.0)) + vec2(-1.0, 1.0));
+    return ((f.ray_forward + (f.ray_right * ndc.x)) + (f.ray_up * ndc.y));
+}
+
+float depth_distance(Frame f_1, float depth, float ray_length) {
+    if ((depth == f_1.depth_background)) {
+        return -1.0;
+    }
+    if ((f_1.depth_log > 0.0)) {
+        return (((exp2((depth * f_1.depth_log)) - 1.0) * 0.001) * ray_length);
+    }
+    float inverse_ = ((depth * f_1.depth_scale) + f_1.depth_bias);
+    if ((inverse_ <= 0.0)) {
+        return -1.0;
+    }
+    return (ray_length / inverse_);
+}
+
+float altitude_of(float x, float radius) {
+    return (x / (radius + sqrt(max(((radius * radius) + x), 0.0))));
+}
+
+float excess_of(float h, float radius_1) {
+    return (h * ((2.0 * radius_1) + h));
+}
+
+float distance_to_top(float x_1, float b, float x_top) {
+    float c = max((x_top - x_1), 0.0);
+    float root = sqrt(((b * b) + c));
+    if ((b > 0.0)) {
+        return (c / (b + root));
+    }
+    return (root - b);
+}
+
+AirRay air_ray(vec3 dir, float h_1, float radius_2, float thickness, vec3 sun) {
+    AirRay ray = AirRay(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, false);
+    bool local_1 = false;
+    bool local_2 = false;
+    float r = (radius_2 + h_1);
+    vec3 side = cross(dir, sun);
+    ray.nu = dot(dir, sun);
+    ray.cross2_ = dot(side, side);
+    ray.ground = false;
+    float _e14 = excess_of(thickness, radius_2);
+    if ((h_1 <= thickness)) {
+        ray.start = 0.0;
+        float _e19 = excess_of(h_1, radius_2);
+        ray.x = _e19;
+        ray.b = (r * dir.z);
+        ray.sun_b = (r * sun.z);
+        float _e28 = ray.x;
+        float _e30 = ray.b;
+        float _e31 = distance_to_top(_e28, _e30, _e14);
+        ray.length_ = _e31;
+        float _e33 = ray.b;
+        float _e35 = ray.b;
+        float _e38 = ray.x;
+        float disc = ((_e33 * _e35) - _e38);
+        float _e41 = ray.b;
+        if ((_e41 < 0.0)) {
+            local_1 = (disc >= 0.0);
+        } else {
+            local_1 = false;
+        }
+        bool _e49 = local_1;
+        if (_e49) {
+            ray.ground = true;
+            float _e54 = ray.x;
+            float _e57 = ray.b;
+            ray.length_ = (_e54 / (sqrt(disc) - _e57));
+        }
+        AirRay _e60 = ray;
+        return _e60;
+    }
+    float horizontal2_ = dot(dir.xy, dir.xy);
+    float p = (r * sqrt(horizontal2_));
+    float top = (radius_2 + thickness);
+    float top_disc = ((top - p) * (top + p));
+    if (!((dir.z >= 0.0))) {
+        local_2 = (top_disc <= 0.0);
+    } else {
+        local_2 = true;
+    }
+    bool _e79 = local_2;
+    if (_e79) {
+        ray.length_ = -1.0;
+        AirRay _e82 = ray;
+        return _e82;
+    }
+    float half_ = sqrt(top_disc);
+    ray.start = (((h_1 - thickness) * (r + top)) / (half_ - (r * dir.z)));
+    ray.x = _e14;
+    ray.b = -(half_);
+    vec3 closest = (vec3((-(dir.z) * dir.xy), horizontal2_) * r);
+    float _e104 = ray.nu;
+    ray.sun_b = (dot(closest, sun) - (half_ * _e104));
+    ray.length_ = (2.0 * half_);
+    float ground_disc = ((radius_2 - p) * (radius_2 + p));
+    if ((ground_disc >= 0.0)) {
+        ray.ground = true;
+        ray.length_ = (_e14 / (half_ + sqrt(ground_disc)));
+    }
+    AirRay _e121 = ray;
+    return _e121;
+}
+
+float scene_reach(Frame f_2, AirRay ray_1, float distance_) {
+    float reach = min(ray_1.length_, (distance_ - ray_1.start));
+    if (!(ray_1.ground)) {
+        return reach;
+    }
+    float slant = max((abs((ray_1.b + ray_1.length_)) / f_2.medium.radius), 0.05);
+    float snap = (((SUBPIXEL * f_2.pixel_angle) * distance_) / slant);
+    return (ray_1.length_ - ((ray_1.length_ - reach) * smoothstep((0.5 * snap), snap, (ray_1.length_ - reach))));
+}
+
+vec3 densities(Medium m, float h_2) {
+    vec3 d = vec3(0.0);
+    d.z = max(0.0, (1.0 - (abs((h_2 - m.ozone_center)) * m.ozone_inv_half_width)));
+    vec3 _e15 = d;
+    return _e15;
+}
+
+vec3 extinction(Medium m_1, vec3 d_1) {
+    vec3 sum = vec3(0.0);
+    vec3 _e5 = sum;
+    sum = (_e5 + (m_1.ozone * d_1.z));
+    vec3 _e10 = sum;
+    return _e10;
+}
+
+float warp(float low, float u) {
+    return (low + (u * abs(u)));
+}
+
+Scattered single_scattering(Medium m_2, AirRay ray_2, float length_, float away, uint view_samples, uint light_samples) {
+    Scattered out_ = Scattered(vec3(0.0), vec3(0.0));
+    float t0_ = 0.0;
+    uint i = 0u;
+    out_.radiance = vec3(0.0);
+    out_.transmittance = vec3(1.0);
+    float mu = (1.0 - away);
+    float low_1 = clamp(-(ray_2.b), 0.0, length_);
+    float u0_ = -(sqrt(low_1));
+    float du = ((sqrt((length_ - low_1)) - u0_) / float(view_samples));
+    bool loop_init = true;
+    while(true) {
+        if (!loop_init) {
+            uint _e64 = i;
+            i = (_e64 + 1u);
+        }
+        loop_init = false;
+        uint _e30 = i;
+        if ((_e30 < view_samples)) {
+        } else {
+            break;
+        }
+        {
+            uint _e32 = i;
+            float u_1 = (u0_ + (du * float(_e32)));
+            float _e37 = warp(low_1, (u_1 + du));
+            float _e38 = t0_;
+            float step_ = (_e37 - _e38);
+            float _e43 = warp(low_1, (u_1 + (0.5 * du)));
+            float _e52 = altitude_of((ray_2.x + (_e43 * ((2.0 * ray_2.b) + _e43))), m_2.radius);
+            float h_3 = max(_e52, 0.0);
+            vec3 _e55 = densities(m_2, h_3);
+            vec3 _e56 = extinction(m_2, _e55);
+            vec3 tau = (_e56 * step_);
+            vec3 _e59 = out_.transmittance;
+            out_.transmittance = (_e59 * exp(-(tau)));
+            t0_ = _e37;
+        }
+    }
+    Scattered _e66 = out_;
+    return _e66;
+}
+
+void main() {
+    vec4 position = gl_FragCoord;
+    float end = 0.0;
+    float weight = 1.0;
+    bool dims = true;
+    bool local = false;
+    ivec2 pixel_1 = ivec2(position.xy);
+    vec4 behind = vec4(0.0);
+    Frame _e6 = _group_0_binding_0_fs;
+    vec3 _e8 = pixel_ray(_e6, position.xy);
+    float ray_length_1 = length(_e8);
+    Frame _e11 = _group_0_binding_0_fs;
+    vec4 _e14 = texelFetch(_group_0_binding_1_fs, pixel_1, 0);
+    float _e16 = depth_distance(_e11, _e14.x, ray_length_1);
+    vec3 dir_1 = (_e8 / vec3(ray_length_1));
+    Medium m_3 = _group_0_binding_0_fs.medium;
+    float _e24 = _group_0_binding_0_fs.altitude;
+    vec3 _e29 = _group_0_binding_0_fs.sun;
+    AirRay _e30 = air_ray(dir_1, _e24, m_3.radius, m_3.thickness, _e29);
+    end = _e30.length_;
+    if ((_e16 >= 0.0)) {
+        Frame _e40 = _group_0_binding_0_fs;
+        float _e41 = scene_reach(_e40, _e30, _e16);
+        end = _e41;
+    } else {
+        if (!(_e30.ground)) {
+            float _e46 = _group_0_binding_0_fs.shell_weight;
+            weight = _e46;
+            float _e47 = weight;
+            dims = (_e47 >= 1.0);
+        }
+    }
+    float _e50 = end;
+    if (!((_e50 <= 0.0))) {
+        float _e56 = weight;
+        local = (_e56 <= 0.0);
+    } else {
+        local = true;
+    }
+    bool _e60 = local;
+    if (_e60) {
+        _fs2p_location0 = behind;
+        return;
+    }
+    vec3 _e63 = _group_0_binding_0_fs.sun;
+    vec3 offset = (dir_1 - _e63);
+    float _e65 = end;
+    uint _e71 = _group_0_binding_0_fs.view_samples;
+    uint _e74 = _group_0_binding_0_fs.light_samples;
+    Scattered _e75 = single_scattering(m_3, _e30, _e65, (0.5 * dot(offset, offset)), _e71, _e74);
+    bool _e79 = dims;
+    vec3 through = (_e79 ? _e75.transmittance : vec3(1.0));
+    float _e84 = weight;
+    vec3 light = ((_e75.radiance * m_3.irradiance) * _e84);
+    _fs2p_location0 = vec4(light, (1.0 - dot(through, vec3(0.33333334))));
+    return;
+}
+

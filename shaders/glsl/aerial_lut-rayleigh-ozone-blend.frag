@@ -1,0 +1,440 @@
+#version 300 es
+
+precision highp float;
+precision highp int;
+
+struct Medium {
+    vec3 rayleigh;
+    float rayleigh_inv_height;
+    vec3 mie_scattering;
+    float mie_inv_height;
+    vec3 mie_extinction;
+    float ozone_center;
+    vec3 mie_asymmetry;
+    float ozone_inv_half_width;
+    vec3 ozone;
+    float radius;
+    vec3 irradiance;
+    float thickness;
+};
+struct Frame {
+    Medium medium;
+    vec3 ray_forward;
+    float altitude;
+    vec3 ray_right;
+    float sky_weight;
+    vec3 ray_up;
+    float shell_weight;
+    vec3 sun;
+    float sun_chord;
+    vec2 size;
+    float sun_disk;
+    float pixel_angle;
+    float depth_scale;
+    float depth_bias;
+    float depth_log;
+    float depth_background;
+    uint view_samples;
+    uint light_samples;
+    uint low_resolution;
+    float camera_altitude;
+};
+struct AirRay {
+    float start;
+    float length_;
+    float x;
+    float b;
+    float sun_b;
+    float nu;
+    float cross2_;
+    bool ground;
+};
+struct Tables {
+    vec3 mie_extinction;
+    float altitude_steepness;
+    vec3 mie_moment0_;
+    float altitude_growth;
+    vec3 mie_moment1_;
+    float sun_middle;
+    vec3 mie_moment2_;
+    float sun_width;
+    vec3 mie_asymmetry;
+    float altitude_pad;
+    vec3 albedo;
+    float sun_first;
+    float sun_span;
+    float ground_rows;
+    uvec2 size;
+    uint steps;
+    uint shift;
+    uint slices;
+    float air_ground_rows;
+};
+struct Corner {
+    ivec2 low;
+    ivec2 high;
+    vec2 part;
+};
+struct SkyLight {
+    vec3 even;
+    vec3 aerosol;
+    float grey;
+};
+struct Uniforms {
+    Frame frame;
+    Tables tables;
+};
+const float SUBPIXEL = 0.0625;
+const float LOG_FLOOR = -100.0;
+const int MOMENTS = 6;
+const float SH0_ = 0.2820948;
+const float SH1_ = 0.48860252;
+const float SH20_ = 0.31539157;
+const float SH21_ = 1.0925485;
+const float SH22_ = 0.54627424;
+const int SKY_HALVES = 1;
+const float SQRT_HALF = 0.70710677;
+const float INV_4PI = 0.07957747;
+const int AIR_SMOOTH = 0;
+const int AIR_AEROSOL = 1;
+const int AIR_BEAM = 2;
+const int AIR_THROUGH = 3;
+const int AIR_KINDS = 4;
+
+layout(std140) uniform Uniforms_block_0Fragment { Uniforms _group_0_binding_0_fs; };
+
+uniform highp sampler2D _group_0_binding_1_fs;
+
+uniform highp sampler2D _group_0_binding_2_fs;
+
+uniform highp sampler2D _group_0_binding_3_fs;
+
+uniform highp sampler2D _group_0_binding_4_fs;
+
+layout(location = 0) out vec4 _fs2p_location0;
+
+vec3 pixel_ray(Frame f, vec2 pixel) {
+    vec2 ndc = (((pixel / f.size) * vec2(2.0, -2.0)) + vec2(-1.0, 1.0));
+    return ((f.ray_forward + (f.ray_right * ndc.x)) + (f.ray_up * ndc.y));
+}
+
+float depth_distance(Frame f_1, float depth, float ray_length) {
+    if ((depth == f_1.depth_background)) {
+        return -1.0;
+    }
+    if ((f_1.depth_log > 0.0)) {
+        return (((exp2((depth * f_1.depth_log)) - 1.0) * 0.001) * ray_length);
+    }
+    float inverse_ = ((depth * f_1.depth_scale) + f_1.depth_bias);
+    if ((inverse_ <= 0.0)) {
+        return -1.0;
+    }
+    return (ray_length / inverse_);
+}
+
+float altitude_of(float x, float radius) {
+    return (x / (radius + sqrt(max(((radius * radius) + x), 0.0))));
+}
+
+float excess_of(float h, float radius_1) {
+    return (h * ((2.0 * radius_1) + h));
+}
+
+float distance_to_top(float x_1, float b, float x_top) {
+    float c_3 = max((x_top - x_1), 0.0);
+    float root = sqrt(((b * b) + c_3));
+    if ((b > 0.0)) {
+        return (c_3 / (b + root));
+    }
+    return (root - b);
+}
+
+AirRay air_ray(vec3 dir, float h_1, float radius_2, float thickness, vec3 sun) {
+    AirRay ray = AirRay(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, false);
+    bool local_2 = false;
+    bool local_3 = false;
+    float r = (radius_2 + h_1);
+    vec3 side = cross(dir, sun);
+    ray.nu = dot(dir, sun);
+    ray.cross2_ = dot(side, side);
+    ray.ground = false;
+    float _e14 = excess_of(thickness, radius_2);
+    if ((h_1 <= thickness)) {
+        ray.start = 0.0;
+        float _e19 = excess_of(h_1, radius_2);
+        ray.x = _e19;
+        ray.b = (r * dir.z);
+        ray.sun_b = (r * sun.z);
+        float _e28 = ray.x;
+        float _e30 = ray.b;
+        float _e31 = distance_to_top(_e28, _e30, _e14);
+        ray.length_ = _e31;
+        float _e33 = ray.b;
+        float _e35 = ray.b;
+        float _e38 = ray.x;
+        float disc = ((_e33 * _e35) - _e38);
+        float _e41 = ray.b;
+        if ((_e41 < 0.0)) {
+            local_2 = (disc >= 0.0);
+        } else {
+            local_2 = false;
+        }
+        bool _e49 = local_2;
+        if (_e49) {
+            ray.ground = true;
+            float _e54 = ray.x;
+            float _e57 = ray.b;
+            ray.length_ = (_e54 / (sqrt(disc) - _e57));
+        }
+        AirRay _e60 = ray;
+        return _e60;
+    }
+    float horizontal2_ = dot(dir.xy, dir.xy);
+    float p = (r * sqrt(horizontal2_));
+    float top = (radius_2 + thickness);
+    float top_disc = ((top - p) * (top + p));
+    if (!((dir.z >= 0.0))) {
+        local_3 = (top_disc <= 0.0);
+    } else {
+        local_3 = true;
+    }
+    bool _e79 = local_3;
+    if (_e79) {
+        ray.length_ = -1.0;
+        AirRay _e82 = ray;
+        return _e82;
+    }
+    float half_ = sqrt(top_disc);
+    ray.start = (((h_1 - thickness) * (r + top)) / (half_ - (r * dir.z)));
+    ray.x = _e14;
+    ray.b = -(half_);
+    vec3 closest = (vec3((-(dir.z) * dir.xy), horizontal2_) * r);
+    float _e104 = ray.nu;
+    ray.sun_b = (dot(closest, sun) - (half_ * _e104));
+    ray.length_ = (2.0 * half_);
+    float ground_disc = ((radius_2 - p) * (radius_2 + p));
+    if ((ground_disc >= 0.0)) {
+        ray.ground = true;
+        ray.length_ = (_e14 / (half_ + sqrt(ground_disc)));
+    }
+    AirRay _e121 = ray;
+    return _e121;
+}
+
+float scene_reach(Frame f_2, AirRay ray_1, float distance_) {
+    float reach = min(ray_1.length_, (distance_ - ray_1.start));
+    if (!(ray_1.ground)) {
+        return reach;
+    }
+    float slant = max((abs((ray_1.b + ray_1.length_)) / f_2.medium.radius), 0.05);
+    float snap = (((SUBPIXEL * f_2.pixel_angle) * distance_) / slant);
+    return (ray_1.length_ - ((ray_1.length_ - reach) * smoothstep((0.5 * snap), snap, (ray_1.length_ - reach))));
+}
+
+vec3 extinction(Medium m, vec3 d) {
+    vec3 sum = vec3(0.0);
+    vec3 _e5 = sum;
+    sum = (_e5 + (m.rayleigh * d.x));
+    vec3 _e10 = sum;
+    sum = (_e10 + (m.ozone * d.z));
+    vec3 _e15 = sum;
+    return _e15;
+}
+
+Corner corner(vec2 at, ivec2 size) {
+    vec2 inside = clamp(at, vec2(0.0), vec2((size - ivec2(1))));
+    ivec2 low_1 = min(ivec2(inside), (size - ivec2(1)));
+    return Corner(low_1, min((low_1 + ivec2(1)), (size - ivec2(1))), (inside - vec2(low_1)));
+}
+
+vec4 bilinear(highp sampler2D table, Corner c, ivec2 origin) {
+    ivec2 low_2 = (c.low + origin);
+    ivec2 high = (c.high + origin);
+    vec4 _e8 = texelFetch(table, low_2, 0);
+    vec4 _e13 = texelFetch(table, ivec2(high.x, low_2.y), 0);
+    vec4 bottom = mix(_e8, _e13, c.part.x);
+    vec4 _e21 = texelFetch(table, ivec2(low_2.x, high.y), 0);
+    vec4 _e23 = texelFetch(table, high, 0);
+    vec4 top_1 = mix(_e21, _e23, c.part.x);
+    return mix(bottom, top_1, c.part.y);
+}
+
+vec3 columns_to_top(highp sampler2D table_1, Medium m_1, float x_2, float h_2, float b_1) {
+    float _e7 = excess_of(m_1.thickness, m_1.radius);
+    float rho = sqrt(max(x_2, 0.0));
+    float rho_top = sqrt(_e7);
+    float _e12 = distance_to_top(x_2, b_1, _e7);
+    float shortest = max((m_1.thickness - h_2), 0.0);
+    ivec2 size_2 = ivec2(uvec2(textureSize(table_1, 0).xy));
+    vec2 share_1 = vec2(((_e12 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
+    Corner _e32 = corner((share_1 * vec2((size_2 - ivec2(1)))), size_2);
+    vec4 _e35 = bilinear(table_1, _e32, ivec2(0));
+    return exp2(_e35.xyz);
+}
+
+float crowded(float rest, float s, float s_max) {
+    return sqrt((max(rest, 0.0) / (s_max * (s + s_max))));
+}
+
+float azimuth_share(vec3 dir_1) {
+    float flat_ = max(length(dir_1.xy), 1e-30);
+    float cosine = (dir_1.x / flat_);
+    float large = sqrt((0.5 + (0.5 * min(abs(cosine), 1.0))));
+    float small = (((0.5 * abs(dir_1.y)) / flat_) / large);
+    float s_1 = ((cosine >= 0.0) ? small : large);
+    return (s_1 / (large + small));
+}
+
+float zenith_share(AirRay ray_2, vec3 dir_2, float h_3, Medium m_2) {
+    bool local_4 = false;
+    if (ray_2.ground) {
+        float mu = clamp((-((ray_2.b + ray_2.length_)) / m_2.radius), 0.0, 1.0);
+        float _e22 = crowded((0.5 * mu), sqrt((0.5 - (0.5 * mu))), SQRT_HALF);
+        return _e22;
+    }
+    if (!((ray_2.start > 0.0))) {
+        local_4 = (h_3 > m_2.thickness);
+    } else {
+        local_4 = true;
+    }
+    bool _e32 = local_4;
+    if (_e32) {
+        float tangent = (((m_2.radius + h_3) * length(dir_2.xy)) - m_2.radius);
+        return sqrt(clamp((tangent / m_2.thickness), 0.0, 1.0));
+    }
+    float horizon = (sqrt(ray_2.x) / (m_2.radius + h_3));
+    float _e68 = crowded((0.5 * (dir_2.z + horizon)), sqrt(max((0.5 - (0.5 * dir_2.z)), 0.0)), sqrt((0.5 + (0.5 * horizon))));
+    return _e68;
+}
+
+float sky_row(float share, bool ground, int rows, float ground_rows) {
+    return (ground ? (share * (ground_rows - 1.0)) : (ground_rows + (share * ((float(rows) - ground_rows) - 1.0))));
+}
+
+SkyLight sky_light(highp sampler2D sky, Medium m_3, Tables t, float h_4, vec3 dir_3, AirRay ray_3, float away) {
+    Corner c_1 = Corner(ivec2(0), ivec2(0), vec2(0.0));
+    SkyLight out_ = SkyLight(vec3(0.0), vec3(0.0), 0.0);
+    ivec2 dims_1 = ivec2(uvec2(textureSize(sky, 0).xy));
+    ivec2 size_3 = ivec2((dims_1.x / SKY_HALVES), dims_1.y);
+    float _e14 = zenith_share(ray_3, dir_3, h_4, m_3);
+    float _e18 = sky_row(_e14, ray_3.ground, size_3.y, t.ground_rows);
+    float _e19 = azimuth_share(dir_3);
+    Corner _e26 = corner(vec2((_e19 * float((size_3.x - 1))), _e18), size_3);
+    c_1 = _e26;
+    Corner _e28 = c_1;
+    vec4 _e31 = bilinear(sky, _e28, ivec2(0));
+    float scale = (ray_3.ground ? ray_3.length_ : 1.0);
+    vec3 root_1 = (_e31.xyz * _e31.xyz);
+    out_ = SkyLight(((root_1 * root_1) * scale), vec3(0.0), _e31.w);
+    SkyLight _e46 = out_;
+    return _e46;
+}
+
+float unwarp(float low, float t_1) {
+    return (sign((t_1 - low)) * sqrt(abs((t_1 - low))));
+}
+
+vec3 air_between(highp sampler2D air, Tables t_2, Corner c_2, float at_1, int kind, ivec2 size_1, float before) {
+    vec3 near = vec3(0.0);
+    int slice = min(max(int(floor(at_1)), -1), (int(t_2.slices) - 2));
+    float part = (at_1 - float(slice));
+    near = vec3(before);
+    if ((slice >= 0)) {
+        vec4 _e23 = bilinear(air, c_2, (ivec2(slice, kind) * size_1));
+        near = _e23.xyz;
+    }
+    vec3 _e25 = near;
+    vec4 _e30 = bilinear(air, c_2, (ivec2((slice + 1), kind) * size_1));
+    return mix(_e25, _e30.xyz, part);
+}
+
+void main() {
+    vec4 position = gl_FragCoord;
+    float end = 0.0;
+    float weight = 1.0;
+    bool dims = true;
+    bool local = false;
+    vec3 light = vec3(0.0);
+    vec3 through = vec3(1.0);
+    bool local_1 = false;
+    Frame f_3 = _group_0_binding_0_fs.frame;
+    Tables t_3 = _group_0_binding_0_fs.tables;
+    Medium m_4 = f_3.medium;
+    ivec2 pixel_1 = ivec2(position.xy);
+    vec4 behind = vec4(0.0);
+    vec3 _e13 = pixel_ray(f_3, position.xy);
+    float ray_length_1 = length(_e13);
+    vec4 _e17 = texelFetch(_group_0_binding_1_fs, pixel_1, 0);
+    float _e19 = depth_distance(f_3, _e17.x, ray_length_1);
+    vec3 dir_4 = (_e13 / vec3(ray_length_1));
+    AirRay _e26 = air_ray(dir_4, f_3.altitude, m_4.radius, m_4.thickness, f_3.sun);
+    end = _e26.length_;
+    if ((_e19 >= 0.0)) {
+        float _e35 = scene_reach(f_3, _e26, _e19);
+        end = _e35;
+    } else {
+        if (!(_e26.ground)) {
+            weight = f_3.shell_weight;
+            float _e39 = weight;
+            dims = (_e39 >= 1.0);
+        }
+    }
+    float _e42 = end;
+    if (!((_e42 <= 0.0))) {
+        float _e48 = weight;
+        local = (_e48 <= 0.0);
+    } else {
+        local = true;
+    }
+    bool _e52 = local;
+    if (_e52) {
+        _fs2p_location0 = behind;
+        return;
+    }
+    vec3 offset = (dir_4 - f_3.sun);
+    SkyLight _e60 = sky_light(_group_0_binding_2_fs, m_4, t_3, f_3.altitude, dir_4, _e26, (0.5 * dot(offset, offset)));
+    light = (_e60.even + _e60.aerosol);
+    if (!(_e26.ground)) {
+        float _e72 = end;
+        local_1 = (_e72 >= _e26.length_);
+    } else {
+        local_1 = false;
+    }
+    bool _e76 = local_1;
+    if (_e76) {
+        bool _e77 = dims;
+        if (_e77) {
+            float _e82 = altitude_of(_e26.x, m_4.radius);
+            vec3 _e84 = columns_to_top(_group_0_binding_4_fs, m_4, _e26.x, _e82, _e26.b);
+            vec3 _e85 = extinction(m_4, _e84);
+            through = exp(-(_e85));
+        }
+    } else {
+        ivec2 size_4 = (ivec2(uvec2(textureSize(_group_0_binding_3_fs, 0).xy)) / ivec2(int(t_3.slices), AIR_KINDS));
+        float _e97 = zenith_share(_e26, dir_4, f_3.altitude, m_4);
+        float _e101 = sky_row(_e97, _e26.ground, size_4.y, t_3.air_ground_rows);
+        float _e102 = azimuth_share(dir_4);
+        Corner _e109 = corner(vec2((_e102 * float((size_4.x - 1))), _e101), size_4);
+        float low_3 = clamp(-(_e26.b), 0.0, _e26.length_);
+        float _e116 = unwarp(low_3, 0.0);
+        float _e117 = end;
+        float _e118 = unwarp(low_3, _e117);
+        float _e121 = unwarp(low_3, _e26.length_);
+        float at_2 = ((((_e118 - _e116) / (_e121 - _e116)) * float(t_3.slices)) - 1.0);
+        float _e129 = end;
+        if ((_e129 < _e26.length_)) {
+            vec3 _e136 = air_between(_group_0_binding_3_fs, t_3, _e109, at_2, AIR_SMOOTH, size_4, 0.0);
+            light = (_e60.even * _e136);
+        }
+        vec3 _e141 = air_between(_group_0_binding_3_fs, t_3, _e109, at_2, AIR_THROUGH, size_4, 1.0);
+        through = _e141;
+    }
+    vec3 _e142 = light;
+    float _e144 = weight;
+    light = (_e142 * (m_4.irradiance * _e144));
+    vec3 _e147 = light;
+    vec3 _e148 = through;
+    _fs2p_location0 = vec4(_e147, (1.0 - dot(_e148, vec3(0.33333334))));
+    return;
+}
+

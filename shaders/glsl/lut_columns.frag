@@ -1,0 +1,139 @@
+#version 300 es
+
+precision highp float;
+precision highp int;
+
+struct Medium {
+    vec3 rayleigh;
+    float rayleigh_inv_height;
+    vec3 mie_scattering;
+    float mie_inv_height;
+    vec3 mie_extinction;
+    float ozone_center;
+    vec3 mie_asymmetry;
+    float ozone_inv_half_width;
+    vec3 ozone;
+    float radius;
+    vec3 irradiance;
+    float thickness;
+};
+struct Tables {
+    vec3 mie_extinction;
+    float altitude_steepness;
+    vec3 mie_moment0_;
+    float altitude_growth;
+    vec3 mie_moment1_;
+    float sun_middle;
+    vec3 mie_moment2_;
+    float sun_width;
+    vec3 mie_asymmetry;
+    float altitude_pad;
+    vec3 albedo;
+    float sun_first;
+    float sun_span;
+    float ground_rows;
+    uvec2 size;
+    uint steps;
+    uint shift;
+    uint slices;
+    float air_ground_rows;
+};
+struct Uniforms {
+    Medium medium;
+    Tables tables;
+};
+const float LOG_FLOOR = -100.0;
+const int MOMENTS = 6;
+const float SH0_ = 0.2820948;
+const float SH1_ = 0.48860252;
+const float SH20_ = 0.31539157;
+const float SH21_ = 1.0925485;
+const float SH22_ = 0.54627424;
+
+layout(std140) uniform Uniforms_block_0Fragment { Uniforms _group_0_binding_0_fs; };
+
+layout(location = 0) out vec4 _fs2p_location0;
+
+float altitude_of(float x, float radius) {
+    return (x / (radius + sqrt(max(((radius * radius) + x), 0.0))));
+}
+
+float excess_of(float h, float radius_1) {
+    return (h * ((2.0 * radius_1) + h));
+}
+
+vec3 densities(Medium m, float h_1) {
+    vec3 d = vec3(0.0);
+    d.x = exp((-(h_1) * m.rayleigh_inv_height));
+    d.y = exp((-(h_1) * m.mie_inv_height));
+    d.z = max(0.0, (1.0 - (abs((h_1 - m.ozone_center)) * m.ozone_inv_half_width)));
+    vec3 _e25 = d;
+    return _e25;
+}
+
+vec3 columns_ray(vec2 at, vec2 size, Medium m_1) {
+    vec2 share = (at / (size - vec2(1.0)));
+    float _e9 = excess_of(m_1.thickness, m_1.radius);
+    float rho_top = sqrt(_e9);
+    float rho = (share.y * rho_top);
+    float _e15 = altitude_of((rho * rho), m_1.radius);
+    float h_2 = min(_e15, m_1.thickness);
+    float shortest = (m_1.thickness - h_2);
+    float d_1 = (shortest + (share.x * ((rho + rho_top) - shortest)));
+    float b_1 = ((d_1 > 0.0) ? (((((rho_top - rho) * (rho_top + rho)) / d_1) - d_1) * 0.5) : (m_1.radius + h_2));
+    return vec3((rho * rho), max(b_1, -(rho)), d_1);
+}
+
+float warp(float low, float u) {
+    return (low + (u * abs(u)));
+}
+
+vec3 path_densities(Medium m_2, float x_1, float b, float distance_, uint samples) {
+    vec3 sum = vec3(0.0);
+    float t0_ = 0.0;
+    uint i = 0u;
+    float low_1 = clamp(-(b), 0.0, distance_);
+    float u0_ = -(sqrt(low_1));
+    float du = ((sqrt((distance_ - low_1)) - u0_) / float(samples));
+    bool loop_init = true;
+    while(true) {
+        if (!loop_init) {
+            uint _e50 = i;
+            i = (_e50 + 1u);
+        }
+        loop_init = false;
+        uint _e22 = i;
+        if ((_e22 < samples)) {
+        } else {
+            break;
+        }
+        {
+            uint _e24 = i;
+            float u_1 = (u0_ + (du * float(_e24)));
+            float _e31 = warp(low_1, (u_1 + (0.5 * du)));
+            float _e33 = warp(low_1, (u_1 + du));
+            float _e40 = altitude_of((x_1 + (_e31 * ((2.0 * b) + _e31))), m_2.radius);
+            float h_3 = max(_e40, 0.0);
+            vec3 _e43 = sum;
+            vec3 _e44 = densities(m_2, h_3);
+            float _e45 = t0_;
+            sum = (_e43 + (_e44 * (_e33 - _e45)));
+            t0_ = _e33;
+        }
+    }
+    vec3 _e52 = sum;
+    return _e52;
+}
+
+void main() {
+    vec4 position = gl_FragCoord;
+    Medium m_3 = _group_0_binding_0_fs.medium;
+    uvec2 _e7 = _group_0_binding_0_fs.tables.size;
+    vec2 size_1 = vec2(_e7);
+    vec3 _e11 = columns_ray(floor(position.xy), size_1, m_3);
+    uint _e18 = _group_0_binding_0_fs.tables.steps;
+    vec3 _e19 = path_densities(m_3, _e11.x, _e11.y, _e11.z, _e18);
+    _fs2p_location0 = vec4(max(log2(max(_e19, vec3(1e-37))), vec3(-100.0)), 0.0);
+    return;
+}
+
