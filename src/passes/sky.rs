@@ -30,6 +30,20 @@ impl Method {
         }
     }
 
+    /// Whether it computes light scattered once and no more.
+    pub const fn is_single_scattering(&self) -> bool {
+        match self {
+            Self::Single { .. } => true,
+        }
+    }
+
+    /// Its numbers in short, as in tables: `16 × 8`.
+    pub fn numbers(&self) -> String {
+        match self {
+            Self::Single { view_samples, light_samples } => format!("{view_samples} × {light_samples}"),
+        }
+    }
+
     /// Checks the ranges given at the variants' fields; errors name these fields.
     pub fn validate(&self) -> Result<()> {
         let whole = |name: &str, v: u32, hi: u32| {
@@ -54,11 +68,7 @@ impl Method {
 impl fmt::Display for Method {
     /// Name and numbers: `single 16 × 8`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Single { view_samples, light_samples } => {
-                write!(f, "{} {view_samples} × {light_samples}", self.name())
-            }
-        }
+        write!(f, "{} {}", self.name(), self.numbers())
     }
 }
 
