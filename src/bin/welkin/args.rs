@@ -2,11 +2,13 @@
 
 use std::fmt;
 use std::path::PathBuf;
+use std::time::Duration;
 
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use welkin::{AtmosphereParams, SkySettings, ToneMap};
+use welkin::{AtmosphereParams, Quality, SkySettings, ToneMap};
 
+use crate::choose::Wish;
 use crate::draw::{BackendChoice, Shot};
 use crate::sun;
 use crate::views::{self, Place, View};
@@ -148,7 +150,9 @@ Examples:
   welkin render --place 46.55,7.98 --time 2024-06-20T04:00:00Z --altitude 3466 --heading 60
       The sky over the Jungfraujoch on a summer morning, the sun where it was
   welkin render --view noon --backend webgl2 --samples 8 --light-samples 4
-      A view by a backend and a quality of your choice
+      A view by a backend and with samples of your choice
+  welkin render --view sunset --within-budget 5ms
+      A view by the best quality that this machine draws in 5 milliseconds; says which that is
 
 Exit status: 0 drawn and written; 1 drawing or writing failed; 2 the request was not accepted, and
 nothing was written.";
@@ -220,13 +224,39 @@ pub struct RenderArgs {
     #[arg(value_parser = number(1e-6, 1e6, ""))]
     exposure: Option<f64>,
 
+    /// Method and samples by name; 'welkin accuracy' measures what each costs and misses
+    #[arg(long, value_name = "NAME", help_heading = "Quality and output", group = "chosen")]
+    #[arg(value_parser = PossibleValuesParser::new(Quality::ALL.iter().map(|q| q.name)))]
+    quality: Option<String>,
+
+    /// The cheapest quality with at most this mean error against all orders of scattering, as in 0.4 for 40 %
+    ///
+    /// Of radiance, in the worst channel, over the Earth scenes of 'welkin accuracy', by the table in this program.
+    #[arg(long, value_name = "ERROR", help_heading = "Quality and output", group = "chosen")]
+    #[arg(allow_hyphen_values = true, value_parser = number(0.0, 1e6, ""))]
+    within_error: Option<f64>,
+
+    /// The best quality whose sky takes at most this time a frame, as in 5ms; measured here first
+    ///
+    /// Every quality is timed on the backend that draws, in frames of the picture's size: the mean over a view from
+    /// the ground, one of the limb and one of the whole Earth.
+    #[arg(long, value_name = "TIME", help_heading = "Quality and output", group = "chosen")]
+    #[arg(allow_hyphen_values = true, value_parser = parse_budget)]
+    within_budget: Option<Duration>,
+
     /// Samples along each view ray, 1 to 1024
-    #[arg(long, value_name = "N", help_heading = "Quality and output", default_value = "32")]
+    #[arg(
+        long,
+        value_name = "N",
+        help_heading = "Quality and output",
+        default_value = "32",
+        conflicts_with = "chosen"
+    )]
     #[arg(allow_hyphen_values = true, value_parser = parse_samples)]
     samples: u32,
 
     /// Samples from each of those towards the sun, 1 to 256
-    #[arg(long, value_name = "N", help_heading = "Quality and output", default_value = "8")]
+    #[arg(long, value_name = "N", help_heading = "Quality and output", default_value = "8", conflicts_with = "chosen")]
     #[arg(allow_hyphen_values = true, value_parser = parse_light_samples)]
     light_samples: u32,
 
@@ -361,6 +391,15 @@ pub struct AccuracyArgs {
     /// Where to write; made if it is not there
     #[arg(short, long, value_name = "FOLDER", default_value = "accuracy")]
     pub out: PathBuf,
+
+    /// Also write error and time of every preset, as the library keeps them in src/quality/front.txt
+    #[arg(long, value_name = "FILE")]
+    pub write_front: Option<PathBuf>,
+
+    /// Pixels of the frames that the presets' times in that file are of [default: 1920x1080]
+    #[arg(long, value_name = "WxH", requires = "write_front", default_value = "1920x1080", hide_default_value = true)]
+    #[arg(value_parser = parse_size)]
+    pub front_size: [u32; 2],
 }
 
 /// How radiance is computed.
@@ -375,7 +414,8 @@ pub enum Method {
 }
 
 impl RenderArgs {
-    /// The one picture that is asked for, or `None` for the contact sheet. Every value is checked here.
+    /// The one picture that is asked for, its sky still as by default, or `None` for the contact sheet. Every
+    /// value but the quality is checked here; [`Self::wish`] has that.
     pub fn single(&self) -> Result<Option<(View, Shot)>, UsageError> {
         let asked = self.view.is_some()
             || self.planet.is_some()
@@ -408,11 +448,17 @@ impl RenderArgs {
         self.check_altitude(&view)?;
         let place = self.place_and_sun(&mut view)?;
         let size = self.size.unwrap_or([1280, 720]);
-        Ok(Some((view, self.shot(&view, place, size)?)))
+        Ok(Some((view, self.shot(&view, place, size, SkySettings::default())?)))
     }
 
     /// A view as these options have it drawn.
-    pub fn shot(&self, view: &View, place: Place, [width, height]: [u32; 2]) -> Result<Shot, UsageError> {
+    pub fn shot(
+        &self,
+        view: &View,
+        place: Place,
+        [width, height]: [u32; 2],
+        sky: SkySettings,
+    ) -> Result<Shot, UsageError> {
         let terrain = (!self.no_terrain).then(|| view.terrain());
         let aspect = f64::from(width) / f64::from(height);
         let scene = view.scene(place, aspect, terrain.as_ref()).map_err(|e| match e {
@@ -425,23 +471,20 @@ impl RenderArgs {
             }
             other => UsageError::new(other.to_string()),
         })?;
-        Ok(Shot {
-            scene,
-            width,
-            height,
-            sky: SkySettings {
-                method: welkin::Method::Single { view_samples: self.samples, light_samples: self.light_samples },
-                ..SkySettings::default()
-            },
-            exposure: view.exposure,
-            tone_map: self.tone_map.into(),
-            terrain,
-        })
+        Ok(Shot { scene, width, height, sky, exposure: view.exposure, tone_map: self.tone_map.into(), terrain })
     }
 
-    /// Tone map and samples in words, for the foot of the contact sheet.
-    pub fn quality(&self) -> String {
-        format!("{} × {} samples · tone map {}", self.samples, self.light_samples, self.tone_map.title())
+    /// How the quality was asked for.
+    pub fn wish(&self) -> Wish {
+        let named = self.quality.as_deref().and_then(|name| Quality::from_name(name).ok()).map(Wish::Named);
+        let error = self.within_error.map(Wish::WithinError);
+        let budget = self.within_budget.map(Wish::WithinBudget);
+        named.or(error).or(budget).unwrap_or(Wish::Samples { view: self.samples, light: self.light_samples })
+    }
+
+    /// Quality and tone map in words, for the foot of the contact sheet.
+    pub fn foot(&self, quality: &str) -> String {
+        format!("{quality} · tone map {}", self.tone_map.title())
     }
 
     fn check_altitude(&self, view: &View) -> Result<(), UsageError> {
@@ -563,6 +606,12 @@ fn parse_size(text: &str) -> Result<[u32; 2], String> {
     })
 }
 
+fn parse_budget(text: &str) -> Result<Duration, String> {
+    let time: Option<jiff::SignedDuration> = text.trim().parse().ok();
+    let time = time.and_then(|t| Duration::try_from(t).ok()).filter(|t| !t.is_zero());
+    time.ok_or_else(|| "must be a time above 0 with a unit, as in 5ms, 0.5ms or 1s".to_owned())
+}
+
 fn parse_samples(text: &str) -> Result<u32, String> {
     whole_number(text, MAX_SAMPLES)
 }
@@ -604,6 +653,16 @@ mod tests {
         assert_eq!(parse_size("8192X4096"), Ok([8192, 4096]));
         for text in ["0x10", "10x0", "10", "10x", "-1x5", "8193x1", "8192x8192", "1.5x2", "99999999999x1"] {
             assert!(parse_size(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn budgets_have_a_unit() {
+        for (text, micros) in [("5ms", 5000), ("0.5ms", 500), ("16.6 ms", 16_600), ("250us", 250), ("1s", 1_000_000)] {
+            assert_eq!(parse_budget(text), Ok(Duration::from_micros(micros)), "{text}");
+        }
+        for text in ["", "5", "0ms", "-5ms", "fast", "nan", "infms", "5 lightyears"] {
+            assert!(parse_budget(text).is_err(), "{text}");
         }
     }
 
