@@ -115,6 +115,7 @@ impl Front {
     /// timing is impossible (browsers); errors of the backend.
     pub fn measure(backend: &mut dyn Backend, qualities: &[Quality], size: [u32; 2]) -> Result<Self> {
         let committed = Self::committed();
+        let committed = committed.on(backend.info().backend).unwrap_or(committed);
         let errors = |quality: &Quality| committed.errors(quality);
         Self::measure_with(backend, qualities, size, &errors, &committed.source())
     }
