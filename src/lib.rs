@@ -79,6 +79,7 @@ pub mod backend;
 pub mod error;
 pub mod passes;
 pub mod phase;
+pub mod quality;
 pub mod reference;
 pub mod shaders;
 pub mod view;
@@ -90,6 +91,7 @@ pub use passes::picture::{PictureRenderer, PictureSettings};
 pub use passes::sky::{Composition, Method, Mode, SkyRenderer, SkySettings};
 pub use passes::terrain::TerrainStyle;
 pub use passes::tone::ToneMap;
+pub use quality::Quality;
 pub use reference::{clip_segment, compute_single_scatter, ray_sphere_intersect, ray_sphere_intersect_f32};
 pub use view::{Camera, DepthConvention, Pose, Scene};
 

@@ -12,7 +12,9 @@ use crate::backend::wgpu::WgpuBackend;
 use crate::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
 use crate::passes::picture::{Drawn, PictureRenderer, PictureSettings};
 use crate::shaders::{Program, ToneMap};
-use crate::{AtmosphereParams, Camera, DepthConvention, Error, Method, Pose, Result, Scene, SkySettings, TerrainStyle};
+use crate::{
+    AtmosphereParams, Camera, DepthConvention, Error, Method, Pose, Quality, Result, Scene, SkySettings, TerrainStyle,
+};
 
 impl From<Error> for JsValue {
     fn from(e: Error) -> Self {
@@ -280,6 +282,17 @@ impl Viewer {
             light_samples: whole("light_samples", light, 256)?,
         };
         self.set_sky(|s| s.method = method)
+    }
+
+    /// The presets' names, the cheapest of a method first.
+    pub fn qualities() -> Vec<String> {
+        Quality::ALL.iter().map(|q| q.name.to_owned()).collect()
+    }
+
+    /// Method and render scale of a preset, by its name.
+    pub fn set_quality(&mut self, name: &str) -> std::result::Result<(), JsValue> {
+        let quality = Quality::from_name(name)?;
+        self.set_sky(|s| (s.method, s.render_scale) = (quality.method, quality.render_scale))
     }
 
     /// Turns the whole atmosphere on or off.

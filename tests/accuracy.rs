@@ -4,6 +4,10 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::{Command, Stdio};
+use std::time::Duration;
+
+use welkin::quality::{Front, MEDIA};
+use welkin::{Method, Quality};
 
 fn welkin(folder: &Path, args: &[&str]) -> std::process::Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_welkin"));
@@ -15,17 +19,31 @@ fn the_quick_report_is_whole_and_makes_sense() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("accuracy");
     let _ = std::fs::remove_dir_all(&folder);
     std::fs::create_dir_all(&folder).unwrap();
-    let out = welkin(&folder, &["accuracy", "--quick", "--out", "report/new"]);
+    let out = welkin(
+        &folder,
+        &["accuracy", "--quick", "--out", "report/new", "--write-front", "front.txt", "--front-size", "64x36"],
+    );
     let stderr = String::from_utf8_lossy(&out.stderr);
     assert!(out.status.success(), "{stderr}");
-    assert!(stderr.contains("measuring 34/34"), "no progress: {stderr}");
+    assert!(stderr.contains("measuring 36/36"), "no progress: {stderr}");
     let read = |name: &str| std::fs::read_to_string(folder.join("report/new").join(name)).unwrap();
     let (markdown, svg) = (read("accuracy.md"), read("accuracy.svg"));
-    for part in ["## webgpu", "## webgl2", "## Scenes", "## Not measured", "accuracy.svg", "64 × 16"] {
+    for part in [
+        "## webgpu",
+        "## webgl2",
+        "## Scenes",
+        "## Not measured",
+        "accuracy.svg",
+        "| single | 64 × 16 |",
+        "| single | 16 × 8 (medium) |",
+    ] {
         assert!(markdown.contains(part), "no {part:?}");
     }
     assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"));
-    assert!(svg.contains("webgpu, single") && svg.contains("webgl2, single"));
+    for part in ["front of webgpu", "front of webgl2", "method single"] {
+        assert!(svg.contains(part), "no {part:?}");
+    }
+    let front: Front = std::fs::read_to_string(folder.join("front.txt")).unwrap().parse().unwrap();
 
     // Mean error of the green channel and time over copy, by backend, samples, scenes and reference.
     let mut found = BTreeMap::new();
@@ -36,7 +54,22 @@ fn the_quick_report_is_whole_and_makes_sense() {
             assert!(number(name).is_finite() && number(name) >= 0.0, "{name}: {row:?}");
         }
         assert!(number("mean_G") <= number("max_G") && number("p95_G") <= number("max_G"));
-        let samples = [number("view_samples") as u32, number("light_samples") as u32];
+        assert_eq!((&*row["method"], &*row["render_scale"]), ("single", "1"));
+        let (view, light) = row["settings"].split_once(" × ").unwrap();
+        let samples: [u32; 2] = [view.parse().unwrap(), light.parse().unwrap()];
+        let method = Method::Single { view_samples: samples[0], light_samples: samples[1] };
+        let preset = Quality::ALL.iter().find(|q| q.method == method).map_or("", |q| q.name);
+        assert_eq!(row["quality"], preset);
+        if let (Some(medium), false) = (MEDIA.iter().position(|m| *m == row["scene"]), preset.is_empty()) {
+            // The front says the same as the table.
+            let front = front.on(&row["backend"]).unwrap();
+            let point = front.measured[0].points.iter().find(|p| p.quality.name == preset).unwrap();
+            let worst = number("mean_R").max(number("mean_G")).max(number("mean_B"));
+            let error = point.errors[medium];
+            let held = if row["against"] == "single" { error.single.unwrap() } else { error.all_orders };
+            assert!((held / worst - 1.0).abs() < 5e-3, "{held} {worst}: {row:?}");
+            assert!(front.measured[0].size == [64, 36] && point.time > Duration::ZERO);
+        }
         let key = (row["backend"].clone(), samples, row["scene"].clone(), row["against"].clone());
         assert!(found.insert(key, [number("mean_G"), number("time_over_copy"), number("mean_delta_e")]).is_none());
     }

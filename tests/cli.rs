@@ -3,6 +3,10 @@
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
+use std::time::Duration;
+
+use welkin::Quality;
+use welkin::quality::Front;
 
 /// A new empty folder; the test works inside it.
 fn folder(name: &str) -> PathBuf {
@@ -53,6 +57,9 @@ fn help_teaches_every_option() {
         "--time",
         "--size",
         "--exposure",
+        "--quality",
+        "--within-error",
+        "--within-budget",
         "--samples",
         "--light-samples",
         "--tone-map",
@@ -102,6 +109,8 @@ fn wrong_numbers_are_rejected_with_option_value_and_range() {
         ("--sun-elevation", &["nan", "90.5", "-1e3"], "from -90.0 to 90.0 degrees"),
         ("--sun-azimuth", &["NaN", "1e9", "-361"], "from -360.0 to 360.0 degrees"),
         ("--exposure", &["-1", "0", "nan", "inf", "1e7"], "from 1e-6 to 1000000.0"),
+        ("--within-error", &["-1", "nan", "inf", "small"], "from 0.0 to 1000000.0"),
+        ("--within-budget", &["5", "0ms", "-5ms", "nan", "fast"], "above 0 with a unit"),
         ("--samples", &["0", "-1", "1025", "8.5", "99999999999999999999"], "from 1 to 1024"),
         ("--light-samples", &["0", "-1", "257", "many"], "from 1 to 256"),
         ("--size", &["0x0", "0x720", "1280", "8193x1", "8192x8192", "-4x4", "nanxnan"], "from 1 to 8192"),
@@ -127,7 +136,72 @@ fn unknown_names_are_rejected_with_the_known_ones() {
     rejected(&["--backend", "metal"], &["'metal'", "--backend", "auto, webgpu, webgl2, cpu"]);
     rejected(&["--tone-map", "hable"], &["'hable'", "--tone-map", "aces, agx, neutral"]);
     rejected(&["--view", "brunch"], &["'brunch'", "--view", "noon, sunset, dusk"]);
+    let names: Vec<_> = welkin::Quality::ALL.iter().map(|q| q.name).collect();
+    rejected(&["--quality", "best"], &["'best'", "--quality", &names.join(", ")]);
     rejected(&["--zenith", "3"], &["--zenith"]);
+}
+
+#[test]
+fn a_quality_is_asked_for_in_one_way() {
+    let ways = [
+        ("--quality", "low"),
+        ("--within-error", "0.5"),
+        ("--within-budget", "1s"),
+        ("--samples", "8"),
+        ("--light-samples", "8"),
+    ];
+    for (i, a) in ways.iter().enumerate() {
+        // Samples and light samples go together.
+        for b in ways.iter().skip(i + 1).filter(|b| !(a.0 == "--samples" && b.0 == "--light-samples")) {
+            rejected(&[a.0, a.1, b.0, b.1], &[a.0, b.0, "cannot be used with"]);
+        }
+    }
+}
+
+#[test]
+fn what_no_quality_can_do_is_rejected_with_the_best_that_one_can() {
+    let front = Front::committed();
+    let costs: Vec<_> = Quality::ALL.iter().map(|q| (q, front.cost(q).unwrap())).collect();
+    let (best, cost) = costs.iter().min_by(|a, b| a.1.error.total_cmp(&b.1.error)).unwrap();
+    let least = format!("{} or more", (cost.error * 1e3).ceil() / 1e3);
+    rejected(&["--within-error", "1e-4"], &["--within-error", "'0.0001'", &least, best.name, "all orders"]);
+    rejected(
+        &["--within-budget", "1ns", "--view", "noon", "--size", "16x16"],
+        &["--within-budget", "ms or more", "quality ", "at 16×16 on "],
+    );
+    rejected(&["--within-budget", "1s", "--backend", "cpu"], &["--within-budget", "'1000 ms'", "GPU backend", "cpu"]);
+}
+
+#[test]
+fn a_quality_is_chosen_by_name_error_or_budget_and_told() {
+    let folder = folder("quality");
+    let draw = |args: &[&str], file: &str| {
+        let common = ["render", "--backend", "webgpu", "--view", "sunset", "--size", "32x20", "-o", file];
+        let out = welkin(&folder, &[&common[..], args].concat());
+        assert!(out.status.success(), "{}", text(&out.stderr));
+        (text(&out.stdout), image::open(folder.join(file)).unwrap().into_rgb32f())
+    };
+    let (said, by_name) = draw(&["--quality", "single-low"], "name.exr");
+    assert!(said.starts_with("name.exr: "), "a quality that was asked for needs no reasons: {said}");
+    let (_, by_samples) = draw(&["--samples", "8", "--light-samples", "8"], "samples.exr");
+    assert_eq!(by_name, by_samples);
+    let (_, other) = draw(&["--quality", "single-ultra"], "other.exr");
+    assert_ne!(by_name, other);
+
+    let (said, by_error) = draw(&["--within-error", "0.6"], "error.exr");
+    let want = Quality::within_error(0.6).unwrap();
+    let error = format!("{:.3}", Front::committed().cost(&want).unwrap().error);
+    for part in [&format!("quality {want}"), "cheapest", "0.6 or less", "it has ", &error, "all orders"] {
+        assert!(said.contains(part), "no {part:?}: {said}");
+    }
+    assert_eq!(by_error, draw(&["--quality", want.name], "same.exr").1);
+
+    let (said, by_budget) = draw(&["--within-budget", "10s"], "budget.exr");
+    let want = Front::committed().within_budget(Duration::MAX).unwrap();
+    for part in [&format!("quality {want}"), "best that takes 10000 ms or less", "measured here at 32×20", "copies"] {
+        assert!(said.contains(part), "no {part:?}: {said}");
+    }
+    assert_eq!(by_budget, draw(&["--quality", want.name], "same.exr").1);
 }
 
 #[test]

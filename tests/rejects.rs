@@ -3,12 +3,16 @@
 
 mod common;
 
+use std::time::Duration;
+
 use common::{View, on_both};
 use glam::DVec3;
 use welkin::backend::{Backend, Format, Pass, Target, TextureDesc, Uniform, reads};
+use welkin::quality::Front;
 use welkin::shaders::Program;
 use welkin::{
-    AtmosphereParams, DepthConvention, Error, Method, PictureRenderer, PictureSettings, Scene, SkySettings, ToneMap,
+    AtmosphereParams, DepthConvention, Error, Method, PictureRenderer, PictureSettings, Quality, Scene, SkySettings,
+    ToneMap,
 };
 
 fn scene(change: impl FnOnce(&mut Scene)) -> Result<(), Error> {
@@ -83,6 +87,10 @@ fn wrong_scenes_are_refused_by_name_value_and_range() {
         ("too many samples", sky(|s| s.method = single(16, 100_000)), ["light_samples", "100000"]),
         ("scale 0", sky(|s| s.render_scale = 0.0), ["render_scale", "0.125"]),
         ("unknown planet", AtmosphereParams::preset("vulcan").map(|_| ()), ["planet", "vulcan"]),
+        ("unknown quality", Quality::from_name("best").map(|_| ()), ["quality = \"best\"", "low, medium, high"]),
+        ("an error of 0", Quality::within_error(0.0).map(|_| ()), ["within_error = 0 ", "or more: quality "]),
+        ("an error that is no number", Quality::within_error(f64::NAN).map(|_| ()), ["within_error = NaN", "a number"]),
+        ("no time", Quality::within_budget(Duration::ZERO).map(|_| ()), ["within_budget = 0 ms", "or more: quality "]),
         ("unknown tone map", ToneMap::from_name("linear").map(|_| ()), ["tone_map", "agx"]),
     ];
     for (what, result, words) in cases {
@@ -119,6 +127,14 @@ fn wrong_requests_of_a_backend_are_refused_and_leave_nothing_behind() {
         let mut bad = good.clone();
         bad.sun_direction = DVec3::splat(f64::NAN);
         say("NaN sun", draw(backend, &mut renderer, &bad, &settings, [4, 4]), "sun_direction");
+        let measure = |b: &mut dyn Backend, q: &[Quality], size| Front::measure(b, q, size).map(|_| ());
+        say("no qualities", measure(backend, &[], [4, 4]), "qualities = none");
+        say("front of no size", measure(backend, Quality::ALL, [4, 0]), "front.height = 0");
+        say("front too large", measure(backend, Quality::ALL, [max + 1, 4]), "front.width");
+        let mut unknown = Quality { method: single(9, 9), ..Quality::SINGLE_LOW };
+        say("quality without a known error", measure(backend, &[Quality::SINGLE_LOW, unknown], [4, 4]), "single 9 × 9");
+        unknown.method = single(0, 9);
+        say("quality that is none", measure(backend, &[unknown], [4, 4]), "view_samples = 0");
         let dark = PictureSettings { exposure: f64::NAN, ..settings };
         say("NaN exposure", draw(backend, &mut renderer, &good, &dark, [4, 4]), "exposure");
         assert_eq!(backend.live(), before, "a refused request left something behind");

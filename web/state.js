@@ -13,6 +13,7 @@ export const defaults = Object.freeze({
   sunAzimuth: 40, // degrees
   exposure: 1,
   toneMap: 'aces',
+  quality: '', // a preset's name, or by samples
   samples: 24,
   lightSamples: 8,
   sky: true,

@@ -73,12 +73,19 @@ const GROUPS = [
   { keys: ['planet'], set: (v, s) => v.set_planet(s.planet) },
   { keys: ['alt', 'pitch', 'heading', 'fov'], set: (v, s) => v.set_camera(s.alt, s.pitch, s.heading, s.fov) },
   { keys: ['sunElevation', 'sunAzimuth'], set: (v, s) => v.set_sun(s.sunElevation, s.sunAzimuth) },
-  { keys: ['samples', 'lightSamples'], set: (v, s) => v.set_samples(s.samples, s.lightSamples) },
+  {
+    keys: ['quality', 'samples', 'lightSamples', 'half'],
+    set: (v, s) => {
+      if (s.quality) v.set_quality(s.quality);
+      else v.set_samples(s.samples, s.lightSamples);
+      if (s.half) v.set_render_scale(0.5);
+      else if (!s.quality) v.set_render_scale(1);
+    },
+  },
   { keys: ['exposure'], set: (v, s) => v.set_exposure(s.exposure) },
   { keys: ['toneMap'], set: (v, s) => v.set_tone_map(s.toneMap) },
   { keys: ['sky'], set: (v, s) => v.set_enabled(s.sky) },
   { keys: ['terrain'], set: (v, s) => v.set_terrain(s.terrain) },
-  { keys: ['half'], set: (v, s) => v.set_render_scale(s.half ? 0.5 : 1) },
 ];
 
 /** Hand the renderer what changed. What it refuses goes back to what it was; returns what it said. */
@@ -269,6 +276,7 @@ controls.addEventListener('input', ({ target }) => {
   if (target.type === 'checkbox') state[key] = target.checked;
   else if (target.type === 'range') state[key] = scale ? scales[scale].from(target.valueAsNumber) : target.valueAsNumber;
   else state[key] = target.value;
+  if (key === 'samples' || key === 'lightSamples') state.quality = '';
   redraw();
 });
 $('backend').addEventListener('change', ({ target }) => {
@@ -411,13 +419,18 @@ window.toggleSky = () => {
   return state.sky;
 };
 
-/** Set the number of samples along each view ray. Throws what the renderer says to a bad number. */
-window.setSkyQuality = (samples) => {
-  samples = Number(samples);
-  need().set_samples(samples, state.lightSamples);
-  state.samples = applied.samples = samples;
-  applied.lightSamples = state.lightSamples;
-  console.log(`Sky samples: ${samples}`);
+/**
+ * Set the quality by a preset's name, or the number of samples along each view ray.
+ * Throws what the renderer says to a bad name or number.
+ */
+window.setSkyQuality = (quality) => {
+  const named = typeof quality === 'string' && Number.isNaN(Number(quality));
+  const wanted = named ? { ...state, quality } : { ...state, quality: '', samples: Number(quality) };
+  need();
+  const refused = apply(wanted);
+  if (refused.length) throw new Error(refused.join('; '));
+  Object.assign(state, wanted);
+  console.log(named ? `Sky quality: ${quality}` : `Sky samples: ${wanted.samples}`);
   redraw();
 };
 
@@ -454,6 +467,7 @@ async function main() {
   }
   stage.classList.toggle('fixed', options.width !== undefined);
   $('backend').value = options.backend ?? '';
+  for (const name of Viewer.qualities()) $('quality').add(new Option(name, name));
   if (matchMedia('(max-width: 640px)').matches) $('panel').open = false;
   takeHash();
   window.addEventListener('hashchange', takeHash);

@@ -34,6 +34,25 @@ impl Method {
         }
     }
 
+    /// Whether it computes light scattered once and no more.
+    pub const fn is_single_scattering(&self) -> bool {
+        match self {
+            Self::Single { .. } => true,
+            Self::Lut(_) => false,
+        }
+    }
+
+    /// Its numbers in short, as in tables: samples, or texels of the sky table and
+    /// steps: `16 × 8`, `100 × 100 × 32`.
+    pub fn numbers(&self) -> String {
+        match self {
+            Self::Single { view_samples, light_samples } => format!("{view_samples} × {light_samples}"),
+            Self::Lut(LutSettings { sky: [width, height], sky_steps, .. }) => {
+                format!("{width} × {height} × {sky_steps}")
+            }
+        }
+    }
+
     /// Checks the ranges given at the variants' fields; errors name these fields.
     pub fn validate(&self) -> Result<()> {
         let whole = |name: &str, v: u32, hi: u32| {
@@ -60,14 +79,7 @@ impl Method {
 impl fmt::Display for Method {
     /// Name and numbers: `single 16 × 8`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Single { view_samples, light_samples } => {
-                write!(f, "{} {view_samples} × {light_samples}", self.name())
-            }
-            Self::Lut(LutSettings { sky: [width, height], sky_steps, .. }) => {
-                write!(f, "{} {width} × {height} × {sky_steps}", self.name())
-            }
-        }
+        write!(f, "{} {}", self.name(), self.numbers())
     }
 }
 

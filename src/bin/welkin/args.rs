@@ -2,11 +2,13 @@
 
 use std::fmt;
 use std::path::PathBuf;
+use std::time::Duration;
 
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use welkin::{AtmosphereParams, SkySettings, ToneMap};
+use welkin::{AtmosphereParams, Mode, Quality, SkySettings, ToneMap};
 
+use crate::choose::Wish;
 use crate::draw::{BackendChoice, Shot};
 use crate::sun;
 use crate::views::{self, Place, View};
@@ -95,13 +97,18 @@ pub struct CompareArgs {
     #[arg(long, value_name = "N", default_value = "3", value_parser = clap::value_parser!(u32).range(0..=1000))]
     pub repeat: u32,
 
-    /// Samples along each view ray, 1 to 1024
-    #[arg(long, value_name = "N", default_value = "32", value_parser = parse_samples)]
-    pub samples: u32,
+    /// Method and its numbers by name
+    #[arg(long, value_name = "NAME", default_value = "medium")]
+    #[arg(value_parser = PossibleValuesParser::new(Quality::ALL.iter().map(|q| q.name)))]
+    quality: String,
 
-    /// Samples from each of those towards the sun, 1 to 256
-    #[arg(long, value_name = "N", default_value = "8", value_parser = parse_light_samples)]
-    pub light_samples: u32,
+    /// Single scattering with so many samples along each view ray instead, 1 to 1024
+    #[arg(long, value_name = "N", value_parser = parse_samples)]
+    samples: Option<u32>,
+
+    /// Single scattering with so many samples from each of those towards the sun, 1 to 256
+    #[arg(long, value_name = "N", value_parser = parse_light_samples)]
+    light_samples: Option<u32>,
 
     /// Also draw on the CPU, by the f64 reference
     #[arg(long)]
@@ -148,7 +155,9 @@ Examples:
   welkin render --place 46.55,7.98 --time 2024-06-20T04:00:00Z --altitude 3466 --heading 60
       The sky over the Jungfraujoch on a summer morning, the sun where it was
   welkin render --view noon --backend webgl2 --samples 8 --light-samples 4
-      A view by a backend and a quality of your choice
+      A view by a backend and with samples of your choice
+  welkin render --view sunset --within-budget 5ms
+      A view by the best quality that this machine draws in 5 milliseconds; says which that is
 
 Exit status: 0 drawn and written; 1 drawing or writing failed; 2 the request was not accepted, and
 nothing was written.";
@@ -220,15 +229,44 @@ pub struct RenderArgs {
     #[arg(value_parser = number(1e-6, 1e6, ""))]
     exposure: Option<f64>,
 
-    /// Samples along each view ray, 1 to 1024
-    #[arg(long, value_name = "N", help_heading = "Quality and output", default_value = "32")]
-    #[arg(allow_hyphen_values = true, value_parser = parse_samples)]
-    samples: u32,
+    /// Which passes draw the atmosphere, and how unless a quality is asked for
+    ///
+    /// sky-dome: the sky alone, in one pass behind the scene. atmosphere-post: one pass over the scene, which reads its
+    /// colour and depth. planet: a shell laid over the scene by blending. These three march single scattering, 24 × 8
+    /// samples. lut: everything from tables, with all orders of scattering, from the ground to far orbit.
+    #[arg(long, value_name = "MODE", help_heading = "Quality and output", default_value = "lut")]
+    #[arg(value_parser = PossibleValuesParser::new(Mode::ALL.map(Mode::name)).try_map(|name| Mode::from_name(&name)))]
+    mode: Mode,
 
-    /// Samples from each of those towards the sun, 1 to 256
-    #[arg(long, value_name = "N", help_heading = "Quality and output", default_value = "8")]
+    /// Method and its numbers by name; 'welkin accuracy' measures what each costs and misses
+    #[arg(long, value_name = "NAME", help_heading = "Quality and output", group = "chosen")]
+    #[arg(value_parser = PossibleValuesParser::new(Quality::ALL.iter().map(|q| q.name)))]
+    quality: Option<String>,
+
+    /// The cheapest quality with at most this mean error against all orders of scattering, as in 0.4 for 40 %
+    ///
+    /// Of radiance, in the worst channel, over the Earth scenes of 'welkin accuracy', by the table in this program.
+    #[arg(long, value_name = "ERROR", help_heading = "Quality and output", group = "chosen")]
+    #[arg(allow_hyphen_values = true, value_parser = number(0.0, 1e6, ""))]
+    within_error: Option<f64>,
+
+    /// The best quality whose sky takes at most this time a frame, as in 5ms; measured here first
+    ///
+    /// Every quality is timed on the backend that draws, in frames of the picture's size: the mean over a view from
+    /// the ground, one of the limb and one of the whole Earth.
+    #[arg(long, value_name = "TIME", help_heading = "Quality and output", group = "chosen")]
+    #[arg(allow_hyphen_values = true, value_parser = parse_budget)]
+    within_budget: Option<Duration>,
+
+    /// Single scattering with so many samples along each view ray, 1 to 1024
+    #[arg(long, value_name = "N", help_heading = "Quality and output", conflicts_with = "chosen")]
+    #[arg(allow_hyphen_values = true, value_parser = parse_samples)]
+    samples: Option<u32>,
+
+    /// Single scattering with so many samples from each of those towards the sun, 1 to 256
+    #[arg(long, value_name = "N", help_heading = "Quality and output", conflicts_with = "chosen")]
     #[arg(allow_hyphen_values = true, value_parser = parse_light_samples)]
-    light_samples: u32,
+    light_samples: Option<u32>,
 
     /// The curve from radiance to display values; .exr and .hdr are written without one
     #[arg(long, value_name = "CURVE", help_heading = "Quality and output", default_value = "aces")]
@@ -297,6 +335,9 @@ The table of cases is CSV with a header. Columns, found by name, in any order:
 Other columns are copied. The output adds the columns R, G and B.
 
 What is included:
+  lut               light of all orders of scattering from tables, by a GPU backend, as the default of
+                    'welkin render'. A ray that meets the ground sees it black, but the air is lit by
+                    its albedo.
   single            light scattered once by the air, by a GPU backend, through the passes that draw
                     pictures, in 32-bit floats. A ray that meets the ground ends there and sees it
                     black; the albedo has no influence.
@@ -323,6 +364,11 @@ pub struct RadianceArgs {
     /// How to compute
     #[arg(long, value_name = "NAME")]
     pub method: Method,
+
+    /// Sizes of the tables, for --method lut: low, medium, high
+    #[arg(long, value_name = "NAME", default_value = "medium")]
+    #[arg(value_parser = PossibleValuesParser::new(TABLES.iter().map(|q| q.name)))]
+    quality: String,
 
     /// What draws; only for a method that draws
     #[arg(long, value_name = "NAME", default_value = "auto")]
@@ -361,6 +407,15 @@ pub struct AccuracyArgs {
     /// Where to write; made if it is not there
     #[arg(short, long, value_name = "FOLDER", default_value = "accuracy")]
     pub out: PathBuf,
+
+    /// Also write error and time of every preset, as the library keeps them in src/quality/front.txt
+    #[arg(long, value_name = "FILE")]
+    pub write_front: Option<PathBuf>,
+
+    /// Pixels of the frames that the presets' times in that file are of [default: 1920x1080]
+    #[arg(long, value_name = "WxH", requires = "write_front", default_value = "1920x1080", hide_default_value = true)]
+    #[arg(value_parser = parse_size)]
+    pub front_size: [u32; 2],
 }
 
 /// How radiance is computed.
@@ -376,8 +431,37 @@ pub enum Method {
     Reference,
 }
 
+/// Presets that draw from tables.
+const TABLES: [Quality; 3] = [Quality::LOW, Quality::MEDIUM, Quality::HIGH];
+
+impl RadianceArgs {
+    /// What draws with `--method lut`.
+    pub fn tables(&self) -> welkin::Method {
+        TABLES.iter().find(|q| q.name == self.quality).unwrap_or(&Quality::MEDIUM).method
+    }
+}
+
+impl CompareArgs {
+    /// How the sky is drawn.
+    pub fn method(&self) -> welkin::Method {
+        match (self.samples, self.light_samples) {
+            (None, None) => Quality::from_name(&self.quality).unwrap_or(Quality::MEDIUM).method,
+            (view, light) => welkin::Method::Single {
+                view_samples: view.unwrap_or(32),
+                light_samples: light.unwrap_or(8),
+            },
+        }
+    }
+}
+
 impl RenderArgs {
-    /// The one picture that is asked for, or `None` for the contact sheet. Every value is checked here.
+    /// The mode that is asked for.
+    pub fn mode(&self) -> Mode {
+        self.mode
+    }
+
+    /// The one picture that is asked for, its sky still as by default, or `None` for the contact sheet. Every
+    /// value but the quality is checked here; [`Self::wish`] has that.
     pub fn single(&self) -> Result<Option<(View, Shot)>, UsageError> {
         let asked = self.view.is_some()
             || self.planet.is_some()
@@ -410,11 +494,17 @@ impl RenderArgs {
         self.check_altitude(&view)?;
         let place = self.place_and_sun(&mut view)?;
         let size = self.size.unwrap_or([1280, 720]);
-        Ok(Some((view, self.shot(&view, place, size)?)))
+        Ok(Some((view, self.shot(&view, place, size, SkySettings::default())?)))
     }
 
     /// A view as these options have it drawn.
-    pub fn shot(&self, view: &View, place: Place, [width, height]: [u32; 2]) -> Result<Shot, UsageError> {
+    pub fn shot(
+        &self,
+        view: &View,
+        place: Place,
+        [width, height]: [u32; 2],
+        sky: SkySettings,
+    ) -> Result<Shot, UsageError> {
         let terrain = (!self.no_terrain).then(|| view.terrain());
         let aspect = f64::from(width) / f64::from(height);
         let scene = view.scene(place, aspect, terrain.as_ref()).map_err(|e| match e {
@@ -427,27 +517,25 @@ impl RenderArgs {
             }
             other => UsageError::new(other.to_string()),
         })?;
-        Ok(Shot {
-            scene,
-            width,
-            height,
-            sky: SkySettings {
-                method: if std::env::var("WLUT").is_ok() {
-                    welkin::Method::Lut(Default::default())
-                } else {
-                    welkin::Method::Single { view_samples: self.samples, light_samples: self.light_samples }
-                },
-                ..SkySettings::default()
-            },
-            exposure: view.exposure,
-            tone_map: self.tone_map.into(),
-            terrain,
-        })
+        let sky = SkySettings { composition: self.mode.settings().composition, ..sky };
+        Ok(Shot { scene, width, height, sky, exposure: view.exposure, tone_map: self.tone_map.into(), terrain })
     }
 
-    /// Tone map and samples in words, for the foot of the contact sheet.
-    pub fn quality(&self) -> String {
-        format!("{} × {} samples · tone map {}", self.samples, self.light_samples, self.tone_map.title())
+    /// How the quality was asked for.
+    pub fn wish(&self) -> Wish {
+        let named = self.quality.as_deref().and_then(|name| Quality::from_name(name).ok()).map(Wish::Named);
+        let error = self.within_error.map(Wish::WithinError);
+        let budget = self.within_budget.map(Wish::WithinBudget);
+        let samples = || match (self.samples, self.light_samples) {
+            (None, None) => None,
+            (view, light) => Some(Wish::Samples { view: view.unwrap_or(32), light: light.unwrap_or(8) }),
+        };
+        named.or(error).or(budget).or_else(samples).unwrap_or(Wish::Default)
+    }
+
+    /// Quality and tone map in words, for the foot of the contact sheet.
+    pub fn foot(&self, quality: &str) -> String {
+        format!("{quality} · tone map {}", self.tone_map.title())
     }
 
     fn check_altitude(&self, view: &View) -> Result<(), UsageError> {
@@ -569,6 +657,12 @@ fn parse_size(text: &str) -> Result<[u32; 2], String> {
     })
 }
 
+fn parse_budget(text: &str) -> Result<Duration, String> {
+    let time: Option<jiff::SignedDuration> = text.trim().parse().ok();
+    let time = time.and_then(|t| Duration::try_from(t).ok()).filter(|t| !t.is_zero());
+    time.ok_or_else(|| "must be a time above 0 with a unit, as in 5ms, 0.5ms or 1s".to_owned())
+}
+
 fn parse_samples(text: &str) -> Result<u32, String> {
     whole_number(text, MAX_SAMPLES)
 }
@@ -610,6 +704,16 @@ mod tests {
         assert_eq!(parse_size("8192X4096"), Ok([8192, 4096]));
         for text in ["0x10", "10x0", "10", "10x", "-1x5", "8193x1", "8192x8192", "1.5x2", "99999999999x1"] {
             assert!(parse_size(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn budgets_have_a_unit() {
+        for (text, micros) in [("5ms", 5000), ("0.5ms", 500), ("16.6 ms", 16_600), ("250us", 250), ("1s", 1_000_000)] {
+            assert_eq!(parse_budget(text), Ok(Duration::from_micros(micros)), "{text}");
+        }
+        for text in ["", "5", "0ms", "-5ms", "fast", "nan", "infms", "5 lightyears"] {
+            assert!(parse_budget(text).is_err(), "{text}");
         }
     }
 

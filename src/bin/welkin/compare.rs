@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::Path;
 
 use anyhow::{Context, ensure};
-use welkin::{Method, SkySettings, ToneMap};
+use welkin::{SkySettings, ToneMap};
 
 use crate::args::{CompareArgs, UsageError};
 use crate::draw::{self, BackendChoice, Drawer, Picture, Shot};
@@ -65,7 +65,7 @@ fn shot(args: &CompareArgs, view: &View, [width, height]: [u32; 2]) -> anyhow::R
         width,
         height,
         sky: SkySettings {
-            method: Method::Single { view_samples: args.samples, light_samples: args.light_samples },
+            method: args.method(),
             ..SkySettings::default()
         },
         exposure: view.exposure,
@@ -78,8 +78,8 @@ fn compare(args: &CompareArgs, drawers: &mut [(String, Drawer)], out: &mut impl 
     let [w, h] = args.size;
     writeln!(
         out,
-        "\nDifferences of display values at {w}×{h}, {} × {} samples (of 255):\n",
-        args.samples, args.light_samples
+        "\nDifferences of display values at {w}×{h}, {} (of 255):\n",
+        args.method()
     )?;
     writeln!(out, "| view | pair | largest | mean | more than 1 apart | not finite |\n|---|---|---:|---:|---:|---:|")?;
     for view in &VIEWS {
@@ -124,8 +124,8 @@ fn time(args: &CompareArgs, drawers: &mut [(String, Drawer)], out: &mut impl Wri
     let [w, h] = args.time_size;
     writeln!(
         out,
-        "\nTimes at {w}×{h}, {} × {} samples, best of {}; × is the ratio to the copy:\n",
-        args.samples, args.light_samples, args.repeat
+        "\nTimes at {w}×{h}, {}, best of {}; × is the ratio to the copy:\n",
+        args.method(), args.repeat
     )?;
     writeln!(out, "| view | backend | pass | ms | × |\n|---|---|---|---:|---:|")?;
     for view in &VIEWS {

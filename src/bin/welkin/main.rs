@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod args;
+mod choose;
 mod compare;
 mod draw;
 mod info;

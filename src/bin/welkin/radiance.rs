@@ -205,14 +205,14 @@ fn number(column: &str, text: &str, lo: f64, hi: f64) -> Result<f64, String> {
 
 /// Through the passes of a picture: the background sky, then the air before an empty scene.
 fn single(args: &RadianceArgs, cases: &[Case]) -> anyhow::Result<(Vec<[f64; 3]>, String)> {
+    let method = match args.method {
+        Method::Lut => args.tables(),
+        _ => welkin::Method::Single { view_samples: args.samples, light_samples: args.light_samples },
+    };
     let mut drawer = Drawer::open(args.backend)?;
-    let by = format!("{} × {} samples by {}", args.samples, args.light_samples, drawer.describe());
+    let by = format!("{method} by {}", drawer.describe());
     let Some(backend) = drawer.backend() else {
         anyhow::bail!("no backend can draw here: {by}; '--method reference-single' needs none");
-    };
-    let method = match args.method {
-        Method::Lut => welkin::Method::Lut(Default::default()),
-        _ => welkin::Method::Single { view_samples: args.samples, light_samples: args.light_samples },
     };
     draw::check_samples(backend.info(), &method)?;
     let mut sky = SkyRenderer::new(SkySettings { method, sun_disk: false, ..SkySettings::default() })?;

@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 use anyhow::{Context, ensure};
 
 use crate::args::RenderArgs;
+use crate::choose::Choice;
 use crate::draw::{self, BackendChoice, Drawer, Picture, Shot};
 use crate::info;
 use crate::output::Output;
@@ -16,28 +17,32 @@ use crate::views::{self, Place, View};
 /// Checks everything, then draws, then writes.
 pub fn run(args: &RenderArgs) -> anyhow::Result<()> {
     match args.single()? {
-        Some((view, shot)) => single(args, &view, &shot),
+        Some((view, shot)) => single(args, &view, shot),
         None => contact_sheet(args),
     }
 }
 
-fn single(args: &RenderArgs, view: &View, shot: &Shot) -> anyhow::Result<()> {
+fn single(args: &RenderArgs, view: &View, mut shot: Shot) -> anyhow::Result<()> {
     let output = Output::new(&args.output, false)?;
     let start = Instant::now();
     let mut drawer = Drawer::open(args.backend)?;
+    let choice = Choice::of(args.wish(), args.mode(), &mut drawer, [shot.width, shot.height])?;
+    shot.sky = SkySettings { composition: shot.sky.composition, ..choice.sky };
     let progress = Progress::new(1);
-    let picture = draw_one(&mut drawer, shot, &progress, view.name)?;
+    let picture = draw_one(&mut drawer, &shot, &progress, view.name)?;
     drop(progress);
     output.write(&picture)?;
-    report(args, [shot.width, shot.height], &drawer, start.elapsed())
+    report(args, &choice, [shot.width, shot.height], &drawer, start.elapsed())
 }
 
 fn contact_sheet(args: &RenderArgs) -> anyhow::Result<()> {
     let output = Output::new(&args.output, true)?;
-    let shot = |view: &View| args.shot(view, Place::DEFAULT, [sheet::PANEL_WIDTH, sheet::PANEL_HEIGHT]);
     let [panels @ .., compared] = &views::VIEWS;
     let start = Instant::now();
     let mut drawer = Drawer::open(args.backend)?;
+    let size = [sheet::PANEL_WIDTH, sheet::PANEL_HEIGHT];
+    let choice = Choice::of(args.wish(), args.mode(), &mut drawer, size)?;
+    let shot = |view: &View| args.shot(view, Place::DEFAULT, size, choice.sky);
     let backends = draw::available();
     let progress = Progress::new(panels.len() + backends.len());
 
@@ -56,10 +61,10 @@ fn contact_sheet(args: &RenderArgs) -> anyhow::Result<()> {
         panels,
         comparison_title: format!("One view by every backend: {}, {}", compared.title, compared.caption()),
         comparison,
-        foot: format!("altitude · sun elevation · vertical field of view; {}", args.quality()),
+        foot: format!("altitude · sun elevation · vertical field of view; {}", args.foot(&choice.name)),
     };
     output.write_png(sheet::WIDTH, sheet::HEIGHT, &sheet.compose())?;
-    report(args, [sheet::WIDTH, sheet::HEIGHT], &drawer, start.elapsed())
+    report(args, &choice, [sheet::WIDTH, sheet::HEIGHT], &drawer, start.elapsed())
 }
 
 /// Draws a shot and checks what came back.
@@ -117,14 +122,19 @@ fn compare(backends: &[BackendChoice], shot: &Shot, progress: &Progress) -> Vec<
     panels
 }
 
-/// The last line: what there is now, who drew it, how long it took.
-fn report(args: &RenderArgs, [width, height]: [u32; 2], drawer: &Drawer, took: Duration) -> anyhow::Result<()> {
+/// The quality, if it was chosen by measurements; last what there is now, who drew it, how long it took.
+fn report(
+    args: &RenderArgs,
+    choice: &Choice,
+    [width, height]: [u32; 2],
+    drawer: &Drawer,
+    took: Duration,
+) -> anyhow::Result<()> {
     let path = args.output.display();
-    writeln!(
-        std::io::stdout(),
-        "{path}: {width}×{height}, drawn by {} in {:.2} s",
-        drawer.describe(),
-        took.as_secs_f64()
-    )?;
+    let mut stdout = std::io::stdout().lock();
+    if let Some(why) = &choice.why {
+        writeln!(stdout, "{why}")?;
+    }
+    writeln!(stdout, "{path}: {width}×{height}, drawn by {} in {:.2} s", drawer.describe(), took.as_secs_f64())?;
     Ok(())
 }

@@ -11,7 +11,9 @@ use welkin::passes::tone::{srgb_encode, tone_map};
 use welkin::reference::multiple::Orders;
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
 use welkin::shaders::Program;
-use welkin::{Method, PictureRenderer, PictureSettings, Scene, SkySettings, ToneMap};
+use welkin::{PictureRenderer, PictureSettings, Scene, SkySettings, ToneMap};
+
+use super::scenes::Frame;
 
 /// Values below this share of the picture's brightest count as that bright: errors in the dark do not show.
 pub const FLOOR: f64 = 1e-3;
@@ -19,40 +21,21 @@ pub const FLOOR: f64 = 1e-3;
 /// What an error is an error against.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Against {
-    /// Light scattered once: isolates the sampling.
-    Single,
-    /// All orders of scattering: shows what the model leaves out as well.
+    /// All orders of scattering: everything that is missing or wrong.
     AllOrders,
+    /// Light scattered once: what the sampling does, of a method that computes no more than that.
+    Single,
 }
 
 impl Against {
-    pub const BOTH: [Self; 2] = [Self::Single, Self::AllOrders];
+    /// The main judgement first.
+    pub const BOTH: [Self; 2] = [Self::AllOrders, Self::Single];
 
     pub fn name(self) -> &'static str {
         match self {
             Self::Single => "single",
             Self::AllOrders => "all-orders",
         }
-    }
-}
-
-/// A frame and the pixels of it that are judged.
-#[derive(Clone, Copy, Debug)]
-pub struct Frame {
-    pub size: [u32; 2],
-    /// Every so many pixels, per side.
-    pub stride: u32,
-}
-
-impl Frame {
-    pub fn aspect(&self) -> f64 {
-        f64::from(self.size[0]) / f64::from(self.size[1])
-    }
-
-    /// Coordinates of the judged pixels.
-    pub fn pixels(&self) -> Vec<[u32; 2]> {
-        let along = |n: u32| (self.stride / 2..n).step_by(self.stride as usize);
-        along(self.size[1]).flat_map(|y| along(self.size[0]).map(move |x| [x, y])).collect()
     }
 }
 
@@ -203,14 +186,10 @@ fn sky_passes(
     renderer: &mut PictureRenderer,
     scene: &Scene,
     frame: &Frame,
-    [view_samples, light_samples]: [u32; 2],
+    sky: SkySettings,
 ) -> welkin::Result<(Vec<Pass>, TextureId)> {
     let settings = PictureSettings {
-        sky: SkySettings {
-            method: Method::Single { view_samples, light_samples },
-            sun_disk: false,
-            ..SkySettings::default()
-        },
+        sky: SkySettings { sun_disk: false, ..sky },
         terrain: None,
         radiance: Format::Rgba32Float,
         ..PictureSettings::default()
@@ -225,9 +204,9 @@ pub fn draw(
     renderer: &mut PictureRenderer,
     scene: &Scene,
     frame: &Frame,
-    samples: [u32; 2],
+    sky: SkySettings,
 ) -> anyhow::Result<Vec<[f64; 3]>> {
-    let (passes, radiance) = sky_passes(backend, renderer, scene, frame, samples)?;
+    let (passes, radiance) = sky_passes(backend, renderer, scene, frame, sky)?;
     backend.run(&passes).context("draw")?;
     let pixels = backend.read(radiance).context("read the radiance back")?;
     let width = frame.size[0];
@@ -249,10 +228,10 @@ pub fn time(
     renderer: &mut PictureRenderer,
     scene: &Scene,
     frame: &Frame,
-    samples: [u32; 2],
+    sky: SkySettings,
     copy_to: TextureId,
 ) -> welkin::Result<Times> {
-    let (mut passes, radiance) = sky_passes(backend, renderer, scene, frame, samples)?;
+    let (mut passes, radiance) = sky_passes(backend, renderer, scene, frame, sky)?;
     passes.push(Pass {
         label: "copy",
         program: Some(backend.create_program(Program::Copy)?),

@@ -9,17 +9,18 @@ use std::io::Write;
 use std::time::Instant;
 
 use anyhow::Context;
-use welkin::PictureRenderer;
 use welkin::backend::{Backend, Format, TextureDesc, TextureId};
+use welkin::quality::{Front, MeanError};
 use welkin::reference::multiple::{Orders, Settings};
+use welkin::{Method, PictureRenderer, Quality, SkySettings};
 
 use crate::args::{AccuracyArgs, UsageError};
 use crate::draw::{BackendChoice, Drawer};
 use crate::info;
 use crate::output::Destination;
 use crate::progress::Progress;
-use measure::{Against, Errors, Frame, Summary, Times, Truth};
-use scenes::{MEDIA, SETUPS, Setup};
+use measure::{Against, Errors, Summary, Times, Truth};
+use scenes::{Frame, MEDIA, SETUPS, Setup};
 
 const VIEW_SAMPLES: [u32; 5] = [4, 8, 16, 32, 64];
 const LIGHT_SAMPLES: [u32; 3] = [4, 8, 16];
@@ -42,10 +43,64 @@ impl Over {
     }
 }
 
-/// One method and quality on one backend, over some scenes.
+/// A method with its numbers, to be measured.
+#[derive(Clone, Copy, Debug)]
+pub struct Candidate {
+    /// The preset's name, if it is one.
+    pub preset: Option<&'static str>,
+    pub method: Method,
+    pub render_scale: f64,
+    /// Whether the report shows it scene by scene: the finest preset of its method.
+    pub by_scene: bool,
+}
+
+impl Candidate {
+    /// The grid of single scattering, then the presets that are not in it.
+    fn all() -> Vec<Self> {
+        let grid = VIEW_SAMPLES
+            .into_iter()
+            .flat_map(|view_samples| LIGHT_SAMPLES.map(|light_samples| Method::Single { view_samples, light_samples }));
+        let bare = |method| Self { preset: None, method, render_scale: 1.0, by_scene: false };
+        let mut all: Vec<_> = grid.map(bare).collect();
+        for q in Quality::ALL {
+            let new = Self { render_scale: q.render_scale, ..bare(q.method) };
+            let at = all.iter().position(|c| (c.method, c.render_scale) == (q.method, q.render_scale));
+            let at = at.unwrap_or_else(|| {
+                all.push(new);
+                all.len() - 1
+            });
+            let finest = Quality::ALL.iter().rfind(|other| other.method.name() == q.method.name());
+            (all[at].preset, all[at].by_scene) = (Some(q.name), finest == Some(q));
+        }
+        all
+    }
+
+    fn settings(&self) -> SkySettings {
+        SkySettings { method: self.method, render_scale: self.render_scale, ..SkySettings::default() }
+    }
+
+    /// The method's numbers, and the preset's name where it has one.
+    pub fn numbers(&self) -> String {
+        let mut text = self.method.numbers();
+        if self.render_scale != 1.0 {
+            text += &format!(", scale {}", self.render_scale);
+        }
+        if let Some(name) = self.preset {
+            text += &format!(" ({name})");
+        }
+        text
+    }
+
+    /// Whether an error against this says something about the method.
+    pub fn judged_by(&self, against: Against) -> bool {
+        against == Against::AllOrders || self.method.is_single_scattering()
+    }
+}
+
+/// One method and its numbers on one backend, over some scenes.
 pub struct Entry {
     pub backend: String,
-    pub samples: [u32; 2],
+    pub candidate: Candidate,
     pub over: Over,
     /// By [`Against::BOTH`].
     pub errors: [Summary; 2],
@@ -93,9 +148,26 @@ impl Findings {
         names
     }
 
-    /// The settings that nothing cheaper is as exact as, the cheapest first.
+    /// The methods' names in order.
+    pub fn methods(&self) -> Vec<&'static str> {
+        let mut names = Vec::new();
+        for e in &self.entries {
+            let name = e.candidate.method.name();
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+        names
+    }
+
+    /// What was measured of a backend over all scenes of a medium, as far as an error against this means something.
+    pub fn judged(&self, backend: &str, medium: usize, against: Against) -> impl Iterator<Item = &Entry> {
+        self.totals(medium).filter(move |e| e.backend == backend && e.candidate.judged_by(against))
+    }
+
+    /// The settings of all methods that nothing cheaper is as exact as, the cheapest first.
     pub fn front(&self, backend: &str, medium: usize, against: Against) -> Vec<&Entry> {
-        let all = self.totals(medium).filter(|e| e.backend == backend).collect();
+        let all = self.judged(backend, medium, against).collect();
         front(all, |e| (e.ratio(), e.mean(against)))
     }
 }
@@ -120,25 +192,28 @@ pub fn run(args: &AccuracyArgs) -> anyhow::Result<()> {
     })?;
     let file = |name: &str| Destination::new(&args.out.join(name), "--out <FOLDER>");
     let (markdown, table, picture) = (file("accuracy.md")?, file("accuracy.csv")?, file("accuracy.svg")?);
-    let findings = investigate(args.quick)?;
+    let front_file = args.write_front.as_deref().map(|path| Destination::new(path, "--write-front <FILE>"));
+    let front_file = front_file.transpose()?;
+    let (findings, front) = investigate(args.quick, front_file.is_some().then_some(args.front_size))?;
     let svg = plot::svg(&findings)?;
     let text = report::markdown(&findings)?;
     markdown.write(|f| Ok(f.write_all(text.as_bytes())?))?;
     table.write(|f| report::csv(&findings, f))?;
     picture.write(|f| Ok(f.write_all(svg.as_bytes())?))?;
+    if let Some(file) = front_file {
+        file.write(|f| Ok(f.write_all(front.to_string().as_bytes())?))?;
+    }
     let mut stdout = std::io::stdout().lock();
     write!(stdout, "{}", report::short(&findings)?)?;
     writeln!(stdout, "{out}: accuracy.md, accuracy.csv, accuracy.svg, in {:.1} s", findings.seconds)?;
     Ok(())
 }
 
-fn investigate(quick: bool) -> anyhow::Result<Findings> {
+/// All findings; and if a size is given, the front of every preset, timed at it.
+fn investigate(quick: bool, front_size: Option<[u32; 2]>) -> anyhow::Result<(Findings, Front)> {
     let start = Instant::now();
-    let (frame, runs, tables) = if quick {
-        (Frame { size: [256, 144], stride: 24 }, 3, Settings::QUICK)
-    } else {
-        (Frame { size: [320, 180], stride: 20 }, 6, Settings::FINE)
-    };
+    let (frame, runs, tables) =
+        if quick { (Frame::QUICK, 3, Settings::QUICK) } else { (Frame::WHOLE, 6, Settings::FINE) };
     let scenes: Vec<_> = SETUPS.into_iter().filter(|s| s.quick || !quick).collect();
     let mut missing = Vec::new();
     let mut drawers = Vec::new();
@@ -148,8 +223,9 @@ fn investigate(quick: bool) -> anyhow::Result<Findings> {
             Err(e) => missing.push(format!("{}: {e:#}", info::name(choice))),
         }
     }
-    let settings: Vec<_> = VIEW_SAMPLES.into_iter().flat_map(|v| LIGHT_SAMPLES.map(|l| [v, l])).collect();
-    let progress = Progress::of("measuring", MEDIA.len() + 1 + drawers.len() * settings.len());
+    let candidates = Candidate::all();
+    let per_backend = candidates.len() + usize::from(front_size.is_some());
+    let progress = Progress::of("measuring", MEDIA.len() + 1 + drawers.len() * per_backend);
     let mut orders = Vec::new();
     for (i, name) in MEDIA.into_iter().enumerate() {
         let tell = progress.step(&format!("reference, all orders: {name}"));
@@ -170,7 +246,7 @@ fn investigate(quick: bool) -> anyhow::Result<Findings> {
         truths.push(Judged { setup: *setup, scene, truth });
         tell((i + 1) as f32 / scenes.len() as f32);
     }
-    let (mut adapters, mut entries) = (Vec::new(), Vec::new());
+    let (mut adapters, mut entries, mut front) = (Vec::new(), Vec::new(), Front::default());
     for (name, drawer) in &mut drawers {
         adapters.push(drawer.describe());
         let Some(backend) = drawer.backend() else { continue };
@@ -178,14 +254,19 @@ fn investigate(quick: bool) -> anyhow::Result<Findings> {
         let [width, height] = frame.size;
         let copy_to = backend.create_texture(&TextureDesc::new("copy", width, height, Format::Rgba32Float))?;
         let first = entries.len();
-        for &samples in &settings {
-            let tell = progress.step(&format!("{name}, {} × {} samples", samples[0], samples[1]));
-            let measured = by_scene(name, backend, &mut renderer, &truths, &frame, samples, runs, copy_to, &tell);
+        for candidate in &candidates {
+            let tell = progress.step(&format!("{name}, {}", candidate.method));
+            let measured = by_scene(name, backend, &mut renderer, &truths, &frame, candidate, runs, copy_to, &tell);
             // A setting that fails is told, the others are still worth having.
             match measured {
                 Ok(found) => entries.extend(found),
-                Err(e) => missing.push(format!("{name}, {} × {} samples: {e:#}", samples[0], samples[1])),
+                Err(e) => missing.push(format!("{name}, {}: {e:#}", candidate.method)),
             }
+        }
+        if let Some(size) = front_size {
+            let _ = progress.step(&format!("{name}, presets at {}×{}", size[0], size[1]));
+            let timed = front_of(name, backend, &entries, size, quick);
+            front.measured.extend(timed.with_context(|| format!("{name}: the front"))?.measured);
         }
         backend.destroy_texture(copy_to);
         renderer.destroy(backend);
@@ -194,7 +275,33 @@ fn investigate(quick: bool) -> anyhow::Result<Findings> {
         of_backend.iter_mut().for_each(|e| e.times.copy = copy);
     }
     anyhow::ensure!(!entries.is_empty(), "nothing could be measured: {}", missing.join("; "));
-    Ok(Findings { quick, frame, scenes, runs, adapters, entries, missing, seconds: start.elapsed().as_secs_f64() })
+    let seconds = start.elapsed().as_secs_f64();
+    Ok((Findings { quick, frame, scenes, runs, adapters, entries, missing, seconds }, front))
+}
+
+/// The presets with the errors that were found, timed anew at a size that people draw at.
+fn front_of(
+    name: &str,
+    backend: &mut dyn Backend,
+    entries: &[Entry],
+    size: [u32; 2],
+    quick: bool,
+) -> welkin::Result<Front> {
+    let errors = |q: &Quality| {
+        let of = |medium| {
+            let mut found = entries.iter().filter(|e| e.backend == name && e.over == Over::Medium(medium));
+            let found = found.find(|e| e.candidate.preset == Some(q.name)).ok_or_else(|| {
+                welkin::Error::invalid("quality", q, "one that could be measured; accuracy.md says why it was not")
+            })?;
+            let single = q.method.is_single_scattering().then(|| found.mean(Against::Single));
+            Ok(MeanError { all_orders: found.mean(Against::AllOrders), single })
+        };
+        Ok([of(0)?, of(1)?, of(2)?])
+    };
+    let today = jiff::Timestamp::now().strftime("%Y-%m-%d").to_string();
+    let scenes = if quick { "quick scenes (welkin accuracy --quick)" } else { "all scenes (welkin accuracy)" };
+    let from = format!("{today}, welkin {}, {scenes}", env!("CARGO_PKG_VERSION"));
+    Front::measure_with(backend, Quality::ALL, size, &errors, &from)
 }
 
 /// A scene and the truth about it.
@@ -212,28 +319,29 @@ fn by_scene(
     renderer: &mut PictureRenderer,
     judged: &[Judged],
     frame: &Frame,
-    samples: [u32; 2],
+    candidate: &Candidate,
     runs: u32,
     copy_to: TextureId,
     tell: &dyn Fn(f32),
 ) -> anyhow::Result<Vec<Entry>> {
+    let sky = candidate.settings();
     let mut errors = Vec::new();
     for j in judged {
-        let drawn = measure::draw(backend, renderer, &j.scene, frame, samples).with_context(|| j.setup.name)?;
+        let drawn = measure::draw(backend, renderer, &j.scene, frame, sky).with_context(|| j.setup.name)?;
         errors.push(Against::BOTH.map(|against| j.truth.errors(&drawn, against)));
     }
     let mut times = vec![Times::NEVER; judged.len()];
     // Round after round, so that a disturbance of a moment does not hit every run of a scene.
     for run in 0..runs {
         for (j, best) in judged.iter().zip(&mut times) {
-            let took = measure::time(backend, renderer, &j.scene, frame, samples, copy_to);
+            let took = measure::time(backend, renderer, &j.scene, frame, sky, copy_to);
             *best = best.best(took.with_context(|| j.setup.name)?);
         }
         tell((run + 1) as f32 / runs as f32);
     }
     let entry = |over, errors: &[Errors; 2], times| Entry {
         backend: name.to_owned(),
-        samples,
+        candidate: *candidate,
         over,
         errors: [errors[0].summary(), errors[1].summary()],
         times,
@@ -257,7 +365,25 @@ fn by_scene(
 
 #[cfg(test)]
 mod tests {
-    use super::front;
+    use super::{Against, Candidate, Quality, front};
+
+    #[test]
+    fn the_grid_and_every_preset_are_measured_once() {
+        let all = Candidate::all();
+        for (i, c) in all.iter().enumerate() {
+            assert!(all[..i].iter().all(|d| (d.method, d.render_scale) != (c.method, c.render_scale)), "{c:?}");
+            assert!(c.judged_by(Against::AllOrders));
+        }
+        for q in Quality::ALL {
+            let found: Vec<_> = all.iter().filter(|c| c.preset == Some(q.name)).collect();
+            assert_eq!(found.len(), 1, "{q}");
+            assert_eq!((found[0].method, found[0].render_scale), (q.method, q.render_scale));
+            let shown = all.iter().filter(|c| c.by_scene && c.method.name() == q.method.name());
+            assert_eq!(shown.count(), 1, "{q}");
+        }
+        assert_eq!(all[1].numbers(), "4 × 8");
+        assert_eq!(all[4].numbers(), "8 × 8 (low)");
+    }
 
     #[test]
     fn the_front_holds_what_is_not_beaten() {

@@ -1,4 +1,4 @@
-//! The accuracy report's plot: error against time, a colour for each backend, fronts drawn.
+//! The accuracy report's plot: error against time, a colour for each method, a line for each backend's front.
 
 use anyhow::anyhow;
 use plotters::prelude::*;
@@ -9,20 +9,22 @@ use super::measure::Against;
 /// Colours that stay apart for colour-blind readers (Okabe & Ito).
 const COLORS: [RGBColor; 4] =
     [RGBColor(0, 114, 178), RGBColor(213, 94, 0), RGBColor(0, 158, 115), RGBColor(204, 121, 167)];
-const SIZE: (u32, u32) = (1200, 440);
+const GREY: RGBColor = RGBColor(110, 110, 110);
+const SIZE: (u32, u32) = (1100, 900);
 
-/// Three diagrams side by side.
+/// Four diagrams: Earth above, haze below; all orders of scattering left, the sampling alone right.
 pub fn svg(findings: &Findings) -> anyhow::Result<String> {
     let mut text = String::new();
     let diagrams = [
-        ("Earth: sampling", 0, Against::Single),
-        ("Haze: sampling", 2, Against::Single),
-        ("Earth: sampling and model", 0, Against::AllOrders),
+        ("Earth, against all orders of scattering", 0, Against::AllOrders),
+        ("Earth, against single scattering", 0, Against::Single),
+        ("Haze, against all orders of scattering", 2, Against::AllOrders),
+        ("Haze, against single scattering", 2, Against::Single),
     ];
     {
         let area = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
         area.fill(&WHITE).map_err(|e| anyhow!("plot: {e}"))?;
-        for (part, (title, medium, against)) in area.split_evenly((1, 3)).iter().zip(diagrams) {
+        for (part, (title, medium, against)) in area.split_evenly((2, 2)).iter().zip(diagrams) {
             diagram(findings, part, title, medium, against).map_err(|e| anyhow!("plot: {e}"))?;
         }
         area.present().map_err(|e| anyhow!("plot: {e}"))?;
@@ -40,21 +42,24 @@ fn diagram(
     against: Against,
 ) -> Result<(), Box<dyn std::error::Error>> {
     let point = |e: &super::Entry| (e.ratio().max(1e-3), (100.0 * e.mean(against)).max(1e-4));
-    let points: Vec<_> = findings.totals(medium).map(point).collect();
-    let span = |values: Vec<f64>| {
+    let backends = findings.backends();
+    let judged = |backend| findings.judged(backend, medium, against);
+    let points: Vec<_> = backends.iter().flat_map(|b| judged(b)).map(point).collect();
+    let span = |values: Vec<f64>, above: f64| {
         let lo = values.iter().copied().fold(f64::INFINITY, f64::min);
         let hi = values.iter().copied().fold(0.0, f64::max);
         // At least a decade and a half: axes without a power of ten have no marks.
-        (lo / 1.6).min(hi / 20.0)..(hi * 1.6)
+        (lo / 1.6).min(hi / 20.0)..(hi * above)
     };
+    // The legend stands above the points.
     let mut chart = ChartBuilder::on(area)
         .caption(title, ("sans-serif", 17))
         .margin(10)
         .x_label_area_size(38)
         .y_label_area_size(52)
         .build_cartesian_2d(
-            span(points.iter().map(|p| p.0).collect()).log_scale(),
-            span(points.iter().map(|p| p.1).collect()).log_scale(),
+            span(points.iter().map(|p| p.0).collect(), 1.6).log_scale(),
+            span(points.iter().map(|p| p.1).collect(), 4.0).log_scale(),
         )?;
     // Names for 1, 2 and 5 times a power of ten: more would not fit.
     let number = |v: &f64| {
@@ -72,25 +77,41 @@ fn diagram(
         .light_line_style(RGBColor(235, 235, 235))
         .label_style(("sans-serif", 12))
         .draw()?;
-    for (i, (backend, color)) in findings.backends().into_iter().zip(COLORS.into_iter().cycle()).enumerate() {
-        // Above the first front and below the second, so that they do not cover each other.
-        let offset = if i % 2 == 0 { (6, -14) } else { (-34, 6) };
-        let all = findings.totals(medium).filter(|e| e.backend == backend);
-        chart.draw_series(all.map(|e| Circle::new(point(e), 3, color.mix(0.5).filled())))?;
+    let methods = findings.methods();
+    let color = |e: &super::Entry| {
+        let at = methods.iter().position(|m| *m == e.candidate.method.name()).unwrap_or(0);
+        COLORS[at % COLORS.len()]
+    };
+    for (i, backend) in backends.iter().enumerate() {
+        // The first backend: full dots, a full line, labels above; the next: rings, a broken line, labels below.
+        let (offset, first) = if i == 0 { ((6, -14), true) } else { ((-34, 6), false) };
+        let dot = |e: &super::Entry, size, share| {
+            let color = color(e).mix(share);
+            Circle::new(point(e), size, if first { color.filled() } else { color.stroke_width(1) })
+        };
+        chart.draw_series(judged(backend).map(|e| dot(e, 3, 0.5)))?;
         let front = findings.front(backend, medium, against);
-        chart
-            .draw_series(LineSeries::new(front.iter().map(|e| point(e)), color.stroke_width(2)))?
-            .label(format!("{backend}, single"))
-            .legend(move |(x, y)| PathElement::new([(x, y), (x + 16, y)], color.stroke_width(2)));
+        let line = front.iter().map(|e| point(e));
+        let style = GREY.stroke_width(if first { 2 } else { 1 });
+        if first {
+            chart.draw_series(LineSeries::new(line, style))?
+        } else {
+            chart.draw_series(DashedLineSeries::new(line, 5, 4, style))?
+        }
+        .label(format!("front of {backend} ({})", if first { "dots" } else { "rings" }))
+        .legend(move |(x, y)| PathElement::new([(x, y), (x + if first { 16 } else { 7 }, y)], style));
+        chart.draw_series(front.iter().map(|e| dot(e, 4, 1.0)))?;
         chart.draw_series(front.iter().map(|e| {
-            EmptyElement::at(point(e))
-                + Circle::new((0, 0), 4, color.filled())
-                + Text::new(
-                    format!("{}×{}", e.samples[0], e.samples[1]),
-                    offset,
-                    ("sans-serif", 11).into_font().color(&color),
-                )
+            let style = ("sans-serif", 11).into_font().color(&color(e));
+            EmptyElement::at(point(e)) + Text::new(e.candidate.method.numbers().replace(' ', ""), offset, style)
         }))?;
+    }
+    for (method, color) in methods.iter().zip(COLORS.into_iter().cycle()) {
+        let none = std::iter::empty::<Circle<(f64, f64), i32>>();
+        chart
+            .draw_series(none)?
+            .label(format!("method {method}"))
+            .legend(move |(x, y)| Circle::new((x + 8, y), 4, color.filled()));
     }
     chart
         .configure_series_labels()

@@ -17,15 +17,16 @@ fn three(s: [Statistics; 3], of: impl Fn(&Statistics) -> f64) -> String {
 }
 
 const HEAD: &str = "\
-| samples | time | time / copy | mean, % (R / G / B) | 95th percentile, % | maximum, % | ΔE mean / 95th / max |
-|---|---|---|---|---|---|---|
+| method | settings | time | time / copy | mean, % (R / G / B) | 95th percentile, % | maximum, % | ΔE mean / 95th / max |
+|---|---|---|---|---|---|---|---|
 ";
 
-fn row(text: &mut String, first: &str, e: &Entry, against: Against) -> std::fmt::Result {
+fn row(text: &mut String, first: &[&str], e: &Entry, against: Against) -> std::fmt::Result {
     let s = &e.errors[against as usize];
     writeln!(
         text,
-        "| {first} | {:.2} ms | {:.1} | {} | {} | {} | {:.2} / {:.2} / {:.1} |",
+        "| {} | {:.2} ms | {:.1} | {} | {} | {} | {:.2} / {:.2} / {:.1} |",
+        first.join(" | "),
         e.times.sky,
         e.ratio(),
         three(s.relative, |s| s.mean),
@@ -37,15 +38,20 @@ fn row(text: &mut String, first: &str, e: &Entry, against: Against) -> std::fmt:
     )
 }
 
-fn samples(e: &Entry) -> String {
-    format!("{} × {}", e.samples[0], e.samples[1])
-}
-
 fn front(findings: &Findings, backend: &str, medium: usize, against: Against) -> String {
     let front = findings.front(backend, medium, against);
-    let points =
-        front.iter().map(|e| format!("{} ({:.1} copies, {} %)", samples(e), e.ratio(), percent(e.mean(against))));
-    points.collect::<Vec<_>>().join(", ")
+    let points = front.iter().map(|e| {
+        let c = &e.candidate;
+        format!("{} {}: {:.1} copies, {} %", c.method.name(), c.numbers(), e.ratio(), percent(e.mean(against)))
+    });
+    points.collect::<Vec<_>>().join("; ")
+}
+
+fn title(against: Against) -> &'static str {
+    match against {
+        Against::AllOrders => "against all orders",
+        Against::Single => "against single scattering (the sampling alone)",
+    }
 }
 
 /// The fronts alone, for the terminal.
@@ -54,8 +60,9 @@ pub fn short(f: &Findings) -> Result<String, std::fmt::Error> {
     for (backend, adapter) in f.backends().into_iter().zip(&f.adapters) {
         writeln!(text, "{adapter}")?;
         for (medium, name) in MEDIA.into_iter().enumerate() {
-            writeln!(text, "  {name}, sampling: {}", front(f, backend, medium, Against::Single))?;
-            writeln!(text, "  {name}, sampling and model: {}", front(f, backend, medium, Against::AllOrders))?;
+            for against in Against::BOTH {
+                writeln!(text, "  {name}, {}: {}", title(against), front(f, backend, medium, against))?;
+            }
         }
     }
     for what in &f.missing {
@@ -88,28 +95,26 @@ pub fn markdown(f: &Findings) -> Result<String, std::fmt::Error> {
             f.entries.iter().filter(|e| e.backend == backend).map(|e| e.times.copy).fold(f64::INFINITY, f64::min);
         writeln!(t, "## {adapter}\n\nA copy takes {copy:.3} ms.\n")?;
         for (medium, name) in MEDIA.into_iter().enumerate() {
-            let of = || f.totals(medium).filter(|e| e.backend == backend);
-            writeln!(t, "### {name}: `single` against single scattering (the sampling alone)\n")?;
-            t += HEAD;
-            of().try_for_each(|e| row(&mut t, &samples(e), e, Against::Single))?;
-            let points = front(f, backend, medium, Against::Single);
-            writeln!(t, "\nFront, by the worst channel's mean: {points}.\n")?;
-            writeln!(t, "### {name}: `single` against all orders (what the model leaves out as well)\n")?;
-            t += HEAD;
-            of().try_for_each(|e| row(&mut t, &samples(e), e, Against::AllOrders))?;
-            writeln!(t, "\nFront: {}.\n", front(f, backend, medium, Against::AllOrders))?;
+            for against in Against::BOTH {
+                writeln!(t, "### {name}, {}\n", title(against))?;
+                t += HEAD;
+                f.judged(backend, medium, against)
+                    .try_for_each(|e| row(&mut t, &[e.candidate.method.name(), &e.candidate.numbers()], e, against))?;
+                let points = front(f, backend, medium, against);
+                writeln!(t, "\nFront of all methods, by the worst channel's mean: {points}.\n")?;
+            }
         }
-        for (against, title) in
-            [(Against::Single, "against single scattering"), (Against::AllOrders, "against all orders")]
-        {
-            writeln!(t, "### Scene by scene, 32 × 8 samples, {title}\n")?;
-            t += &HEAD.replace("samples", "scene");
-            f.entries
-                .iter()
-                .filter(|e| e.backend == backend && e.samples == [32, 8])
-                .filter(|e| matches!(e.over, Over::Scene(_)))
-                .try_for_each(|e| row(&mut t, e.over.name(), e, against))?;
-            writeln!(t)?;
+        let one_by_one = |e: &&Entry| e.backend == backend && matches!(e.over, Over::Scene(_)) && e.candidate.by_scene;
+        for method in f.methods() {
+            let of_method = || f.entries.iter().filter(one_by_one).filter(|e| e.candidate.method.name() == method);
+            for against in Against::BOTH {
+                let mut scenes = of_method().filter(|e| e.candidate.judged_by(against)).peekable();
+                let Some(first) = scenes.peek() else { continue };
+                writeln!(t, "### Scene by scene: {method} {}, {}\n", first.candidate.numbers(), title(against))?;
+                t += &HEAD.replace("method | settings", "scene").replacen("---|", "", 1);
+                scenes.try_for_each(|e| row(&mut t, &[e.over.name()], e, against))?;
+                writeln!(t)?;
+            }
         }
     }
     writeln!(t, "## Scenes\n\nThe sun's azimuth is 0. No terrain; light from the ground itself is left out.\n")?;
@@ -141,7 +146,6 @@ pub fn markdown(f: &Findings) -> Result<String, std::fmt::Error> {
         )?;
     }
     writeln!(t, "- Browsers: both backends ran natively.")?;
-    writeln!(t, "- Methods other than `single`: there are none yet.")?;
     if f.quick {
         writeln!(
             t,
@@ -152,24 +156,26 @@ pub fn markdown(f: &Findings) -> Result<String, std::fmt::Error> {
     Ok(t)
 }
 
-/// One line for each backend, quality, medium or scene, and reference. Errors are shares, times milliseconds.
+/// One line for each backend, method and settings, medium or scene, and reference. Errors are shares, times milliseconds.
 pub fn csv(f: &Findings, file: &mut dyn std::io::Write) -> anyhow::Result<()> {
     let mut writer = csv::Writer::from_writer(file);
     let mut header: Vec<String> =
-        ["backend", "method", "view_samples", "light_samples", "scene", "against"].map(str::to_owned).to_vec();
+        ["backend", "method", "settings", "render_scale", "quality", "scene", "against"].map(str::to_owned).to_vec();
     for channel in ["R", "G", "B", "delta_e"] {
         header.extend(["mean", "p95", "max"].map(|s| format!("{s}_{channel}")));
     }
     header.extend(["time_ms", "copy_ms", "time_over_copy"].map(str::to_owned));
     writer.write_record(&header)?;
     for e in &f.entries {
-        for against in Against::BOTH {
+        let c = &e.candidate;
+        for against in Against::BOTH.into_iter().filter(|a| c.judged_by(*a)) {
             let s = &e.errors[against as usize];
             let mut line = vec![
                 e.backend.clone(),
-                "single".to_owned(),
-                e.samples[0].to_string(),
-                e.samples[1].to_string(),
+                c.method.name().to_owned(),
+                c.method.numbers(),
+                c.render_scale.to_string(),
+                c.preset.unwrap_or_default().to_owned(),
                 e.over.name().to_owned(),
                 against.name().to_owned(),
             ];

@@ -24,8 +24,32 @@ pub struct Setup {
     pub quick: bool,
 }
 
-/// The names of the media; see [`medium`].
-pub const MEDIA: [&str; 3] = ["earth", "mars", "haze"];
+/// A frame and the pixels of it that are judged.
+#[derive(Clone, Copy, Debug)]
+pub struct Frame {
+    pub size: [u32; 2],
+    /// Every so many pixels, per side.
+    pub stride: u32,
+}
+
+impl Frame {
+    /// With every scene.
+    pub const WHOLE: Self = Self { size: [320, 180], stride: 20 };
+    /// With the quick scenes.
+    pub const QUICK: Self = Self { size: [256, 144], stride: 24 };
+
+    pub fn aspect(&self) -> f64 {
+        f64::from(self.size[0]) / f64::from(self.size[1])
+    }
+
+    /// Coordinates of the judged pixels.
+    pub fn pixels(&self) -> Vec<[u32; 2]> {
+        let along = |n: u32| (self.stride / 2..n).step_by(self.stride as usize);
+        along(self.size[1]).flat_map(|y| along(self.size[0]).map(move |x| [x, y])).collect()
+    }
+}
+
+pub use welkin::quality::MEDIA;
 
 /// A medium of [`MEDIA`], with a sun of irradiance 1.
 ///

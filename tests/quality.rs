@@ -1,0 +1,133 @@
+//! Choosing a quality: what was promised is rendered and compared with the f64 reference.
+#![cfg(feature = "cli")]
+
+mod common;
+// The scenes that the table was measured over.
+#[allow(dead_code)]
+#[path = "../src/bin/welkin/accuracy/scenes.rs"]
+mod scenes;
+
+use std::time::Duration;
+
+use common::on_both;
+use glam::DVec2;
+use scenes::{Frame, SETUPS, Setup};
+use welkin::backend::{Backend, Format};
+use welkin::quality::{Front, MEDIA};
+use welkin::reference::multiple::{Orders, Settings};
+use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
+use welkin::{PictureRenderer, PictureSettings, Quality, Scene, SkySettings};
+
+/// The reference's radiance at a frame's pixels: of all orders of scattering, and scattered once.
+struct Truth {
+    scene: Scene,
+    values: [Vec<[f64; 3]>; 2],
+}
+
+fn truth(setup: &Setup, frame: &Frame, orders: &Orders) -> Truth {
+    let scene = setup.scene(frame.aspect()).unwrap();
+    let view = scene.validate().unwrap();
+    let values = frame.pixels().into_iter().map(|[x, y]| {
+        let share = |i: u32, n: u32| (f64::from(i) + 0.5) / f64::from(n) * 2.0 - 1.0;
+        let ndc = DVec2::new(share(x, frame.size[0]), -share(y, frame.size[1]));
+        let direction = view.basis.ray(ndc).normalize();
+        let query = RayQuery { altitude: view.altitude, direction, sun: view.sun, length: f64::INFINITY };
+        let all = orders.radiance(&query, Tolerance { relative: 1e-4 }).unwrap();
+        let once = single_scattering(&scene.atmosphere, &query, Sun::Point, Tolerance { relative: 1e-4 }).unwrap();
+        (std::array::from_fn(|c| all.per_irradiance[c] - all.ground[c]), once.per_irradiance)
+    });
+    let (all, once) = values.unzip();
+    Truth { scene, values: [all, once] }
+}
+
+/// Mean relative error in the worst channel over some scenes, as the table defines it; against both truths.
+fn mean_error(backend: &mut dyn Backend, quality: Quality, frame: &Frame, truths: &[Truth]) -> [f64; 2] {
+    let mut renderer = PictureRenderer::default();
+    let settings = PictureSettings {
+        sky: SkySettings { sun_disk: false, ..quality.into() },
+        terrain: None,
+        radiance: Format::Rgba32Float,
+        ..PictureSettings::default()
+    };
+    let mut sums = [[0.0; 3]; 2];
+    for t in truths {
+        let drawn = renderer.draw(backend, &t.scene, &settings, frame.size).unwrap();
+        let pixels = backend.read(drawn.radiance).unwrap();
+        for (values, sum) in t.values.iter().zip(&mut sums) {
+            for c in 0..3 {
+                let floor = 1e-3 * values.iter().map(|v| v[c]).fold(0.0, f64::max);
+                for ([x, y], want) in frame.pixels().into_iter().zip(values) {
+                    let got = f64::from(pixels[(4 * (y * frame.size[0] + x)) as usize + c]);
+                    sum[c] += (got - want[c]).abs() / want[c].max(floor).max(1e-30);
+                }
+            }
+        }
+    }
+    renderer.destroy(backend);
+    let count = (truths.len() * frame.pixels().len()) as f64;
+    sums.map(|sum| sum.iter().fold(0.0, |worst: f64, s| worst.max(s / count)))
+}
+
+#[test]
+fn what_is_chosen_by_error_is_that_exact() {
+    let front = Front::committed();
+    let quick = front.measured[0].errors_from.contains("quick scenes");
+    // A whole table is checked at fewer pixels of its scenes; they are a sample of its own.
+    let (frame, slack) = if quick { (Frame::QUICK, 1.01) } else { (Frame { stride: 40, ..Frame::WHOLE }, 1.1) };
+    let setups: Vec<_> = SETUPS.iter().filter(|s| MEDIA[s.medium] == "earth" && (s.quick || !quick)).collect();
+    let orders = Orders::solve(&scenes::medium(0).unwrap(), Settings::QUICK, |_| ()).unwrap();
+    let truths: Vec<_> = setups.iter().map(|s| truth(s, &frame, &orders)).collect();
+    on_both(|backend| {
+        let name = backend.info().backend;
+        for q in Quality::ALL {
+            let cost = front.on(name).unwrap().cost(q).unwrap();
+            // Asking for what a quality has gives it or something cheaper, and that is as exact as asked.
+            let asked = front.cost(q).unwrap().error;
+            let chosen = Quality::within_error(asked).unwrap();
+            let [all, _] = mean_error(backend, chosen, &frame, &truths);
+            println!("{name}: {asked:.4} asked: {chosen}, {all:.4} drawn");
+            assert!(all <= asked * slack, "{name}: {chosen} is off by {all}, {asked} was asked");
+            // The table's own figures, on either side.
+            let [all, once] = mean_error(backend, *q, &frame, &truths);
+            println!(
+                "{name}: {q}: all orders {:.4} in the table, {all:.4} drawn; single {:?}, {once:.4}",
+                cost.error, cost.sampling
+            );
+            assert!((cost.error / all).max(all / cost.error) <= slack, "{name}: {q}: {} {all}", cost.error);
+            if let Some(sampling) = cost.sampling {
+                let slack = if quick { slack } else { 1.5 };
+                assert!((sampling / once).max(once / sampling) <= slack, "{name}: {q}: {sampling} {once}");
+            }
+        }
+        let chosen = Quality::within_error(0.5).unwrap();
+        assert!(mean_error(backend, chosen, &frame, &truths)[0] <= 0.5, "{name}: {chosen}");
+    });
+}
+
+#[test]
+fn a_front_is_measured_on_any_backend_and_answers_for_it() {
+    on_both(|backend| {
+        let before = backend.live().textures;
+        let some = [Quality::SINGLE_LOW, Quality::SINGLE_ULTRA];
+        let front = Front::measure(backend, &some, [160, 90]).unwrap();
+        assert_eq!(backend.live().textures, before, "something was left behind");
+        let [m] = &front.measured[..] else { panic!("{front}") };
+        assert_eq!((m.backend.as_str(), m.size), (backend.info().backend, [160, 90]));
+        assert_eq!(m.points.iter().map(|p| p.quality).collect::<Vec<_>>(), some);
+        let [low, ultra] = some.map(|q| front.cost(&q).unwrap());
+        println!("{front}");
+        // Eight times the samples.
+        assert!(ultra.time > 2 * low.time && low.copies > 1.0 && m.copy > Duration::ZERO, "{front}");
+        assert!(front.cost(&Quality::SINGLE_HIGH).is_none());
+        let committed = Front::committed().on(&m.backend).unwrap();
+        assert_eq!(low.error, committed.cost(&Quality::SINGLE_LOW).unwrap().error, "errors are the device's own business");
+        assert_eq!(front.within_error(low.error.max(ultra.error)), Ok(Quality::SINGLE_LOW));
+        assert_eq!(front.within_budget(low.time), Ok(Quality::SINGLE_LOW));
+        assert_eq!(front.within_budget(Duration::MAX), Ok(Quality::SINGLE_ULTRA));
+        let message = front.within_budget(Duration::from_nanos(1)).unwrap_err().to_string();
+        assert!(message.contains("160×90") && message.contains(&m.adapter), "{message}");
+        // Kept as text and read again: times to a tenth of a microsecond.
+        let again: Front = front.to_string().parse().unwrap();
+        assert_eq!(again.to_string(), front.to_string());
+    });
+}
