@@ -42,7 +42,7 @@ pub struct Settings {
     /// Highest degree of spherical harmonics kept; 2 is exact without aerosols (and all that is used
     /// then). 12 is enough for thin haze with g = 0.8, dense dust with g = 0.86 (Mars) wants 24: with 12
     /// its blue sunset sky comes out half as bright as it is, opposite the sun near the horizon.
-    /// 2 to 64, less than `azimuths`.
+    /// [`Settings::for_medium`] chooses. 2 to 64, less than `azimuths`.
     pub degree: u32,
     /// Iterations after which to stop at the latest, 1 to 10 000. Earth needs 5 to 10, dense haze 40.
     pub max_iterations: u32,
@@ -52,7 +52,7 @@ pub struct Settings {
 
 impl Settings {
     /// For Earth and its gas alone, within the larger of 0.5 % and 4 standard errors of the Monte Carlo tables of
-    /// `tests/data` everywhere; Earth takes about 10 s of one core. Too few moments for Mars, see `degree`.
+    /// `tests/data` everywhere; Earth takes about 10 s of one core. Too few moments for Mars: [`Self::for_medium`].
     pub const QUICK: Self = Self {
         altitudes: 12,
         sun_angles: 40,
@@ -73,6 +73,18 @@ impl Settings {
         max_iterations: 100,
         tolerance: 1e-4,
     };
+
+    /// These settings with the moments that the aerosol of a medium wants: where |g| is above 0.82 (Mars' blue)
+    /// at least degree 24, and azimuths to resolve it. Otherwise they stay as they are.
+    #[must_use]
+    pub fn for_medium(self, params: &AtmosphereParams) -> Self {
+        let aerosol = params.mie_scattering.iter().zip(params.mie_asymmetry);
+        if !aerosol.into_iter().any(|(scattering, g)| *scattering > 0.0 && g.abs() > 0.82) {
+            return self;
+        }
+        let degree = self.degree.max(24);
+        Self { degree, azimuths: self.azimuths.max(degree + 4), ..self }
+    }
 
     fn validate(&self) -> Result<()> {
         in_range("settings.altitudes", f64::from(self.altitudes), 4.0, 256.0, "")?;
@@ -936,4 +948,27 @@ fn solve_symmetric(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
 fn azimuth_cosine(mu_sun: f64, mu: f64, nu: f64) -> f64 {
     let sines = (((1.0 - mu_sun) * (1.0 + mu_sun)) * ((1.0 - mu) * (1.0 + mu))).max(0.0).sqrt();
     if sines > 1e-12 { ((nu - mu * mu_sun) / sines).clamp(-1.0, 1.0) } else { 1.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_preset_gets_settings_that_are_accepted() {
+        for name in AtmosphereParams::PRESETS {
+            let params = AtmosphereParams::preset(name).unwrap();
+            for settings in [Settings::QUICK, Settings::FINE] {
+                let chosen = settings.for_medium(&params);
+                chosen.validate().unwrap();
+                assert_eq!(chosen == settings, name != "mars", "{name}: {chosen:?}");
+                assert!(chosen == settings || chosen.degree == 24, "{name}: {chosen:?}");
+            }
+        }
+        // A peak that nothing scatters into is none; what is finer already stays.
+        let clear = AtmosphereParams { mie_scattering: [0.0; 3], ..AtmosphereParams::mars() };
+        assert_eq!(Settings::FINE.for_medium(&clear), Settings::FINE);
+        let finer = Settings { degree: 40, azimuths: 60, ..Settings::FINE };
+        assert_eq!(finer.for_medium(&AtmosphereParams::mars()), finer);
+    }
 }

@@ -316,9 +316,7 @@ fn reference(cases: &[Case]) -> anyhow::Result<Vec<[f64; 3]>> {
     let mut radiance = vec![[0.0; 3]; cases.len()];
     for (first, members) in groups {
         let tell = progress.step(&format!("{}, albedo {}", first.medium, first.atmosphere.ground_albedo[0]));
-        // A narrow forward lobe needs more moments: Mars' blue does with 24 (see `Settings::degree`).
-        let narrow = first.atmosphere.mie_asymmetry.iter().any(|g| g.abs() > 0.82);
-        let settings = Settings { degree: if narrow { 24 } else { Settings::FINE.degree }, ..Settings::FINE };
+        let settings = Settings::FINE.for_medium(&first.atmosphere);
         let orders = Orders::solve(&first.atmosphere, settings, |p| {
             tell((p.change.max(1e-300).ln() / settings.tolerance.ln()) as f32);
         })?;

@@ -153,7 +153,9 @@ fn investigate(quick: bool) -> anyhow::Result<Findings> {
     let mut orders = Vec::new();
     for (i, name) in MEDIA.into_iter().enumerate() {
         let tell = progress.step(&format!("reference, all orders: {name}"));
-        let solved = Orders::solve(&scenes::medium(i)?, tables, |p| {
+        let medium = scenes::medium(i)?;
+        let tables = tables.for_medium(&medium);
+        let solved = Orders::solve(&medium, tables, |p| {
             tell((p.change.max(1e-300).ln() / tables.tolerance.ln()) as f32);
         });
         let solved = solved.with_context(|| format!("solve {name}"))?;
