@@ -15,6 +15,9 @@
 //! aerosol, the moment is `χ_l^n τ^(n-1) / (n-1)!` (the small-angle approximation; Goudsmit & Saunderson 1940;
 //! van de Hulst 1980). That sum is added along each ray asked for.
 
+#[cfg(all(feature = "reference", not(target_arch = "wasm32")))]
+mod stored;
+
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::DVec3;
@@ -27,6 +30,9 @@ use super::quadrature::{gauss_legendre, integrate};
 use super::single::{Line, RayQuery, SmallAngles, SunLine, Tolerance, scatter, view_breaks};
 use crate::atmosphere::AtmosphereParams;
 use crate::error::{Result, in_range};
+
+#[cfg(all(feature = "reference", not(target_arch = "wasm32")))]
+pub use stored::NotRestored;
 
 /// Sizes of the tables and sums of [`Orders::solve`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -325,15 +331,8 @@ impl Orders {
     /// (Venus has 37 to 68) the iteration does not settle, and [`Self::converged`] says so: use
     /// [`super::path::path_trace`] there.
     pub fn solve(params: &AtmosphereParams, settings: Settings, mut progress: impl FnMut(Progress)) -> Result<Self> {
-        params.validate()?;
-        settings.validate()?;
-        let medium = Medium::new(params);
-        let aerosol = params.mie_scattering.iter().any(|&v| v > 0.0);
-        let degree = if aerosol { settings.degree as usize } else { 2 };
-        let mie = params.mie_asymmetry.map(|g| harmonics::mie_moments(params.mie_phase, g, degree));
-        let grid = Grid::new(params, &settings);
-        let empty = Interpolant { log_mean: vec![], ratio: vec![], night: 0, log_ground: vec![], ground_ratio: vec![] };
-        let mut solved = Self { medium, settings, grid, degree, mie, total: empty, history: vec![], converged: false };
+        let mut solved = Self::unsolved(params, settings)?;
+        let degree = solved.degree;
         let first = solved.first_order();
         let mut mixer = Anderson::default();
         let mut light = solved.first_guess(&first);
@@ -356,6 +355,19 @@ impl Orders {
         }
         solved.total = Interpolant::new(&light, harmonics::count(degree), settings.sun_angles as usize);
         Ok(solved)
+    }
+
+    /// All but the tables.
+    fn unsolved(params: &AtmosphereParams, settings: Settings) -> Result<Self> {
+        params.validate()?;
+        settings.validate()?;
+        let medium = Medium::new(params);
+        let aerosol = params.mie_scattering.iter().any(|&v| v > 0.0);
+        let degree = if aerosol { settings.degree as usize } else { 2 };
+        let mie = params.mie_asymmetry.map(|g| harmonics::mie_moments(params.mie_phase, g, degree));
+        let grid = Grid::new(params, &settings);
+        let empty = Interpolant { log_mean: vec![], ratio: vec![], night: 0, log_ground: vec![], ground_ratio: vec![] };
+        Ok(Self { medium, settings, grid, degree, mie, total: empty, history: vec![], converged: false })
     }
 
     /// The medium that was solved for.

@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod args;
+mod cache;
 mod compare;
 mod draw;
 mod info;

@@ -11,9 +11,10 @@ use std::time::Instant;
 use anyhow::Context;
 use welkin::PictureRenderer;
 use welkin::backend::{Backend, Format, TextureDesc, TextureId};
-use welkin::reference::multiple::{Orders, Settings};
+use welkin::reference::multiple::Settings;
 
 use crate::args::{AccuracyArgs, UsageError};
+use crate::cache::Cache;
 use crate::draw::{BackendChoice, Drawer};
 use crate::info;
 use crate::output::Destination;
@@ -120,7 +121,10 @@ pub fn run(args: &AccuracyArgs) -> anyhow::Result<()> {
     })?;
     let file = |name: &str| Destination::new(&args.out.join(name), "--out <FOLDER>");
     let (markdown, table, picture) = (file("accuracy.md")?, file("accuracy.csv")?, file("accuracy.svg")?);
-    let findings = investigate(args.quick)?;
+    let mut cache = Cache::new(&args.cache);
+    let findings = investigate(args.quick, &mut cache);
+    cache.tell();
+    let findings = findings?;
     let svg = plot::svg(&findings)?;
     let text = report::markdown(&findings)?;
     markdown.write(|f| Ok(f.write_all(text.as_bytes())?))?;
@@ -128,11 +132,16 @@ pub fn run(args: &AccuracyArgs) -> anyhow::Result<()> {
     picture.write(|f| Ok(f.write_all(svg.as_bytes())?))?;
     let mut stdout = std::io::stdout().lock();
     write!(stdout, "{}", report::short(&findings)?)?;
-    writeln!(stdout, "{out}: accuracy.md, accuracy.csv, accuracy.svg, in {:.1} s", findings.seconds)?;
+    writeln!(
+        stdout,
+        "{out}: accuracy.md, accuracy.csv, accuracy.svg, in {:.1} s{}",
+        findings.seconds,
+        cache.summary()
+    )?;
     Ok(())
 }
 
-fn investigate(quick: bool) -> anyhow::Result<Findings> {
+fn investigate(quick: bool, cache: &mut Cache) -> anyhow::Result<Findings> {
     let start = Instant::now();
     let (frame, runs, tables) = if quick {
         (Frame { size: [256, 144], stride: 24 }, 3, Settings::QUICK)
@@ -155,7 +164,7 @@ fn investigate(quick: bool) -> anyhow::Result<Findings> {
         let tell = progress.step(&format!("reference, all orders: {name}"));
         let medium = scenes::medium(i)?;
         let tables = tables.for_medium(&medium);
-        let solved = Orders::solve(&medium, tables, |p| {
+        let solved = cache.solve(&medium, tables, |p| {
             tell((p.change.max(1e-300).ln() / tables.tolerance.ln()) as f32);
         });
         let solved = solved.with_context(|| format!("solve {name}"))?;
