@@ -201,10 +201,8 @@ fn kept_solutions_change_no_result() {
         let files = std::fs::read_dir(folder.join("cache")).into_iter().flatten();
         files.map(|f| f.unwrap().path()).collect()
     };
-    let (fresh, said, _) = ask(&["--no-cache"]);
-    assert!(!said.contains("cache") && kept().is_empty(), "{said} {:?}", kept());
-    let (first, said, _) = ask(&[]);
-    assert!(first == fresh && !said.contains("cache"), "{said}");
+    let (fresh, said, _) = ask(&[]);
+    assert!(!said.contains("cache"), "{said}");
     let files = kept();
     assert_eq!(files.len(), 1, "{files:?}");
     let (second, said, notes) = ask(&[]);
@@ -217,10 +215,10 @@ fn kept_solutions_change_no_result() {
     assert!(mended == fresh && !said.contains("cache"), "{said}");
     assert!(notes.contains("damaged") && notes.contains("solved again"), "{notes}");
     assert!(std::fs::read(&files[0]).unwrap() == whole && kept() == files);
-    // Another folder, named by the option, has nothing.
-    let (elsewhere, said, _) = ask(&["--cache-dir", "other/place"]);
-    assert!(elsewhere == fresh && !said.contains("cache"), "{said}");
-    assert_eq!(std::fs::read_dir(folder.join("other/place")).unwrap().count(), 1);
+    // A folder that the option names goes before the variable's.
+    std::fs::rename(folder.join("cache"), folder.join("other")).unwrap();
+    let (elsewhere, said, _) = ask(&["--cache-dir", "other"]);
+    assert!(elsewhere == fresh && said.contains("from the cache") && kept().is_empty(), "{said}");
 }
 
 #[test]
