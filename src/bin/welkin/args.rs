@@ -304,7 +304,7 @@ What is included:
   reference         light of all orders of scattering in f64 on the CPU, with the light that the ground
                     reflects: into the air, and to the eye where a ray meets the ground. About 0.2 % by
                     day, 0.5 % in twilight. Solves once for each medium and albedo, up to some minutes each, and
-                    keeps the solution: 5 to 15 MB each.
+                    keeps the solution: up to 11 MB each.
 
 Example:
   welkin radiance --cases sky.csv --method single --samples 256 --light-samples 64 --out radiance.csv

@@ -111,7 +111,7 @@ impl Orders {
         xxh3_128(&inputs(params, settings))
     }
 
-    /// The solution as bytes, checksum included: 5 MB for Earth and 15 MB for Mars with [`Settings::FINE`].
+    /// The solution as bytes, checksum included: 5 MB for Earth and 11 MB for Mars with [`Settings::FINE`].
     pub fn to_bytes(&self) -> Vec<u8> {
         let Interpolant { log_mean, ratio, night, log_ground, ground_ratio } = &self.total;
         let mut out = [&MAGIC[..], &[0; CHECKSUM]].concat();
