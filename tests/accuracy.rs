@@ -11,7 +11,7 @@ use welkin::{Method, Quality};
 
 fn welkin(folder: &Path, args: &[&str]) -> std::process::Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_welkin"));
-    command.args(args).current_dir(folder).stdin(Stdio::null()).output().unwrap()
+    command.env("WELKIN_CACHE_DIR", "cache").args(args).current_dir(folder).stdin(Stdio::null()).output().unwrap()
 }
 
 #[test]

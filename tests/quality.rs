@@ -120,7 +120,11 @@ fn a_front_is_measured_on_any_backend_and_answers_for_it() {
         assert!(ultra.time > 2 * low.time && low.copies > 1.0 && m.copy > Duration::ZERO, "{front}");
         assert!(front.cost(&Quality::SINGLE_HIGH).is_none());
         let committed = Front::committed().on(&m.backend).unwrap();
-        assert_eq!(low.error, committed.cost(&Quality::SINGLE_LOW).unwrap().error, "errors are the device's own business");
+        assert_eq!(
+            low.error,
+            committed.cost(&Quality::SINGLE_LOW).unwrap().error,
+            "errors are the device's own business"
+        );
         assert_eq!(front.within_error(low.error.max(ultra.error)), Ok(Quality::SINGLE_LOW));
         assert_eq!(front.within_budget(low.time), Ok(Quality::SINGLE_LOW));
         assert_eq!(front.within_budget(Duration::MAX), Ok(Quality::SINGLE_ULTRA));

@@ -22,6 +22,8 @@ fn folder(name: &str) -> PathBuf {
 
 fn radiance(folder: &Path, args: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_welkin"));
+    // Solutions are kept within the test's folder, never in the user's.
+    command.env("WELKIN_CACHE_DIR", "cache").env_remove("XDG_CACHE_HOME");
     command.arg("radiance").args(args).current_dir(folder).stdin(Stdio::null()).output().unwrap()
 }
 
@@ -180,6 +182,43 @@ fn reference_is_the_monte_carlo() {
     println!("{} cases, worst {:.2} of the larger of 0.5 % and 4 sigma at {}", cases.len(), worst.0, worst.1);
     assert!(cases.len() > 40);
     assert!(worst.0 < 1.0, "{worst:?}");
+}
+
+/// A solution from the cache gives what solving gives; one that was damaged is not used, and said.
+#[test]
+fn kept_solutions_change_no_result() {
+    let folder = folder("kept");
+    let table = "rayleigh,0,0,60,30,90\nrayleigh,0,0,95,89.9,180\nrayleigh,0,200000,80,104,10\n";
+    std::fs::write(folder.join("in.csv"), format!("{HEADER}\n{table}")).unwrap();
+    let ask = |more: &[&str]| {
+        let _ = std::fs::remove_file(folder.join("out.csv"));
+        let args = ["--cases", "in.csv", "--method", "reference", "--out", "out.csv"];
+        let out = radiance(&folder, &[&args, more].concat());
+        assert!(out.status.success(), "{more:?}: {}", text(&out.stderr));
+        (std::fs::read(folder.join("out.csv")).unwrap(), text(&out.stdout), text(&out.stderr))
+    };
+    let kept = || -> Vec<_> {
+        let files = std::fs::read_dir(folder.join("cache")).into_iter().flatten();
+        files.map(|f| f.unwrap().path()).collect()
+    };
+    let (fresh, said, _) = ask(&[]);
+    assert!(!said.contains("cache"), "{said}");
+    let files = kept();
+    assert_eq!(files.len(), 1, "{files:?}");
+    let (second, said, notes) = ask(&[]);
+    assert!(second == fresh, "{}\n{}", text(&fresh), text(&second));
+    assert!(said.contains("(solution from the cache)") && !notes.contains("note:"), "{said} {notes}");
+
+    let whole = std::fs::read(&files[0]).unwrap();
+    std::fs::write(&files[0], &whole[..whole.len() - 100]).unwrap();
+    let (mended, said, notes) = ask(&[]);
+    assert!(mended == fresh && !said.contains("cache"), "{said}");
+    assert!(notes.contains("damaged") && notes.contains("solved again"), "{notes}");
+    assert!(std::fs::read(&files[0]).unwrap() == whole && kept() == files);
+    // A folder that the option names goes before the variable's.
+    std::fs::rename(folder.join("cache"), folder.join("other")).unwrap();
+    let (elsewhere, said, _) = ask(&["--cache-dir", "other"]);
+    assert!(elsewhere == fresh && said.contains("from the cache") && kept().is_empty(), "{said}");
 }
 
 #[test]

@@ -8,7 +8,7 @@ use glam::DVec3;
 
 use super::Quality;
 use crate::atmosphere::AtmosphereParams;
-use crate::backend::{Backend, DepthUse, Pass, Target, TextureDesc, TextureId, Uniform};
+use crate::backend::{Backend, DepthUse, Pass, Target, TextureDesc, TextureId, Uniform, reads};
 use crate::error::{Error, Result};
 use crate::passes::picture::{PictureRenderer, PictureSettings};
 use crate::passes::sky::SkySettings;
@@ -323,7 +323,7 @@ fn time(
             passes.push(Pass {
                 label: "copy",
                 program: Some(program),
-                textures: [Some(drawn.radiance), None],
+                textures: reads([drawn.radiance]),
                 uniform: Uniform::NONE,
                 target: Target::color(copy_to),
                 depth: DepthUse::Always,
@@ -549,11 +549,14 @@ mod tests {
         for bad in [0.05, 0.3349, 0.0, -1.0, f64::NAN, f64::INFINITY] {
             let message = f.within_error(bad).unwrap_err().to_string();
             assert!(message.starts_with(&format!("within_error = {bad} ")), "{message}");
-            assert!(message.contains("0.335 or more: quality low (single 8 × 8)"), "{message}");
+            assert!(message.contains("0.335 or more: quality single-low (single 8 × 8)"), "{message}");
         }
         let message = f.within_budget(Duration::from_micros(9_999)).unwrap_err().to_string();
         assert!(message.starts_with("within_budget = 9.999 ms "), "{message}");
-        assert!(message.contains("10 ms or more: quality low (single 8 × 8) takes that at 1920×1080 on "), "{message}");
+        assert!(
+            message.contains("10 ms or more: quality single-low (single 8 × 8) takes that at 1920×1080 on "),
+            "{message}"
+        );
         let empty = Front::default();
         for e in [empty.within_error(1.0), empty.within_budget(Duration::MAX)] {
             assert!(e.unwrap_err().to_string().contains("holds a measured quality"));
@@ -567,7 +570,7 @@ mod tests {
 
     #[test]
     fn text_that_is_not_a_front_is_refused_by_line_and_value() {
-        let row = "low, single 8 × 8, 1, 1.0, 0.3, 0.1, 0.3, 0.1, 0.3, 0.1";
+        let row = "single-low, single 8 × 8, 1, 1.0, 0.3, 0.1, 0.3, 0.1, 0.3, 0.1";
         assert_eq!(format!("[webgpu]\n{row}").parse::<Front>().unwrap().measured[0].points.len(), 1);
         for (text, words) in [
             (row.to_owned(), ["line 1", "[backend]"]),
@@ -575,7 +578,7 @@ mod tests {
             ("[webgpu]\ncopy_ms = -1".into(), ["copy_ms = -1", "milliseconds"]),
             ("[webgpu]\ncolour = red".into(), ["key = colour", "adapter"]),
             ("[webgpu]\nlow, 3".into(), ["2 values", "10: quality"]),
-            (format!("[webgpu]\n{}", row.replace("low", "lowest")), ["quality = \"lowest\"", "low, medium"]),
+            (format!("[webgpu]\n{}", row.replace("single-low", "lowest")), ["quality = \"lowest\"", "low, medium"]),
             (format!("[webgpu]\n{}", row.replace("8 × 8", "9 × 8")), ["method = single 9 × 8", "measure again"]),
             (format!("[webgpu]\n{}", row.replacen("0.3", "NaN", 1)), ["earth_all = NaN", "0 or more"]),
             (format!("[webgpu]\n{}", row.replace("1.0,", "soon,")), ["ms = soon", "milliseconds"]),

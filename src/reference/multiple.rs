@@ -15,6 +15,9 @@
 //! aerosol, the moment is `χ_l^n τ^(n-1) / (n-1)!` (the small-angle approximation; Goudsmit & Saunderson 1940;
 //! van de Hulst 1980). That sum is added along each ray asked for.
 
+#[cfg(all(feature = "reference", not(target_arch = "wasm32")))]
+mod stored;
+
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::DVec3;
@@ -27,6 +30,9 @@ use super::quadrature::{gauss_legendre, integrate};
 use super::single::{Line, RayQuery, SmallAngles, SunLine, Tolerance, scatter, view_breaks};
 use crate::atmosphere::AtmosphereParams;
 use crate::error::{Result, in_range};
+
+#[cfg(all(feature = "reference", not(target_arch = "wasm32")))]
+pub use stored::NotRestored;
 
 /// Sizes of the tables and sums of [`Orders::solve`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,7 +48,7 @@ pub struct Settings {
     /// Highest degree of spherical harmonics kept; 2 is exact without aerosols (and all that is used
     /// then). 12 is enough for thin haze with g = 0.8, dense dust with g = 0.86 (Mars) wants 24: with 12
     /// its blue sunset sky comes out half as bright as it is, opposite the sun near the horizon.
-    /// 2 to 64, less than `azimuths`.
+    /// [`Settings::for_medium`] chooses. 2 to 64, less than `azimuths`.
     pub degree: u32,
     /// Iterations after which to stop at the latest, 1 to 10 000. Earth needs 5 to 10, dense haze 40.
     pub max_iterations: u32,
@@ -52,7 +58,7 @@ pub struct Settings {
 
 impl Settings {
     /// For Earth and its gas alone, within the larger of 0.5 % and 4 standard errors of the Monte Carlo tables of
-    /// `tests/data` everywhere; Earth takes about 10 s of one core. Too few moments for Mars, see `degree`.
+    /// `tests/data` everywhere; Earth takes about 10 s of one core. Too few moments for Mars: [`Self::for_medium`].
     pub const QUICK: Self = Self {
         altitudes: 12,
         sun_angles: 40,
@@ -73,6 +79,18 @@ impl Settings {
         max_iterations: 100,
         tolerance: 1e-4,
     };
+
+    /// These settings with the moments that the aerosol of a medium wants: where |g| is above 0.82 (Mars' blue)
+    /// at least degree 24, and azimuths to resolve it. Otherwise they stay as they are.
+    #[must_use]
+    pub fn for_medium(self, params: &AtmosphereParams) -> Self {
+        let aerosol = params.mie_scattering.iter().zip(params.mie_asymmetry);
+        if !aerosol.into_iter().any(|(scattering, g)| *scattering > 0.0 && g.abs() > 0.82) {
+            return self;
+        }
+        let degree = self.degree.max(24);
+        Self { degree, azimuths: self.azimuths.max(degree + 4), ..self }
+    }
 
     fn validate(&self) -> Result<()> {
         in_range("settings.altitudes", f64::from(self.altitudes), 4.0, 256.0, "")?;
@@ -313,15 +331,8 @@ impl Orders {
     /// (Venus has 37 to 68) the iteration does not settle, and [`Self::converged`] says so: use
     /// [`super::path::path_trace`] there.
     pub fn solve(params: &AtmosphereParams, settings: Settings, mut progress: impl FnMut(Progress)) -> Result<Self> {
-        params.validate()?;
-        settings.validate()?;
-        let medium = Medium::new(params);
-        let aerosol = params.mie_scattering.iter().any(|&v| v > 0.0);
-        let degree = if aerosol { settings.degree as usize } else { 2 };
-        let mie = params.mie_asymmetry.map(|g| harmonics::mie_moments(params.mie_phase, g, degree));
-        let grid = Grid::new(params, &settings);
-        let empty = Interpolant { log_mean: vec![], ratio: vec![], night: 0, log_ground: vec![], ground_ratio: vec![] };
-        let mut solved = Self { medium, settings, grid, degree, mie, total: empty, history: vec![], converged: false };
+        let mut solved = Self::unsolved(params, settings)?;
+        let degree = solved.degree;
         let first = solved.first_order();
         let mut mixer = Anderson::default();
         let mut light = solved.first_guess(&first);
@@ -344,6 +355,19 @@ impl Orders {
         }
         solved.total = Interpolant::new(&light, harmonics::count(degree), settings.sun_angles as usize);
         Ok(solved)
+    }
+
+    /// All but the tables.
+    fn unsolved(params: &AtmosphereParams, settings: Settings) -> Result<Self> {
+        params.validate()?;
+        settings.validate()?;
+        let medium = Medium::new(params);
+        let aerosol = params.mie_scattering.iter().any(|&v| v > 0.0);
+        let degree = if aerosol { settings.degree as usize } else { 2 };
+        let mie = params.mie_asymmetry.map(|g| harmonics::mie_moments(params.mie_phase, g, degree));
+        let grid = Grid::new(params, &settings);
+        let empty = Interpolant { log_mean: vec![], ratio: vec![], night: 0, log_ground: vec![], ground_ratio: vec![] };
+        Ok(Self { medium, settings, grid, degree, mie, total: empty, history: vec![], converged: false })
     }
 
     /// The medium that was solved for.
@@ -936,4 +960,27 @@ fn solve_symmetric(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
 fn azimuth_cosine(mu_sun: f64, mu: f64, nu: f64) -> f64 {
     let sines = (((1.0 - mu_sun) * (1.0 + mu_sun)) * ((1.0 - mu) * (1.0 + mu))).max(0.0).sqrt();
     if sines > 1e-12 { ((nu - mu * mu_sun) / sines).clamp(-1.0, 1.0) } else { 1.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_preset_gets_settings_that_are_accepted() {
+        for name in AtmosphereParams::PRESETS {
+            let params = AtmosphereParams::preset(name).unwrap();
+            for settings in [Settings::QUICK, Settings::FINE] {
+                let chosen = settings.for_medium(&params);
+                chosen.validate().unwrap();
+                assert_eq!(chosen == settings, name != "mars", "{name}: {chosen:?}");
+                assert!(chosen == settings || chosen.degree == 24, "{name}: {chosen:?}");
+            }
+        }
+        // A peak that nothing scatters into is none; what is finer already stays.
+        let clear = AtmosphereParams { mie_scattering: [0.0; 3], ..AtmosphereParams::mars() };
+        assert_eq!(Settings::FINE.for_medium(&clear), Settings::FINE);
+        let finer = Settings { degree: 40, azimuths: 60, ..Settings::FINE };
+        assert_eq!(finer.for_medium(&AtmosphereParams::mars()), finer);
+    }
 }

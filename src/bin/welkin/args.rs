@@ -344,7 +344,8 @@ What is included:
   reference-single  the same light in f64 on the CPU, relative error 1e-6.
   reference         light of all orders of scattering in f64 on the CPU, with the light that the ground
                     reflects: into the air, and to the eye where a ray meets the ground. About 0.2 % by
-                    day, 0.5 % in twilight. Solves once for each medium and albedo: up to a minute each.
+                    day, 0.5 % in twilight. Solves once for each medium and albedo, up to some minutes each, and
+                    keeps the solution: up to 11 MB each.
 
 Example:
   welkin radiance --cases sky.csv --method single --samples 256 --light-samples 64 --out radiance.csv
@@ -387,6 +388,22 @@ pub struct RadianceArgs {
     /// Where to write (CSV)
     #[arg(short, long, value_name = "FILE")]
     pub out: PathBuf,
+
+    #[command(flatten)]
+    pub cache: CacheArgs,
+}
+
+/// Options of what uses the all-orders reference.
+#[derive(Args, Debug)]
+#[command(next_help_heading = "Kept solutions of the all-orders reference")]
+pub struct CacheArgs {
+    /// Solve, even what was solved before, and keep nothing
+    #[arg(long)]
+    pub no_cache: bool,
+
+    /// Where solutions are kept; may be emptied at any time [default: welkin in the user's cache folder]
+    #[arg(long, value_name = "FOLDER", env = "WELKIN_CACHE_DIR", hide_env_values = true)]
+    pub cache_dir: Option<PathBuf>,
 }
 
 const ACCURACY_ABOUT: &str = "\
@@ -416,6 +433,9 @@ pub struct AccuracyArgs {
     #[arg(long, value_name = "WxH", requires = "write_front", default_value = "1920x1080", hide_default_value = true)]
     #[arg(value_parser = parse_size)]
     pub front_size: [u32; 2],
+
+    #[command(flatten)]
+    pub cache: CacheArgs,
 }
 
 /// How radiance is computed.
@@ -446,10 +466,9 @@ impl CompareArgs {
     pub fn method(&self) -> welkin::Method {
         match (self.samples, self.light_samples) {
             (None, None) => Quality::from_name(&self.quality).unwrap_or(Quality::MEDIUM).method,
-            (view, light) => welkin::Method::Single {
-                view_samples: view.unwrap_or(32),
-                light_samples: light.unwrap_or(8),
-            },
+            (view, light) => {
+                welkin::Method::Single { view_samples: view.unwrap_or(32), light_samples: light.unwrap_or(8) }
+            }
         }
     }
 }

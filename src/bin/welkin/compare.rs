@@ -64,10 +64,7 @@ fn shot(args: &CompareArgs, view: &View, [width, height]: [u32; 2]) -> anyhow::R
         scene: view.scene(Place::DEFAULT, f64::from(width) / f64::from(height), Some(&terrain))?,
         width,
         height,
-        sky: SkySettings {
-            method: args.method(),
-            ..SkySettings::default()
-        },
+        sky: SkySettings { method: args.method(), ..SkySettings::default() },
         exposure: view.exposure,
         tone_map: ToneMap::Aces,
         terrain: Some(terrain),
@@ -76,11 +73,7 @@ fn shot(args: &CompareArgs, view: &View, [width, height]: [u32; 2]) -> anyhow::R
 
 fn compare(args: &CompareArgs, drawers: &mut [(String, Drawer)], out: &mut impl Write) -> anyhow::Result<()> {
     let [w, h] = args.size;
-    writeln!(
-        out,
-        "\nDifferences of display values at {w}×{h}, {} (of 255):\n",
-        args.method()
-    )?;
+    writeln!(out, "\nDifferences of display values at {w}×{h}, {} (of 255):\n", args.method())?;
     writeln!(out, "| view | pair | largest | mean | more than 1 apart | not finite |\n|---|---|---:|---:|---:|---:|")?;
     for view in &VIEWS {
         let shot = shot(args, view, args.size)?;
@@ -122,11 +115,7 @@ fn keep(path: &Path, picture: &Picture) -> anyhow::Result<()> {
 
 fn time(args: &CompareArgs, drawers: &mut [(String, Drawer)], out: &mut impl Write) -> anyhow::Result<()> {
     let [w, h] = args.time_size;
-    writeln!(
-        out,
-        "\nTimes at {w}×{h}, {}, best of {}; × is the ratio to the copy:\n",
-        args.method(), args.repeat
-    )?;
+    writeln!(out, "\nTimes at {w}×{h}, {}, best of {}; × is the ratio to the copy:\n", args.method(), args.repeat)?;
     writeln!(out, "| view | backend | pass | ms | × |\n|---|---|---|---:|---:|")?;
     for view in &VIEWS {
         let shot = shot(args, view, args.time_size)?;

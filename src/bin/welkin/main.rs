@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod args;
+mod cache;
 mod choose;
 mod compare;
 mod draw;

@@ -47,6 +47,11 @@ impl Destination {
         Ok(file)
     }
 
+    /// A file that nobody named, and that the work does not depend on.
+    pub fn at(path: &Path) -> Self {
+        Self { path: path.to_owned() }
+    }
+
     fn check(&self) -> std::io::Result<()> {
         if let Ok(there) = fs::metadata(&self.path) {
             // Asked first: opening a pipe would wait for its reader.

@@ -10,11 +10,12 @@ use csv::StringRecord;
 use glam::DVec3;
 use rayon::prelude::*;
 use welkin::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
-use welkin::reference::multiple::{Orders, Settings};
+use welkin::reference::multiple::Settings;
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
 use welkin::{AtmosphereParams, Camera, DepthConvention, Scene, SkyRenderer, SkySettings};
 
 use crate::args::{Method, RadianceArgs, UsageError};
+use crate::cache::Cache;
 use crate::draw::{self, BackendChoice, Drawer};
 use crate::output::Destination;
 use crate::progress::Progress;
@@ -70,7 +71,12 @@ pub fn run(args: &RadianceArgs) -> anyhow::Result<()> {
     let (radiance, by) = match args.method {
         Method::Single | Method::Lut => single(args, &table.cases)?,
         Method::ReferenceSingle => (reference_single(&table.cases)?, "f64 reference, single scattering".to_owned()),
-        Method::Reference => (reference(&table.cases)?, "f64 reference, all orders".to_owned()),
+        Method::Reference => {
+            let mut cache = Cache::new(&args.cache);
+            let radiance = reference(&table.cases, &mut cache);
+            cache.tell();
+            (radiance?, format!("f64 reference, all orders{}", cache.summary()))
+        }
     };
     for (row, (record, light)) in table.rows.iter().zip(&radiance).enumerate() {
         ensure!(
@@ -302,7 +308,7 @@ fn reference_single(cases: &[Case]) -> anyhow::Result<Vec<[f64; 3]>> {
 }
 
 /// Cases of one medium and albedo share one solution.
-fn reference(cases: &[Case]) -> anyhow::Result<Vec<[f64; 3]>> {
+fn reference(cases: &[Case], cache: &mut Cache) -> anyhow::Result<Vec<[f64; 3]>> {
     let mut groups: Vec<(&Case, Vec<usize>)> = Vec::new();
     let mut known = HashMap::new();
     for (i, case) in cases.iter().enumerate() {
@@ -317,10 +323,8 @@ fn reference(cases: &[Case]) -> anyhow::Result<Vec<[f64; 3]>> {
     let mut radiance = vec![[0.0; 3]; cases.len()];
     for (first, members) in groups {
         let tell = progress.step(&format!("{}, albedo {}", first.medium, first.atmosphere.ground_albedo[0]));
-        // A narrow forward lobe needs more moments: Mars' blue does with 24 (see `Settings::degree`).
-        let narrow = first.atmosphere.mie_asymmetry.iter().any(|g| g.abs() > 0.82);
-        let settings = Settings { degree: if narrow { 24 } else { Settings::FINE.degree }, ..Settings::FINE };
-        let orders = Orders::solve(&first.atmosphere, settings, |p| {
+        let settings = Settings::FINE.for_medium(&first.atmosphere);
+        let orders = cache.solve(&first.atmosphere, settings, |p| {
             tell((p.change.max(1e-300).ln() / settings.tolerance.ln()) as f32);
         })?;
         ensure!(

@@ -13,6 +13,7 @@ use crate::output::Output;
 use crate::progress::Progress;
 use crate::sheet::{self, Panel, Sheet};
 use crate::views::{self, Place, View};
+use welkin::SkySettings;
 
 /// Checks everything, then draws, then writes.
 pub fn run(args: &RenderArgs) -> anyhow::Result<()> {

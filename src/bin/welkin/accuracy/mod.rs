@@ -11,10 +11,11 @@ use std::time::Instant;
 use anyhow::Context;
 use welkin::backend::{Backend, Format, TextureDesc, TextureId};
 use welkin::quality::{Front, MeanError};
-use welkin::reference::multiple::{Orders, Settings};
+use welkin::reference::multiple::Settings;
 use welkin::{Method, PictureRenderer, Quality, SkySettings};
 
 use crate::args::{AccuracyArgs, UsageError};
+use crate::cache::Cache;
 use crate::draw::{BackendChoice, Drawer};
 use crate::info;
 use crate::output::Destination;
@@ -194,7 +195,10 @@ pub fn run(args: &AccuracyArgs) -> anyhow::Result<()> {
     let (markdown, table, picture) = (file("accuracy.md")?, file("accuracy.csv")?, file("accuracy.svg")?);
     let front_file = args.write_front.as_deref().map(|path| Destination::new(path, "--write-front <FILE>"));
     let front_file = front_file.transpose()?;
-    let (findings, front) = investigate(args.quick, front_file.is_some().then_some(args.front_size))?;
+    let mut cache = Cache::new(&args.cache);
+    let found = investigate(args.quick, front_file.is_some().then_some(args.front_size), &mut cache);
+    cache.tell();
+    let (findings, front) = found?;
     let svg = plot::svg(&findings)?;
     let text = report::markdown(&findings)?;
     markdown.write(|f| Ok(f.write_all(text.as_bytes())?))?;
@@ -205,12 +209,17 @@ pub fn run(args: &AccuracyArgs) -> anyhow::Result<()> {
     }
     let mut stdout = std::io::stdout().lock();
     write!(stdout, "{}", report::short(&findings)?)?;
-    writeln!(stdout, "{out}: accuracy.md, accuracy.csv, accuracy.svg, in {:.1} s", findings.seconds)?;
+    writeln!(
+        stdout,
+        "{out}: accuracy.md, accuracy.csv, accuracy.svg, in {:.1} s{}",
+        findings.seconds,
+        cache.summary()
+    )?;
     Ok(())
 }
 
 /// All findings; and if a size is given, the front of every preset, timed at it.
-fn investigate(quick: bool, front_size: Option<[u32; 2]>) -> anyhow::Result<(Findings, Front)> {
+fn investigate(quick: bool, front_size: Option<[u32; 2]>, cache: &mut Cache) -> anyhow::Result<(Findings, Front)> {
     let start = Instant::now();
     let (frame, runs, tables) =
         if quick { (Frame::QUICK, 3, Settings::QUICK) } else { (Frame::WHOLE, 6, Settings::FINE) };
@@ -229,7 +238,9 @@ fn investigate(quick: bool, front_size: Option<[u32; 2]>) -> anyhow::Result<(Fin
     let mut orders = Vec::new();
     for (i, name) in MEDIA.into_iter().enumerate() {
         let tell = progress.step(&format!("reference, all orders: {name}"));
-        let solved = Orders::solve(&scenes::medium(i)?, tables, |p| {
+        let medium = scenes::medium(i)?;
+        let tables = tables.for_medium(&medium);
+        let solved = cache.solve(&medium, tables, |p| {
             tell((p.change.max(1e-300).ln() / tables.tolerance.ln()) as f32);
         });
         let solved = solved.with_context(|| format!("solve {name}"))?;
