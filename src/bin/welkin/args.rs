@@ -4,7 +4,7 @@ use std::fmt;
 use std::path::PathBuf;
 use std::time::Duration;
 
-use clap::builder::PossibleValuesParser;
+use clap::builder::{PossibleValuesParser, TypedValueParser as _};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use welkin::{AtmosphereParams, Mode, Quality, SkySettings, ToneMap};
 
@@ -235,7 +235,7 @@ pub struct RenderArgs {
     /// colour and depth. planet: a shell laid over the scene by blending. These three march single scattering, 24 × 8
     /// samples. lut: everything from tables, with all orders of scattering, from the ground to far orbit.
     #[arg(long, value_name = "MODE", help_heading = "Quality and output", default_value = "lut")]
-    #[arg(value_parser = PossibleValuesParser::new(Mode::ALL.map(Mode::name)).try_map(|name| Mode::from_name(&name)))]
+    #[arg(value_parser = PossibleValuesParser::new(Mode::ALL.map(Mode::name)).try_map(|name: String| Mode::from_name(&name)))]
     mode: Mode,
 
     /// Method and its numbers by name; 'welkin accuracy' measures what each costs and misses
