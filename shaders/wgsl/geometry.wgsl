@@ -14,6 +14,11 @@ fn excess_of(h: f32, radius: f32) -> f32 {
     return h * (2.0 * radius + h);
 }
 
+// Altitude, never negative, a distance t along a ray from r^2 - R^2 = x with r mu = b.
+fn altitude_after(x: f32, b: f32, t: f32, radius: f32) -> f32 {
+    return max(altitude_of(x + t * (2.0 * b + t), radius), 0.0);
+}
+
 // A view ray inside the atmosphere, from where it enters (or the camera) to where it ends.
 struct AirRay {
     start: f32,    // distance from the camera to the entry, 0 inside

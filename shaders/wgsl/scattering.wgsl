@@ -27,7 +27,7 @@ fn path_densities(m: Medium, x: f32, b: f32, distance: f32, samples: u32) -> vec
         let u = u0 + du * f32(i);
         let t = warp(low, u + 0.5 * du);
         let t1 = warp(low, u + du);
-        let h = max(altitude_of(x + t * (2.0 * b + t), m.radius), 0.0);
+        let h = altitude_after(x, b, t, m.radius);
         sum += densities(m, h) * (t1 - t0);
         t0 = t1;
     }
@@ -79,7 +79,7 @@ fn single_scattering(m: Medium, ray: AirRay, length: f32, away: f32, view_sample
         let t1 = warp(low, u + du);
         let step = t1 - t0;
         let t = warp(low, u + 0.5 * du);
-        let h = max(altitude_of(ray.x + t * (2.0 * ray.b + t), m.radius), 0.0);
+        let h = altitude_after(ray.x, ray.b, t, m.radius);
         let tau = extinction(m, densities(m, h)) * step;
         //#if SCATTER
         // The part of the step that the sun reaches, and a point in its middle.

@@ -12,6 +12,9 @@
 #[cfg(feature = "glow")]
 #[rustfmt::skip]
 mod generated;
+#[cfg(all(feature = "glow", feature = "probe"))]
+#[rustfmt::skip]
+mod generated_probe;
 #[cfg(feature = "translate")]
 pub mod translate;
 
@@ -124,6 +127,9 @@ pub enum Program {
     Terrain,
     /// A plain copy, `copy.wgsl`.
     Copy,
+    /// The library's functions on single cases, `probe.wgsl`; see [`crate::probe`].
+    #[cfg(feature = "probe")]
+    Probe(crate::probe::Probe),
 }
 
 /// Vertices of the terrain's one triangle strip; the constants are RINGS and SEGMENTS in `terrain.wgsl`.
@@ -142,6 +148,9 @@ impl Program {
             }
             all.push(Self::Sky { air, sun: true });
         }
+        // Last: what only they need is kept apart from what pictures need.
+        #[cfg(feature = "probe")]
+        all.extend(crate::probe::Probe::ALL.map(Self::Probe));
         all
     }
 
@@ -152,6 +161,8 @@ impl Program {
         match self {
             Self::Copy | Self::Upsample | Self::Terrain => self.module().to_owned(),
             Self::ToneMap(t) => format!("tonemap-{}", t.name()),
+            #[cfg(feature = "probe")]
+            Self::Probe(p) => format!("probe-{}", p.name()),
             Self::Sky { .. } | Self::Aerial { .. } => [
                 self.module(),
                 part("RAYLEIGH", "-rayleigh"),
@@ -173,6 +184,8 @@ impl Program {
             Self::ToneMap(_) => "tonemap",
             Self::Terrain => "terrain",
             Self::Copy => "copy",
+            #[cfg(feature = "probe")]
+            Self::Probe(_) => "probe",
         }
     }
 
@@ -195,6 +208,11 @@ impl Program {
                 Constituents { rayleigh: true, mie: Some(MiePhase::HenyeyGreenstein), ozone: true }.flags(&mut flags)
             }
             Self::Upsample | Self::Copy => {}
+            #[cfg(feature = "probe")]
+            Self::Probe(p) => {
+                Constituents { rayleigh: true, mie: Some(p.mie_phase()), ozone: true }.flags(&mut flags);
+                flags.push(p.flag());
+            }
         }
         flags
     }
@@ -216,6 +234,8 @@ impl Program {
             Self::Sky { .. } | Self::Terrain => 0,
             Self::Upsample | Self::ToneMap(_) | Self::Copy => 1,
             Self::Aerial { .. } => 2,
+            #[cfg(feature = "probe")]
+            Self::Probe(_) => 1,
         }
     }
 
@@ -227,6 +247,8 @@ impl Program {
             Self::Terrain => size_of::<TerrainUniform>(),
             Self::ToneMap(_) => size_of::<ToneUniform>(),
             Self::Copy => 0,
+            #[cfg(feature = "probe")]
+            Self::Probe(_) => 0,
         }
     }
 
@@ -247,6 +269,10 @@ impl Program {
     #[cfg(feature = "glow")]
     pub(crate) fn glsl(self) -> Option<&'static Glsl> {
         let name = self.name();
+        #[cfg(feature = "probe")]
+        if matches!(self, Self::Probe(_)) {
+            return generated_probe::GLSL.iter().find(|g| g.name == name);
+        }
         generated::GLSL.iter().find(|g| g.name == name)
     }
 }
@@ -268,18 +294,29 @@ pub(crate) struct Glsl {
 impl Glsl {
     /// Text of the vertex shader.
     pub fn vertex(&self) -> String {
-        self.vertex.iter().map(|&i| generated::PARTS[usize::from(i)]).collect()
+        self.vertex.iter().map(|&i| part(i)).collect()
     }
 
     /// Text of the fragment shader.
     pub fn fragment(&self) -> String {
-        self.fragment.iter().map(|&i| generated::PARTS[usize::from(i)]).collect()
+        self.fragment.iter().map(|&i| part(i)).collect()
     }
 }
 
+/// A part of the generated table; the probe's own follow those of the pictures.
+#[cfg(feature = "glow")]
+fn part(index: u16) -> &'static str {
+    let index = usize::from(index);
+    #[cfg(feature = "probe")]
+    if let Some(own) = index.checked_sub(generated::PARTS.len()) {
+        return generated_probe::PARTS[own];
+    }
+    generated::PARTS[index]
+}
+
 macro_rules! modules {
-    ($($name:literal),* $(,)?) => {
-        &[$(($name, include_str!(concat!("../../shaders/wgsl/", $name, ".wgsl")))),*]
+    ($($(#[$on:meta])? $name:literal),* $(,)?) => {
+        &[$($(#[$on])? ($name, include_str!(concat!("../../shaders/wgsl/", $name, ".wgsl")))),*]
     };
 }
 
@@ -293,6 +330,8 @@ pub const MODULES: &[(&str, &str)] = modules![
     "medium",
     "noise",
     "phase",
+    #[cfg(feature = "probe")]
+    "probe",
     "scattering",
     "sky",
     "terrain",
