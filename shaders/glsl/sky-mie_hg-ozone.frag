@@ -73,28 +73,33 @@ float excess_of(float h, float radius_1) {
     return (h * ((2.0 * radius_1) + h));
 }
 
-float distance_to_top(float x_1, float b, float x_top) {
-    float c = max((x_top - x_1), 0.0);
-    float root = sqrt(((b * b) + c));
-    if ((b > 0.0)) {
-        return (c / (b + root));
-    }
-    return (root - b);
+float altitude_after(float x_1, float b, float t, float radius_2) {
+    float _e9 = altitude_of((x_1 + (t * ((2.0 * b) + t))), radius_2);
+    return max(_e9, 0.0);
 }
 
-AirRay air_ray(vec3 dir, float h_1, float radius_2, float thickness, vec3 sun) {
+float distance_to_top(float x_2, float b_1, float x_top) {
+    float c = max((x_top - x_2), 0.0);
+    float root = sqrt(((b_1 * b_1) + c));
+    if ((b_1 > 0.0)) {
+        return (c / (b_1 + root));
+    }
+    return (root - b_1);
+}
+
+AirRay air_ray(vec3 dir, float h_1, float radius_3, float thickness, vec3 sun) {
     AirRay ray = AirRay(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, false);
     bool local = false;
     bool local_1 = false;
-    float r = (radius_2 + h_1);
+    float r = (radius_3 + h_1);
     vec3 side = cross(dir, sun);
     ray.nu = dot(dir, sun);
     ray.cross2_ = dot(side, side);
     ray.ground = false;
-    float _e14 = excess_of(thickness, radius_2);
+    float _e14 = excess_of(thickness, radius_3);
     if ((h_1 <= thickness)) {
         ray.start = 0.0;
-        float _e19 = excess_of(h_1, radius_2);
+        float _e19 = excess_of(h_1, radius_3);
         ray.x = _e19;
         ray.b = (r * dir.z);
         ray.sun_b = (r * sun.z);
@@ -124,7 +129,7 @@ AirRay air_ray(vec3 dir, float h_1, float radius_2, float thickness, vec3 sun) {
     }
     float horizontal2_ = dot(dir.xy, dir.xy);
     float p = (r * sqrt(horizontal2_));
-    float top = (radius_2 + thickness);
+    float top = (radius_3 + thickness);
     float top_disc = ((top - p) * (top + p));
     if (!((dir.z >= 0.0))) {
         local_1 = (top_disc <= 0.0);
@@ -145,7 +150,7 @@ AirRay air_ray(vec3 dir, float h_1, float radius_2, float thickness, vec3 sun) {
     float _e104 = ray.nu;
     ray.sun_b = (dot(closest, sun) - (half_ * _e104));
     ray.length_ = (2.0 * half_);
-    float ground_disc = ((radius_2 - p) * (radius_2 + p));
+    float ground_disc = ((radius_3 - p) * (radius_3 + p));
     if ((ground_disc >= 0.0)) {
         ray.ground = true;
         ray.length_ = (_e14 / (half_ + sqrt(ground_disc)));
@@ -154,32 +159,32 @@ AirRay air_ray(vec3 dir, float h_1, float radius_2, float thickness, vec3 sun) {
     return _e121;
 }
 
-bool hits_planet(vec3 dir_1, float h_2, float radius_3, float thickness_1) {
-    float r_1 = (radius_3 + h_2);
+bool hits_planet(vec3 dir_1, float h_2, float radius_4, float thickness_1) {
+    float r_1 = (radius_4 + h_2);
     if ((dir_1.z >= 0.0)) {
         return false;
     }
     if ((h_2 <= thickness_1)) {
-        float b_2 = (r_1 * dir_1.z);
-        float _e13 = excess_of(h_2, radius_3);
-        return (((b_2 * b_2) - _e13) >= 0.0);
+        float b_3 = (r_1 * dir_1.z);
+        float _e13 = excess_of(h_2, radius_4);
+        return (((b_3 * b_3) - _e13) >= 0.0);
     }
-    return ((radius_3 - (r_1 * length(dir_1.xy))) >= 0.0);
+    return ((radius_4 - (r_1 * length(dir_1.xy))) >= 0.0);
 }
 
 vec2 shadow_stretch(AirRay ray_1) {
     vec2 stretch = vec2(0.0);
     vec2 none = vec2(1.0, 0.0);
     float a = ray_1.cross2_;
-    float b_3 = (ray_1.b - (ray_1.sun_b * ray_1.nu));
+    float b_4 = (ray_1.b - (ray_1.sun_b * ray_1.nu));
     float c_1 = (ray_1.x - (ray_1.sun_b * ray_1.sun_b));
     stretch = vec2(-(1e30), 1e30);
-    float disc_1 = ((b_3 * b_3) - (a * c_1));
+    float disc_1 = ((b_4 * b_4) - (a * c_1));
     if ((a > 1e-12)) {
         if ((disc_1 <= 0.0)) {
             return none;
         }
-        float q = -((b_3 + (((b_3 >= 0.0) ? 1.0 : -1.0) * sqrt(disc_1))));
+        float q = -((b_4 + (((b_4 >= 0.0) ? 1.0 : -1.0) * sqrt(disc_1))));
         float t0_2 = (q / a);
         float t1_ = ((q != 0.0) ? (c_1 / q) : t0_2);
         stretch = vec2(min(t0_2, t1_), max(t0_2, t1_));
@@ -193,13 +198,13 @@ vec2 shadow_stretch(AirRay ray_1) {
             return none;
         }
     } else {
-        float t_1 = (-(ray_1.sun_b) / ray_1.nu);
+        float t_2 = (-(ray_1.sun_b) / ray_1.nu);
         if ((ray_1.nu > 0.0)) {
             float _e61 = stretch.y;
-            stretch.y = min(_e61, t_1);
+            stretch.y = min(_e61, t_2);
         } else {
             float _e65 = stretch.x;
-            stretch.x = max(_e65, t_1);
+            stretch.x = max(_e65, t_2);
         }
     }
     vec2 _e67 = stretch;
@@ -233,22 +238,22 @@ float warp(float low, float u) {
     return (low + (u * abs(u)));
 }
 
-float unwarp(float low_1, float t) {
-    return (sign((t - low_1)) * sqrt(abs((t - low_1))));
+float unwarp(float low_1, float t_1) {
+    return (sign((t_1 - low_1)) * sqrt(abs((t_1 - low_1))));
 }
 
-vec3 path_densities(Medium m_2, float x_2, float b_1, float distance_, uint samples) {
+vec3 path_densities(Medium m_2, float x_3, float b_2, float distance_, uint samples) {
     vec3 sum_1 = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
-    float low_2 = clamp(-(b_1), 0.0, distance_);
+    float low_2 = clamp(-(b_2), 0.0, distance_);
     float u0_ = -(sqrt(low_2));
     float du = ((sqrt((distance_ - low_2)) - u0_) / float(samples));
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e50 = i;
-            i = (_e50 + 1u);
+            uint _e43 = i;
+            i = (_e43 + 1u);
         }
         loop_init = false;
         uint _e22 = i;
@@ -261,23 +266,22 @@ vec3 path_densities(Medium m_2, float x_2, float b_1, float distance_, uint samp
             float u_1 = (u0_ + (du * float(_e24)));
             float _e31 = warp(low_2, (u_1 + (0.5 * du)));
             float _e33 = warp(low_2, (u_1 + du));
-            float _e40 = altitude_of((x_2 + (_e31 * ((2.0 * b_1) + _e31))), m_2.radius);
-            float h_4 = max(_e40, 0.0);
-            vec3 _e43 = sum_1;
-            vec3 _e44 = densities(m_2, h_4);
-            float _e45 = t0_;
-            sum_1 = (_e43 + (_e44 * (_e33 - _e45)));
+            float _e35 = altitude_after(x_3, b_2, _e31, m_2.radius);
+            vec3 _e36 = sum_1;
+            vec3 _e37 = densities(m_2, _e35);
+            float _e38 = t0_;
+            sum_1 = (_e36 + (_e37 * (_e33 - _e38)));
             t0_ = _e33;
         }
     }
-    vec3 _e52 = sum_1;
-    return _e52;
+    vec3 _e45 = sum_1;
+    return _e45;
 }
 
-vec3 sun_transmittance(Medium m_3, float x_3, float sun_b, uint samples_1) {
+vec3 sun_transmittance(Medium m_3, float x_4, float sun_b, uint samples_1) {
     float _e6 = excess_of(m_3.thickness, m_3.radius);
-    float _e7 = distance_to_top(x_3, sun_b, _e6);
-    vec3 _e8 = path_densities(m_3, x_3, sun_b, _e7, samples_1);
+    float _e7 = distance_to_top(x_4, sun_b, _e6);
+    vec3 _e8 = path_densities(m_3, x_4, sun_b, _e7, samples_1);
     vec3 _e9 = extinction(m_3, _e8);
     return exp(-(_e9));
 }
@@ -305,8 +309,8 @@ Scattered single_scattering(Medium m_4, AirRay ray_2, float length_, float away_
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            uint _e140 = i_1;
-            i_1 = (_e140 + 1u);
+            uint _e133 = i_1;
+            i_1 = (_e133 + 1u);
         }
         loop_init_1 = false;
         uint _e35 = i_1;
@@ -321,54 +325,53 @@ Scattered single_scattering(Medium m_4, AirRay ray_2, float length_, float away_
             float _e43 = t0_1;
             float step_ = (_e42 - _e43);
             float _e48 = warp(low_3, (u_2 + (0.5 * du_1)));
-            float _e57 = altitude_of((ray_2.x + (_e48 * ((2.0 * ray_2.b) + _e48))), m_4.radius);
-            float h_5 = max(_e57, 0.0);
-            vec3 _e60 = densities(m_4, h_5);
-            vec3 _e61 = extinction(m_4, _e60);
-            vec3 tau_1 = (_e61 * step_);
-            float _e64 = t0_1;
-            float dark0_ = clamp(_e30.x, _e64, _e42);
-            float _e67 = t0_1;
-            float dark1_ = clamp(_e30.y, _e67, _e42);
+            float _e52 = altitude_after(ray_2.x, ray_2.b, _e48, m_4.radius);
+            vec3 _e53 = densities(m_4, _e52);
+            vec3 _e54 = extinction(m_4, _e53);
+            vec3 tau_1 = (_e54 * step_);
+            float _e57 = t0_1;
+            float dark0_ = clamp(_e30.x, _e57, _e42);
+            float _e60 = t0_1;
+            float dark1_ = clamp(_e30.y, _e60, _e42);
             float dark = ((_e30.y > _e30.x) ? max((dark1_ - dark0_), 0.0) : 0.0);
             if ((dark < step_)) {
                 lit_t = _e48;
                 if ((dark > 0.0)) {
-                    float _e81 = t0_1;
-                    bool first = ((dark0_ - _e81) > (_e42 - dark1_));
-                    float _e85 = t0_1;
-                    float lit0_ = (first ? _e85 : dark1_);
+                    float _e74 = t0_1;
+                    bool first = ((dark0_ - _e74) > (_e42 - dark1_));
+                    float _e78 = t0_1;
+                    float lit0_ = (first ? _e78 : dark1_);
                     float lit1_ = (first ? dark0_ : _e42);
-                    float _e88 = unwarp(low_3, lit0_);
-                    float _e89 = unwarp(low_3, lit1_);
-                    float _e93 = warp(low_3, (0.5 * (_e88 + _e89)));
-                    lit_t = _e93;
+                    float _e81 = unwarp(low_3, lit0_);
+                    float _e82 = unwarp(low_3, lit1_);
+                    float _e86 = warp(low_3, (0.5 * (_e81 + _e82)));
+                    lit_t = _e86;
                 }
-                float _e95 = lit_t;
-                float _e99 = lit_t;
-                float x_4 = (ray_2.x + (_e95 * ((2.0 * ray_2.b) + _e99)));
-                float _e104 = altitude_of(x_4, m_4.radius);
-                vec3 _e107 = densities(m_4, max(_e104, 0.0));
+                float _e88 = lit_t;
+                float _e92 = lit_t;
+                float x_5 = (ray_2.x + (_e88 * ((2.0 * ray_2.b) + _e92)));
+                float _e97 = altitude_of(x_5, m_4.radius);
+                vec3 _e100 = densities(m_4, max(_e97, 0.0));
                 source = vec3(0.0);
-                vec3 _e111 = source;
-                source = (_e111 + (mie * _e107.y));
-                vec3 _e115 = source;
-                float _e118 = lit_t;
-                vec3 _e121 = sun_transmittance(m_4, x_4, (ray_2.sun_b + (ray_2.nu * _e118)), light_samples);
-                source = (_e115 * _e121);
-                vec3 _e124 = out_.radiance;
-                vec3 _e126 = out_.transmittance;
-                vec3 _e127 = mean_transmittance(tau_1);
-                vec3 _e129 = source;
-                out_.radiance = (_e124 + (((_e126 * _e127) * _e129) * (step_ - dark)));
+                vec3 _e104 = source;
+                source = (_e104 + (mie * _e100.y));
+                vec3 _e108 = source;
+                float _e111 = lit_t;
+                vec3 _e114 = sun_transmittance(m_4, x_5, (ray_2.sun_b + (ray_2.nu * _e111)), light_samples);
+                source = (_e108 * _e114);
+                vec3 _e117 = out_.radiance;
+                vec3 _e119 = out_.transmittance;
+                vec3 _e120 = mean_transmittance(tau_1);
+                vec3 _e122 = source;
+                out_.radiance = (_e117 + (((_e119 * _e120) * _e122) * (step_ - dark)));
             }
-            vec3 _e135 = out_.transmittance;
-            out_.transmittance = (_e135 * exp(-(tau_1)));
+            vec3 _e128 = out_.transmittance;
+            out_.transmittance = (_e128 * exp(-(tau_1)));
             t0_1 = _e42;
         }
     }
-    Scattered _e142 = out_;
-    return _e142;
+    Scattered _e135 = out_;
+    return _e135;
 }
 
 void main() {

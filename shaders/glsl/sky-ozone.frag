@@ -73,28 +73,33 @@ float excess_of(float h, float radius_1) {
     return (h * ((2.0 * radius_1) + h));
 }
 
-float distance_to_top(float x_1, float b, float x_top) {
-    float c = max((x_top - x_1), 0.0);
-    float root = sqrt(((b * b) + c));
-    if ((b > 0.0)) {
-        return (c / (b + root));
-    }
-    return (root - b);
+float altitude_after(float x_1, float b, float t, float radius_2) {
+    float _e9 = altitude_of((x_1 + (t * ((2.0 * b) + t))), radius_2);
+    return max(_e9, 0.0);
 }
 
-AirRay air_ray(vec3 dir, float h_1, float radius_2, float thickness, vec3 sun) {
+float distance_to_top(float x_2, float b_1, float x_top) {
+    float c = max((x_top - x_2), 0.0);
+    float root = sqrt(((b_1 * b_1) + c));
+    if ((b_1 > 0.0)) {
+        return (c / (b_1 + root));
+    }
+    return (root - b_1);
+}
+
+AirRay air_ray(vec3 dir, float h_1, float radius_3, float thickness, vec3 sun) {
     AirRay ray = AirRay(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, false);
     bool local = false;
     bool local_1 = false;
-    float r = (radius_2 + h_1);
+    float r = (radius_3 + h_1);
     vec3 side = cross(dir, sun);
     ray.nu = dot(dir, sun);
     ray.cross2_ = dot(side, side);
     ray.ground = false;
-    float _e14 = excess_of(thickness, radius_2);
+    float _e14 = excess_of(thickness, radius_3);
     if ((h_1 <= thickness)) {
         ray.start = 0.0;
-        float _e19 = excess_of(h_1, radius_2);
+        float _e19 = excess_of(h_1, radius_3);
         ray.x = _e19;
         ray.b = (r * dir.z);
         ray.sun_b = (r * sun.z);
@@ -124,7 +129,7 @@ AirRay air_ray(vec3 dir, float h_1, float radius_2, float thickness, vec3 sun) {
     }
     float horizontal2_ = dot(dir.xy, dir.xy);
     float p = (r * sqrt(horizontal2_));
-    float top = (radius_2 + thickness);
+    float top = (radius_3 + thickness);
     float top_disc = ((top - p) * (top + p));
     if (!((dir.z >= 0.0))) {
         local_1 = (top_disc <= 0.0);
@@ -145,7 +150,7 @@ AirRay air_ray(vec3 dir, float h_1, float radius_2, float thickness, vec3 sun) {
     float _e104 = ray.nu;
     ray.sun_b = (dot(closest, sun) - (half_ * _e104));
     ray.length_ = (2.0 * half_);
-    float ground_disc = ((radius_2 - p) * (radius_2 + p));
+    float ground_disc = ((radius_3 - p) * (radius_3 + p));
     if ((ground_disc >= 0.0)) {
         ray.ground = true;
         ray.length_ = (_e14 / (half_ + sqrt(ground_disc)));
@@ -154,17 +159,17 @@ AirRay air_ray(vec3 dir, float h_1, float radius_2, float thickness, vec3 sun) {
     return _e121;
 }
 
-bool hits_planet(vec3 dir_1, float h_2, float radius_3, float thickness_1) {
-    float r_1 = (radius_3 + h_2);
+bool hits_planet(vec3 dir_1, float h_2, float radius_4, float thickness_1) {
+    float r_1 = (radius_4 + h_2);
     if ((dir_1.z >= 0.0)) {
         return false;
     }
     if ((h_2 <= thickness_1)) {
-        float b_1 = (r_1 * dir_1.z);
-        float _e13 = excess_of(h_2, radius_3);
-        return (((b_1 * b_1) - _e13) >= 0.0);
+        float b_2 = (r_1 * dir_1.z);
+        float _e13 = excess_of(h_2, radius_4);
+        return (((b_2 * b_2) - _e13) >= 0.0);
     }
-    return ((radius_3 - (r_1 * length(dir_1.xy))) >= 0.0);
+    return ((radius_4 - (r_1 * length(dir_1.xy))) >= 0.0);
 }
 
 vec3 densities(Medium m, float h_3) {
@@ -199,8 +204,8 @@ Scattered single_scattering(Medium m_2, AirRay ray_1, float length_, float away,
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e64 = i;
-            i = (_e64 + 1u);
+            uint _e57 = i;
+            i = (_e57 + 1u);
         }
         loop_init = false;
         uint _e30 = i;
@@ -215,18 +220,17 @@ Scattered single_scattering(Medium m_2, AirRay ray_1, float length_, float away,
             float _e38 = t0_;
             float step_ = (_e37 - _e38);
             float _e43 = warp(low_1, (u_1 + (0.5 * du)));
-            float _e52 = altitude_of((ray_1.x + (_e43 * ((2.0 * ray_1.b) + _e43))), m_2.radius);
-            float h_4 = max(_e52, 0.0);
-            vec3 _e55 = densities(m_2, h_4);
-            vec3 _e56 = extinction(m_2, _e55);
-            vec3 tau = (_e56 * step_);
-            vec3 _e59 = out_.transmittance;
-            out_.transmittance = (_e59 * exp(-(tau)));
+            float _e47 = altitude_after(ray_1.x, ray_1.b, _e43, m_2.radius);
+            vec3 _e48 = densities(m_2, _e47);
+            vec3 _e49 = extinction(m_2, _e48);
+            vec3 tau = (_e49 * step_);
+            vec3 _e52 = out_.transmittance;
+            out_.transmittance = (_e52 * exp(-(tau)));
             t0_ = _e37;
         }
     }
-    Scattered _e66 = out_;
-    return _e66;
+    Scattered _e59 = out_;
+    return _e59;
 }
 
 void main() {
