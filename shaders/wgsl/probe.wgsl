@@ -51,8 +51,9 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     if answer == 2 {
         let reach = max(ray.length, 0.0);
         let shadow = clamp(shadow_stretch(ray), vec2f(0.0), vec2f(reach));
-        let hits = f32(hits_planet(view.xyz, view.w, m.radius, m.thickness));
-        return vec4f(altitude_after(ray.x, ray.b, light.w * reach, m.radius), hits, shadow);
+        let hits = f32(hits_planet(view.xyz, view.w, m.radius));
+        let low = lowest(ray, reach, m.radius);
+        return vec4f(altitude_after(low.x, low.b, light.w * reach - low.t, m.radius), hits, shadow);
     }
     let x = excess_of(view.w, m.radius);
     return vec4f(x, altitude_of(x, m.radius), distance_to_top(path.x, path.y, excess_of(m.thickness, m.radius)), 0.0);
@@ -66,10 +67,10 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
         return vec4f(extinction(m, d), 0.0);
     }
     if answer == 2 {
-        return vec4f(henyey_greenstein_phase(angle.x, m.mie_asymmetry), 0.0);
+        return vec4f(henyey_greenstein_phase(angle.x, 2.0 - angle.x, m.mie_asymmetry), 0.0);
     }
     if answer == 3 {
-        return vec4f(cornette_shanks_phase(1.0 - angle.x, angle.x, m.mie_asymmetry), 0.0);
+        return vec4f(cornette_shanks_phase(angle.x, 2.0 - angle.x, m.mie_asymmetry), 0.0);
     }
     return vec4f(mean_transmittance(extinction(m, d) * path.z), 0.0);
     //#endif

@@ -16,7 +16,7 @@ fn disk_coverage(offset: vec3f, chord: f32, pixel: f32) -> f32 {
 fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let dir = normalize(pixel_ray(frame, position.xy));
     let m = frame.medium;
-    if hits_planet(dir, frame.altitude, m.radius, m.thickness) {
+    if hits_planet(dir, frame.altitude, m.radius) {
         if frame.low_resolution == 0u {
             discard;
         }
