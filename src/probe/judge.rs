@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::truth::{Air, Air64, Input, Promise, RESOLUTION, scattering};
+use super::truth::{Air, Air64, Input, LAYERS, Promise, RESOLUTION, scattering};
 use super::{Case, Probe};
 use crate::atmosphere::MiePhase;
 use crate::phase;
@@ -86,8 +86,9 @@ impl Check {
 
     /// Whether the last digits of the inputs decide more than the promise is worth.
     fn steep(&self) -> bool {
-        // Written so that a truth that is not finite is steep, and then broken.
-        !(self.high - self.low <= self.promise.allows(self.exact))
+        let spread = self.high - self.low;
+        // A truth that is not finite is steep, and then broken.
+        spread.is_nan() || spread > self.promise.allows(self.exact)
     }
 
     fn kept(&self) -> bool {
@@ -243,7 +244,7 @@ fn among(quantity: Quantity, got: f32, promise: Promise, mut values: impl Iterat
 fn geometry(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
     let promise = Promise::geometry(case.medium.radius.into());
     let input = Input::of(case);
-    let all = input.neighbours().map(|i| Air::new(&i));
+    let all: Vec<_> = input.neighbours().iter().map(Air::new).collect();
     let [start, length, x, b] = answers[0];
     let [sun_b, nu, cross2, ground] = answers[1];
     let [altitude, hits, dark0, dark1] = answers[2];
@@ -264,7 +265,9 @@ fn geometry(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
     if let Some(first) = same.first() {
         let of = |f: &dyn Fn(&Air) -> f64| same.iter().map(f).collect::<Vec<_>>().into_iter();
         note(among(Quantity::Start, start, promise, of(&|a| a.start)));
-        note(Check { least: 0.0, ..among(Quantity::Length, length, promise, of(&|a| a.length)) });
+        // A ray next to one that misses the air has next to nothing of it.
+        let none = all.iter().any(Option::is_none).then_some(0.0);
+        note(Check { least: 0.0, ..among(Quantity::Length, length, promise, of(&|a| a.length).chain(none)) });
         let radius = first.radius;
         let entry = f64::from(x) / (radius + (radius * radius + f64::from(x)).max(0.0).sqrt());
         note(among(Quantity::EntryAltitude, entry as f32, promise, of(&|a| a.altitude)));
@@ -277,17 +280,25 @@ fn geometry(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
         let t = f64::from(case.fraction * length.max(0.0));
         note(Check { least: 0.0, ..among(Quantity::Altitude, altitude, promise, of(&|a| a.altitude_after(t))) });
         let dark = |a: &Air| {
-            let reach = |s: f64| s.clamp(0.0, a.length);
+            let reach = |s: f64| s.clamp(0.0, f64::from(length.max(0.0)));
             if a.shadow[1] > a.shadow[0] { a.shadow.map(reach) } else { [0.0; 2] }
         };
         let got = if dark1 > dark0 || dark0.is_nan() { [dark0, dark1] } else { [0.0; 2] };
         let long = |d: [f64; 2]| d[1] - d[0];
-        note(among(Quantity::ShadowLength, got[1] - got[0], promise, of(&|a| long(dark(a)))));
+        // Begin and end are distances along the ray, each with its promise.
+        let both = Promise { absolute: promise.allows(f64::from(length)), ..promise };
+        note(among(Quantity::ShadowLength, got[1] - got[0], both, of(&|a| long(dark(a)))));
         if got[1] > got[0] {
             let shaded: Vec<_> = same.iter().map(dark).filter(|d| long(*d) > 0.0).collect();
+            // Beside one that is not shaded at all, any part of what is dark may be.
+            let bright = same.iter().any(|a| long(dark(a)) <= 0.0);
+            let least = shaded.iter().map(|d| d[0]).fold(f64::INFINITY, f64::min);
+            let most = shaded.iter().map(|d| d[1]).fold(f64::NEG_INFINITY, f64::max);
             if !shaded.is_empty() {
-                note(among(Quantity::ShadowBegin, got[0], promise, shaded.iter().map(|d| d[0])));
-                note(among(Quantity::ShadowEnd, got[1], promise, shaded.iter().map(|d| d[1])));
+                let begins = shaded.iter().map(|d| d[0]).chain(bright.then_some(most));
+                note(among(Quantity::ShadowBegin, got[0], promise, begins));
+                let ends = shaded.iter().map(|d| d[1]).chain(bright.then_some(least));
+                note(among(Quantity::ShadowEnd, got[1], promise, ends));
             }
         }
     }
@@ -297,8 +308,8 @@ fn geometry(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
     note(among(Quantity::Excess, excess, relative, std::iter::once(h * (2.0 * radius + h))));
     note(among(Quantity::AltitudeOf, back, promise, std::iter::once(h)));
     let (x, b) = (f64::from(case.path_x), f64::from(case.path_b));
-    let air = Air64(case);
-    let near = moves(x, b).map(|(x, b)| air.to_top(x, b));
+    let air = Air64(case, LAYERS[0]);
+    let near = moves(x, b).map(|(x, b)| air.to_top(x, b, 1.0));
     note(Check { least: 0.0, ..among(Quantity::ToTop, to_top, promise, near.into_iter()) });
 }
 
@@ -309,7 +320,8 @@ fn moves(x: f64, b: f64) -> [(f64, f64); 5] {
 }
 
 fn medium(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
-    let air = Air64(case);
+    let airs = LAYERS.map(|layer| Air64(case, layer));
+    let [air, ..] = airs;
     let h = f64::from(case.altitude);
     let d = air.densities(h);
     let one = std::iter::once;
@@ -318,33 +330,47 @@ fn medium(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
     {
         note(Check { least: 0.0, most: 1.0, ..among(quantity, got, Promise::step(1.0), one(exact)) });
     }
-    let mut three = |quantity, got: [f32; 4], exact: [f64; 3], most| {
-        let brightest = exact.into_iter().fold(0.0, f64::max);
-        for (got, exact) in got.into_iter().zip(exact) {
-            note(Check { least: 0.0, most, ..among(quantity, got, Promise::step(brightest), one(exact)) });
+    let mut three = |quantity, got: [f32; 4], values: &[[f64; 3]], most| {
+        let brightest = values[0].into_iter().fold(0.0, f64::max);
+        for c in 0..3 {
+            let values = values.iter().map(|v| v[c]);
+            note(Check { least: 0.0, most, ..among(quantity, got[c], Promise::step(brightest), values) });
         }
     };
-    let extinction = air.extinction(d);
-    three(Quantity::Extinction, answers[1], extinction, f32::INFINITY);
-    three(Quantity::HenyeyGreenstein, answers[2], air.henyey_greenstein(), f32::INFINITY);
-    three(Quantity::CornetteShanks, answers[3], air.cornette_shanks(), f32::INFINITY);
+    let extinctions = airs.map(|air| air.extinction(air.densities(h)));
+    let away = f64::from(case.away);
+    three(Quantity::Extinction, answers[1], &extinctions, f32::INFINITY);
+    three(Quantity::HenyeyGreenstein, answers[2], &[air.henyey_greenstein(away)], f32::INFINITY);
+    three(Quantity::CornetteShanks, answers[3], &[air.cornette_shanks(away)], f32::INFINITY);
     let distance = f64::from(case.path_distance);
-    let mean = extinction.map(|e| {
-        let tau = e * distance;
-        if tau > 0.0 { -(-tau).exp_m1() / tau } else { 1.0 }
+    let means = extinctions.map(|extinction| {
+        extinction.map(|e| {
+            let tau = e * distance;
+            if tau > 0.0 { -(-tau).exp_m1() / tau } else { 1.0 }
+        })
     });
-    three(Quantity::MeanTransmittance, answers[4], mean, 1.0);
+    three(Quantity::MeanTransmittance, answers[4], &means, 1.0);
     let rayleigh = phase::rayleigh(1.0 - f64::from(case.away));
     note(among(Quantity::Rayleigh, answers[0][3], Promise::step(rayleigh), one(rayleigh)));
 }
 
+/// A path's begin (x, b) and its medium, either of which may be a neighbour of the case's.
+type PathInput<'a> = ((f64, f64), Air64<'a>);
+
 fn path(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
-    let air = Air64(case);
     let n = case.samples as u32;
-    let near = moves(case.path_x.into(), case.path_b.into());
-    let columns = near.map(|(x, b)| air.columns(x, b, case.path_distance.into(), n));
+    let (x, b) = (f64::from(case.path_x), f64::from(case.path_b));
+    let near: Vec<_> = moves(x, b)
+        .map(|at| (at, LAYERS[0]))
+        .into_iter()
+        .chain(LAYERS[1..].iter().map(|layer| ((x, b), *layer)))
+        .map(|(at, layer)| (at, Air64(case, layer)))
+        .collect();
+    let of = |f: &dyn Fn(&PathInput) -> [f64; 3]| near.iter().map(f).collect::<Vec<_>>();
+    let columns = of(&|((x, b), air)| air.columns(*x, *b, case.path_distance.into(), n));
     let longest = columns[0].into_iter().fold(0.0, f64::max);
-    let through = near.map(|(x, b)| air.extinction(air.columns(x, b, air.to_top(x, b), n)).map(|tau| (-tau).exp()));
+    let through =
+        of(&|((x, b), air)| air.extinction(air.columns(*x, *b, air.to_top(*x, *b, 1.0), n)).map(|tau| (-tau).exp()));
     for c in 0..3 {
         let values = columns.iter().map(|v| v[c]);
         note(Check { least: 0.0, ..among(Quantity::Column, answers[0][c], Promise::step(longest), values) });
@@ -357,21 +383,64 @@ fn path(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
     }
 }
 
+/// Whether the light along a whole ray is promised to be right, and not only possible: see
+/// [`AtmosphereParams::validate`](crate::AtmosphereParams::validate).
+fn promised(case: &Case) -> bool {
+    let m = &case.medium;
+    let (gas, aerosol, layer) = (1.0 / m.rayleigh_inv_height, 1.0 / m.mie_inv_height, 1.0 / m.ozone_inv_half_width);
+    let depth = (0..3).map(|c| m.rayleigh[c] * gas + m.mie_extinction[c] * aerosol + m.ozone[c] * layer);
+    let within = |v: f32, low: f32, high: f32| (low * 0.999..=high * 1.001).contains(&v);
+    within(m.radius, 1.0, 7e4)
+        && within(m.thickness / m.radius, 1e-5, 2.0)
+        && [gas, aerosol].into_iter().all(|h| within(h, 1e-3, 1e3))
+        && depth.fold(0.0, f32::max) <= 1.001e4
+}
+
 fn scatter(case: &Case, answers: &[[f32; 4]], cornette_shanks: bool, note: &mut impl FnMut(Check)) {
-    let all = Input::of(case).neighbours();
     let length = answers[0][3];
     let ground = answers[1][3] > 0.5;
     let ended = |input: &Input| Air::new(input).is_some_and(|a| a.ground == ground);
-    let same = all.iter().filter(|i| ended(i)).filter_map(|i| scattering(case, i, cornette_shanks));
-    let same: Vec<_> = if length > 0.0 { same.collect() } else { Vec::new() };
-    let empty = [([0.0; 3], [1.0; 3])];
-    let values = if same.is_empty() { &empty[..] } else { &same };
-    let brightest = values[0].0.into_iter().fold(0.0, f64::max);
-    for c in 0..3 {
-        let radiance =
-            among(Quantity::Radiance, answers[0][c], Promise::step(brightest), values.iter().map(|v| v.0[c]));
-        note(Check { least: 0.0, ..radiance });
-        let through = among(Quantity::Transmittance, answers[1][c], Promise::step(1.0), values.iter().map(|v| v.1[c]));
-        note(Check { least: 0.0, most: 1.0, ..through });
+    let mut all = Input::of(case).neighbours();
+    let mut own = all[0];
+    // Next to a tangent, where f32 may take the other side, from that side on.
+    if !ended(&own)
+        && let Some(other) = all.iter().rev().copied().find(ended)
+    {
+        own = other;
+        all.extend(own.neighbours());
     }
+    all.extend(LAYERS[1..].iter().map(|layer| Input { layer: *layer, ..own }));
+    // Light is right for a shadow that is as right as promised.
+    all.extend([-1.0, 1.0].map(|blur| Input { blur, ..own }));
+    let light = |input: &Input| ended(input).then(|| scattering(case, input, cornette_shanks)).flatten();
+    let mut same: Vec<_> = if length > 0.0 { all.iter().filter_map(light).collect() } else { Vec::new() };
+    if same.is_empty() || all.iter().any(|i| Air::new(i).is_none()) {
+        same.push(([0.0; 3], [1.0; 3]));
+    }
+    let checks = |values: &[([f64; 3], [f64; 3])]| {
+        let brightest = values[0].0.into_iter().fold(0.0, f64::max);
+        [0, 1, 2].map(|c| {
+            let (radiances, throughs) = (values.iter().map(|v| v.0[c]), values.iter().map(|v| v.1[c]));
+            let radiance = among(Quantity::Radiance, answers[0][c], Promise::step(brightest), radiances);
+            let through = among(Quantity::Transmittance, answers[1][c], Promise::step(1.0), throughs);
+            [Check { least: 0.0, ..radiance }, Check { least: 0.0, most: 1.0, ..through }]
+        })
+    };
+    if !promised(case) {
+        // Only possible, not right.
+        for (c, quantity) in [(0, Quantity::Radiance), (1, Quantity::Transmittance)] {
+            for &got in &answers[c][..3] {
+                let anything = Promise { relative: 1e-3, absolute: f64::MAX };
+                let most = if c == 1 { 1.0 } else { f32::INFINITY };
+                note(Check { least: 0.0, most, ..among(quantity, got, anything, std::iter::once(0.0)) });
+            }
+        }
+        return;
+    }
+    let mut judged = checks(&same);
+    if length > 0.0 && !judged.iter().flatten().all(Check::kept) {
+        same.extend(own.swept().filter_map(|i| light(&i)));
+        judged = checks(&same);
+    }
+    judged.into_iter().flatten().for_each(note);
 }

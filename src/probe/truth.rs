@@ -10,6 +10,9 @@ use crate::reference::geometry::{Chord, RayEnd};
 /// last place, relative. A shader's answer is right if it is the answer for such a neighbour of its inputs.
 pub const RESOLUTION: f64 = 1.0 / 4_194_304.0; // 2^-22
 
+/// Smaller than this is 0: 1e-38, the least of f32, times the largest factor that may follow it.
+const FAINT: f64 = 1e-30;
+
 /// What an answer may be wrong by.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Promise {
@@ -26,9 +29,10 @@ impl Promise {
         Self { relative: 1e-5, absolute: 1e-3 * (radius / 6360.0).min(1.0) }
     }
 
-    /// Single-step quantities: 0.1 %, or 1e-6 of the brightest value of the case.
+    /// Single-step quantities: 0.1 %, or 1e-6 of the brightest value of the case. What f32 cannot hold (less than
+    /// 1.2e-38, also as the product of two factors one of which is) may be 0.
     pub fn step(brightest: f64) -> Self {
-        Self { relative: 1e-3, absolute: 1e-6 * brightest }
+        Self { relative: 1e-3, absolute: (1e-6 * brightest).max(FAINT) }
     }
 
     /// How far from `value` an answer may lie.
@@ -53,7 +57,19 @@ pub(super) struct Input {
     pub altitude: f64,
     pub direction: DVec3,
     pub sun: DVec3,
+    /// Factors of the absorbing layer's centre and half width.
+    pub layer: [f64; 2],
+    /// Factor of the shadow's radius: whether a ray along its edge is lit is a difference of two large numbers.
+    pub shade: f64,
+    /// What the shadow's begin and end are moved apart by, over what is promised of them.
+    pub blur: f64,
+    /// Factor of the shell's thickness for the way to the sun: next to the top, that is a difference of altitudes.
+    pub lid: f64,
 }
+
+/// The absorbing layer's neighbours: near its foot the tent is a small difference of its inputs.
+pub(super) const LAYERS: [[f64; 2]; 5] =
+    [[1.0, 1.0], [1.0 + RESOLUTION, 1.0], [1.0 - RESOLUTION, 1.0], [1.0, 1.0 + RESOLUTION], [1.0, 1.0 - RESOLUTION]];
 
 impl Input {
     pub fn of(case: &Case) -> Self {
@@ -63,39 +79,92 @@ impl Input {
             altitude: case.altitude.into(),
             direction: wide(case.direction).normalize(),
             sun: wide(case.sun).normalize(),
+            layer: LAYERS[0],
+            shade: 1.0,
+            blur: 0.0,
+            lid: 1.0,
         }
     }
 
-    /// The inputs as they are, and their neighbours within [`RESOLUTION`]: the direction turned up and down and
-    /// to the sides, the altitude moved, and the sun turned.
-    pub fn neighbours(self) -> [Self; 11] {
-        let mut all = [self; 11];
+    /// The ray between two that end differently, from both sides.
+    fn edge(self, all: &[Self]) -> Option<[Self; 2]> {
+        let ending = |i: &Self| Air::new(i).map(|a| a.ground);
+        let own = ending(&self);
+        let mut other = *all.iter().find(|i| i.direction != self.direction && ending(i) != own)?;
+        let mut near = self;
+        for _ in 0..50 {
+            let middle = Self { direction: (near.direction + other.direction).normalize(), ..self };
+            if ending(&middle) == own { near = middle } else { other = middle }
+        }
+        Some([near, other])
+    }
+
+    /// The direction turned up or down by a relative part of its sine or cosine, whichever is smaller: that is
+    /// what f32 holds finely.
+    fn tilted(self, e: f64) -> Self {
+        let d = self.direction;
+        let sin = d.x.hypot(d.y);
+        let flat = if sin > 0.0 { DVec3::new(d.x / sin, d.y / sin, 0.0) } else { DVec3::X };
+        let (z, s) = if sin < d.z.abs() {
+            let s = sin * (1.0 + e);
+            (((1.0 - s) * (1.0 + s)).sqrt().copysign(d.z), s)
+        } else {
+            let z = d.z * (1.0 + e);
+            (z, ((1.0 - z) * (1.0 + z)).sqrt())
+        };
+        Self { direction: flat * s + DVec3::Z * z, ..self }
+    }
+
+    /// Many neighbours in direction, altitude and the shadow's edge together, for answers that do not change
+    /// evenly between those of [`Self::neighbours`].
+    pub fn swept(self) -> impl Iterator<Item = Self> {
+        // From a tangent on, ever finer: there the answer goes with the root.
+        let fine = (0..24).flat_map(|k| [1.0, -1.0].map(|sign| sign * RESOLUTION * 0.5f64.powi(k)));
+        let edge = self.edge(&self.neighbours()).into_iter().flatten();
+        let shades = [0.0, 1.0, -1.0, 0.1, -0.1, 0.01, -0.01].map(|e| 1.0 + e * RESOLUTION);
+        let beside = edge
+            .flat_map(move |i| fine.clone().map(move |e| i.tilted(e)))
+            .flat_map(move |i| shades.map(|shade| Self { shade, ..i }));
+        let steps = |n: i32| (-n..=n).map(move |i| f64::from(i) / f64::from(n) * RESOLUTION);
+        beside.chain(steps(20).flat_map(move |tilt| {
+            steps(1).flat_map(move |rise| {
+                steps(2).map(move |shade| {
+                    let tilted = self.tilted(tilt);
+                    Self { altitude: self.altitude * (1.0 + rise), shade: 1.0 + shade, ..tilted }
+                })
+            })
+        }))
+    }
+
+    /// The inputs as they are, and their neighbours within [`RESOLUTION`]: the direction turned up and down (in
+    /// several steps: near a tangent the answer goes with the root) and to the sides, altitude and thickness
+    /// moved, the sun turned by a quarter of that in radians, and the shadow's edge moved.
+    pub fn neighbours(self) -> Vec<Self> {
+        let mut all = vec![self];
         let d = self.direction;
         let sin = d.x.hypot(d.y);
         let flat = if sin > 0.0 { DVec3::new(d.x / sin, d.y / sin, 0.0) } else { DVec3::X };
         let side = DVec3::Z.cross(flat);
-        for (i, e) in [RESOLUTION, -RESOLUTION].into_iter().enumerate() {
-            // The smaller of sine and cosine is what f32 holds finely.
-            let (z, s) = if sin < d.z.abs() {
-                let s = sin * (1.0 + e);
-                (((1.0 - s) * (1.0 + s)).sqrt().copysign(d.z), s)
-            } else {
-                let z = d.z * (1.0 + e);
-                (z, ((1.0 - z) * (1.0 + z)).sqrt())
-            };
-            all[1 + i].direction = flat * s + DVec3::Z * z;
-            all[3 + i].direction = (d + side * (e * sin)).normalize();
-            all[5 + i].altitude = self.altitude * (1.0 + e);
-            let sun = self.sun;
-            let (x, z) = if sun.x.abs() < sun.z.abs() {
-                let x = sun.x * (1.0 + e);
-                (x, (1.0 - x * x - sun.y * sun.y).max(0.0).sqrt().copysign(sun.z))
-            } else {
-                let z = sun.z * (1.0 + e);
-                ((1.0 - z * z - sun.y * sun.y).max(0.0).sqrt().copysign(sun.x), z)
-            };
-            all[7 + i].sun = DVec3::new(x, sun.y, z);
-            all[9 + i].thickness = self.thickness * (1.0 + e);
+        all.extend([1.0, -1.0, 0.3, -0.3, 0.1, -0.1, 0.03, -0.03].map(|e| self.tilted(e * RESOLUTION)));
+        for e in [RESOLUTION, -RESOLUTION] {
+            all.push(Self { direction: (d + side * (e * sin)).normalize(), ..self });
+            all.push(Self { altitude: self.altitude * (1.0 + e), ..self });
+            all.push(Self { thickness: self.thickness * (1.0 + e), ..self });
+            all.push(Self { lid: 1.0 + e, ..self });
+            let sun = self.sun + DVec3::new(self.sun.z, 0.0, -self.sun.x) * (0.25 * e);
+            all.push(Self { sun: sun.normalize(), ..self });
+            all.push(Self { shade: 1.0 + e, ..self });
+            all.push(Self { shade: 1.0 + e, ..all[1] });
+            all.push(Self { shade: 1.0 + e, ..all[2] });
+        }
+        // Both move the closest approach the same way.
+        all.push(Self { altitude: self.altitude * (1.0 + RESOLUTION), ..all[1] });
+        all.push(Self { altitude: self.altitude * (1.0 - RESOLUTION), ..all[2] });
+        if let Some(edge) = self.edge(&all) {
+            all.extend(edge);
+            for e in [1.0, -1.0, 0.3, -0.3, 0.1, -0.1, 0.03, -0.03] {
+                all.extend(edge.map(|i| Self { shade: 1.0 + e * RESOLUTION, ..i }));
+            }
         }
         all
     }
@@ -128,6 +197,14 @@ impl Air {
         let (s0, s1, end) = chord.clip(i.thickness, f64::INFINITY)?;
         let start = s0 - chord.origin;
         let nu = d.dot(i.sun);
+        let ground = end == RayEnd::Ground;
+        let mut length = s1 - s0;
+        if ground && start <= 0.0 {
+            // From next to the ground straight down, the difference has no digits even in f64.
+            let depth = -chord.perigee_altitude;
+            let half = (depth * (2.0 * i.radius - depth)).sqrt();
+            length = i.altitude * (2.0 * i.radius + i.altitude) / (half - chord.origin);
+        }
         let altitude = if start > 0.0 { i.thickness } else { i.altitude };
         // The point of entry, from the perigee's place: no difference of large numbers.
         let perigee = DVec3::new(-d.z * d.x, -d.z * d.y, d.x * d.x + d.y * d.y) * (i.radius + i.altitude);
@@ -137,32 +214,36 @@ impl Air {
             radius: i.radius,
             s0,
             start,
-            length: s1 - s0,
+            length,
             altitude,
             sun_b,
             nu,
             sin: d.cross(i.sun).length(),
-            ground: end == RayEnd::Ground,
+            ground,
             shadow: [1.0, 0.0],
         };
-        air.shadow = air.shadow_of(perigee, d, i.sun);
+        air.shadow = air.shadow_of(perigee, d, i.sun, i.radius * i.shade);
+        let blur = i.blur * Promise::geometry(i.radius).allows(air.length);
+        if air.shadow[1] > air.shadow[0] {
+            air.shadow = [air.shadow[0] - blur, air.shadow[1] + blur];
+        }
         Some(air)
     }
 
     /// Where the line is nearer to the axis through the planet's centre towards the sun than R, on the night side.
-    fn shadow_of(&self, perigee: DVec3, d: DVec3, sun: DVec3) -> [f64; 2] {
+    fn shadow_of(&self, perigee: DVec3, d: DVec3, sun: DVec3, radius: f64) -> [f64; 2] {
         let none = [1.0, 0.0];
         let (p, q) = (perigee - sun * perigee.dot(sun), d - sun * self.nu);
         let (a, b) = (q.length_squared(), p.dot(q));
-        let c = p.length_squared() - self.radius * self.radius;
+        let c = p.length_squared() - radius * radius;
         let mut stretch = [f64::NEG_INFINITY, f64::INFINITY];
         if a > 1e-24 {
             let nearest = -b / a;
             let clear = (p + q * nearest).length();
-            if clear >= self.radius {
+            if clear >= radius {
                 return none;
             }
-            let half = ((self.radius - clear) * (self.radius + clear) / a).sqrt();
+            let half = ((radius - clear) * (radius + clear) / a).sqrt();
             stretch = [nearest - half, nearest + half];
         } else if c >= 0.0 {
             return none;
@@ -184,9 +265,9 @@ impl Air {
     }
 }
 
-/// `MediumUniform` in f64.
+/// `MediumUniform` in f64; the absorbing layer's centre and half width times the two factors.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Air64<'a>(pub &'a Case);
+pub(super) struct Air64<'a>(pub &'a Case, pub [f64; 2]);
 
 impl Air64<'_> {
     pub fn densities(self, h: f64) -> [f64; 3] {
@@ -194,7 +275,8 @@ impl Air64<'_> {
         [
             (-h * f64::from(m.rayleigh_inv_height)).exp(),
             (-h * f64::from(m.mie_inv_height)).exp(),
-            (1.0 - (h - f64::from(m.ozone_center)).abs() * f64::from(m.ozone_inv_half_width)).max(0.0),
+            (1.0 - (h - f64::from(m.ozone_center) * self.1[0]).abs() * f64::from(m.ozone_inv_half_width) / self.1[1])
+                .max(0.0),
         ]
     }
 
@@ -205,17 +287,15 @@ impl Air64<'_> {
         })
     }
 
-    pub fn henyey_greenstein(self) -> [f64; 3] {
-        self.0.medium.mie_asymmetry.map(|g| {
-            let (g, away) = (f64::from(g), f64::from(self.0.away));
-            let base = (1.0 - g) * (1.0 - g) + 2.0 * g * away;
-            (1.0 - g * g) / (4.0 * std::f64::consts::PI * base * base.sqrt())
-        })
+    /// `away` is 1 - cos.
+    pub fn henyey_greenstein(self, away: f64) -> [f64; 3] {
+        self.0.medium.mie_asymmetry.map(|g| phase::henyey_greenstein(1.0 - away, f64::from(g)))
     }
 
-    pub fn cornette_shanks(self) -> [f64; 3] {
-        let hg = self.henyey_greenstein();
-        let mu = 1.0 - f64::from(self.0.away);
+    /// `away` is 1 - cos.
+    pub fn cornette_shanks(self, away: f64) -> [f64; 3] {
+        let hg = self.henyey_greenstein(away);
+        let mu = 1.0 - away;
         channels(|c| {
             let g = f64::from(self.0.medium.mie_asymmetry[c]);
             1.5 * (1.0 + mu * mu) / (2.0 + g * g) * hg[c]
@@ -238,8 +318,8 @@ impl Air64<'_> {
     }
 
     /// Distance to the top from r² − R² = x with r μ = b.
-    pub fn to_top(self, x: f64, b: f64) -> f64 {
-        let (radius, top) = (f64::from(self.0.medium.radius), f64::from(self.0.medium.thickness));
+    pub fn to_top(self, x: f64, b: f64, lid: f64) -> f64 {
+        let (radius, top) = (f64::from(self.0.medium.radius), f64::from(self.0.medium.thickness) * lid);
         let c = (top * (2.0 * radius + top) - x).max(0.0);
         let root = (b * b + c).sqrt();
         if b > 0.0 { c / (b + root) } else { root - b }
@@ -282,11 +362,9 @@ fn steps(b: f64, distance: f64, samples: u32) -> impl Iterator<Item = Step> {
 pub(super) fn scattering(case: &Case, input: &Input, cornette_shanks: bool) -> Option<([f64; 3], [f64; 3])> {
     let air = Air::new(input)?;
     let half = 0.5 * (input.direction - input.sun).length_squared();
-    // The angle that the shader is given: between f32 vectors.
-    let turned = Case { away: half as f32, ..*case };
-    let medium = Air64(&turned);
+    let medium = Air64(case, input.layer);
     let m = &case.medium;
-    let aerosol = if cornette_shanks { medium.cornette_shanks() } else { medium.henyey_greenstein() };
+    let aerosol = if cornette_shanks { medium.cornette_shanks(half) } else { medium.henyey_greenstein(half) };
     let gas = phase::rayleigh(1.0 - half);
     let length = air.length * f64::from(case.fraction);
     let (mut radiance, mut through) = ([0.0; 3], [1.0; 3]);
@@ -307,7 +385,7 @@ pub(super) fn scattering(case: &Case, input: &Input, cornette_shanks: bool) -> O
             let h = air.altitude_after(lit);
             let x = h * (2.0 * input.radius + h);
             let sun_b = air.sun_b + air.nu * lit;
-            let columns = medium.columns(x, sun_b, medium.to_top(x, sun_b), case.light_samples as u32);
+            let columns = medium.columns(x, sun_b, medium.to_top(x, sun_b, input.lid), case.light_samples as u32);
             let light = medium.extinction(columns);
             let d = medium.densities(h);
             for c in 0..3 {

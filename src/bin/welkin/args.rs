@@ -148,7 +148,8 @@ The table, a line for each quantity:
   non-finite  NaN or infinite ones
   steep       numbers that depend on digits of the inputs that 32-bit floats do not have, such as the length
               of a ray that touches the planet; they must be right for some inputs within 2^-22 of the case's
-  worst       largest error of all others, over the true value (or over what counts as small beside it)
+  worst       largest error of all others, over the true value (or over what counts as small beside it); a little
+              above the promise where the last digits of the inputs explain the rest
   promise     what that may be
   broken      wrong by more, not finite or impossible
 

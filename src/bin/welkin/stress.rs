@@ -40,10 +40,10 @@ pub fn run(args: &StressArgs) -> anyhow::Result<()> {
             done(1.0);
         }
     }
-    if args.case.is_some() {
-        if let Some(case) = Cases::at(args.seed, first).next() {
-            writeln!(out, "\ncase {first}, seed {}\n{}", args.seed, indent(&probe::describe(&case)))?;
-        }
+    if args.case.is_some()
+        && let Some(case) = Cases::at(args.seed, first).next()
+    {
+        writeln!(out, "\ncase {first}, seed {}\n{}", args.seed, indent(&probe::describe(&case)))?;
     }
     table(&mut out, &tally)?;
     let seconds = begun.elapsed().as_secs_f64();
