@@ -44,10 +44,18 @@ struct AirRay {
     float length_;
     float x;
     float b;
+    float x_closest;
     float sun_b;
     float nu;
     float cross2_;
+    float shadow_b;
+    float shadow_c;
     bool ground;
+};
+struct Low {
+    float t;
+    float x;
+    float b;
 };
 struct Scattered {
     vec3 radiance;
@@ -105,76 +113,119 @@ float distance_to_top(float x_2, float b_1, float x_top) {
     return (root - b_1);
 }
 
+float half_chord2_(float b_2, float above, float depth_1, float p) {
+    float sphere = (depth_1 + p);
+    if ((abs(b_2) < sphere)) {
+        return ((b_2 * b_2) - above);
+    }
+    return (depth_1 * (sphere + p));
+}
+
 AirRay air_ray(vec3 dir, float h_1, float radius_3, float thickness, vec3 sun) {
-    AirRay ray = AirRay(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, false);
+    AirRay ray = AirRay(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, false);
     bool local_1 = false;
     bool local_2 = false;
     float r = (radius_3 + h_1);
-    vec3 side = cross(dir, sun);
     ray.nu = dot(dir, sun);
+    float _e10 = ray.nu;
+    float same = ((_e10 >= 0.0) ? 1.0 : -1.0);
+    vec3 apart = (dir - (same * sun));
+    vec3 side = cross(apart, sun);
     ray.cross2_ = dot(side, side);
     ray.ground = false;
-    float _e14 = excess_of(thickness, radius_3);
+    float _e23 = excess_of(thickness, radius_3);
+    float b_3 = (r * dir.z);
+    float horizontal2_ = dot(dir.xy, dir.xy);
+    float p_1 = (r * sqrt(horizontal2_));
+    float _e31 = excess_of(h_1, radius_3);
+    float _e33 = half_chord2_(b_3, _e31, (radius_3 - p_1), p_1);
+    ray.x_closest = -(_e33);
     if ((h_1 <= thickness)) {
         ray.start = 0.0;
-        float _e19 = excess_of(h_1, radius_3);
-        ray.x = _e19;
-        ray.b = (r * dir.z);
+        float _e40 = excess_of(h_1, radius_3);
+        ray.x = _e40;
+        ray.b = b_3;
         ray.sun_b = (r * sun.z);
-        float _e28 = ray.x;
-        float _e30 = ray.b;
-        float _e31 = distance_to_top(_e28, _e30, _e14);
-        ray.length_ = _e31;
-        float _e33 = ray.b;
-        float _e35 = ray.b;
-        float _e38 = ray.x;
-        float disc = ((_e33 * _e35) - _e38);
-        float _e41 = ray.b;
-        if ((_e41 < 0.0)) {
-            local_1 = (disc >= 0.0);
+        ray.shadow_b = (r * ((sun.x * side.y) - (sun.y * side.x)));
+        float q = (r * length(sun.xy));
+        float _e59 = ray.sun_b;
+        float _e61 = ray.x;
+        float _e63 = half_chord2_(_e59, _e61, (radius_3 - q), q);
+        ray.shadow_c = -(_e63);
+        float _e67 = ray.x;
+        float _e69 = ray.b;
+        float _e70 = distance_to_top(_e67, _e69, _e23);
+        ray.length_ = _e70;
+        if ((b_3 < 0.0)) {
+            local_1 = (_e33 >= 0.0);
         } else {
             local_1 = false;
         }
-        bool _e49 = local_1;
-        if (_e49) {
+        bool _e78 = local_1;
+        if (_e78) {
             ray.ground = true;
-            float _e54 = ray.x;
-            float _e57 = ray.b;
-            ray.length_ = (_e54 / (sqrt(disc) - _e57));
+            float _e83 = ray.x;
+            ray.length_ = (_e83 / (sqrt(_e33) - b_3));
         }
-        AirRay _e60 = ray;
-        return _e60;
+        AirRay _e87 = ray;
+        return _e87;
     }
-    float horizontal2_ = dot(dir.xy, dir.xy);
-    float p = (r * sqrt(horizontal2_));
-    float top = (radius_3 + thickness);
-    float top_disc = ((top - p) * (top + p));
-    if (!((dir.z >= 0.0))) {
-        local_2 = (top_disc <= 0.0);
+    float above_1 = ((h_1 - thickness) * ((r + radius_3) + thickness));
+    float top2_ = (((b_3 * b_3) < _e23) ? ((b_3 * b_3) - above_1) : (_e33 + _e23));
+    if (!((b_3 >= 0.0))) {
+        local_2 = (top2_ <= 0.0);
     } else {
         local_2 = true;
     }
-    bool _e79 = local_2;
-    if (_e79) {
+    bool _e106 = local_2;
+    if (_e106) {
         ray.length_ = -1.0;
-        AirRay _e82 = ray;
-        return _e82;
+        AirRay _e109 = ray;
+        return _e109;
     }
-    float half_ = sqrt(top_disc);
-    ray.start = (((h_1 - thickness) * (r + top)) / (half_ - (r * dir.z)));
-    ray.x = _e14;
+    float half_ = sqrt(top2_);
+    ray.start = (above_1 / (half_ - b_3));
+    ray.x = _e23;
     ray.b = -(half_);
     vec3 closest = (vec3((-(dir.z) * dir.xy), horizontal2_) * r);
-    float _e104 = ray.nu;
-    ray.sun_b = (dot(closest, sun) - (half_ * _e104));
+    float _e128 = ray.nu;
+    ray.sun_b = ((-(same) * dot(closest, apart)) - (half_ * _e128));
+    vec3 closest_side = cross(closest, sun);
+    float _e135 = ray.cross2_;
+    ray.shadow_b = (dot(closest_side, side) - (half_ * _e135));
+    float q_1 = length((closest_side - (half_ * side)));
+    float _e143 = ray.sun_b;
+    float _e145 = half_chord2_(_e143, _e23, (radius_3 - q_1), q_1);
+    ray.shadow_c = -(_e145);
     ray.length_ = (2.0 * half_);
-    float ground_disc = ((radius_3 - p) * (radius_3 + p));
-    if ((ground_disc >= 0.0)) {
+    if ((_e33 >= 0.0)) {
         ray.ground = true;
-        ray.length_ = (_e14 / (half_ + sqrt(ground_disc)));
+        ray.length_ = (_e23 / (half_ + sqrt(_e33)));
     }
-    AirRay _e121 = ray;
-    return _e121;
+    AirRay _e158 = ray;
+    return _e158;
+}
+
+Low lowest(AirRay ray_1, float length_, float radius_4) {
+    bool local_3 = false;
+    if ((ray_1.b >= 0.0)) {
+        return Low(0.0, ray_1.x, ray_1.b);
+    }
+    if ((-(ray_1.b) <= length_)) {
+        return Low(-(ray_1.b), ray_1.x_closest, 0.0);
+    }
+    float b_4 = (ray_1.b + length_);
+    if (ray_1.ground) {
+        local_3 = (length_ >= ray_1.length_);
+    } else {
+        local_3 = false;
+    }
+    bool _e26 = local_3;
+    if (_e26) {
+        return Low(length_, 0.0, b_4);
+    }
+    bool far = ((-(ray_1.b) * length_) > (radius_4 * radius_4));
+    return Low(length_, (far ? (ray_1.x_closest + (b_4 * b_4)) : (ray_1.x + (length_ * ((2.0 * ray_1.b) + length_)))), b_4);
 }
 
 vec3 densities(Medium m, float h_2) {
@@ -196,46 +247,46 @@ float warp(float low, float u) {
     return (low + (u * abs(u)));
 }
 
-Scattered single_scattering(Medium m_2, AirRay ray_1, float length_, float away, uint view_samples, uint light_samples) {
+Scattered single_scattering(Medium m_2, AirRay ray_2, float length_1, float away, uint view_samples, uint light_samples) {
     Scattered out_ = Scattered(vec3(0.0), vec3(0.0));
     float t0_ = 0.0;
     uint i = 0u;
     out_.radiance = vec3(0.0);
     out_.transmittance = vec3(1.0);
-    float mu = (1.0 - away);
-    float low_1 = clamp(-(ray_1.b), 0.0, length_);
+    Low _e14 = lowest(ray_2, length_1, m_2.radius);
+    float low_1 = _e14.t;
     float u0_ = -(sqrt(low_1));
-    float du = ((sqrt((length_ - low_1)) - u0_) / float(view_samples));
+    float du = ((sqrt((length_1 - low_1)) - u0_) / float(view_samples));
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e57 = i;
-            i = (_e57 + 1u);
+            uint _e55 = i;
+            i = (_e55 + 1u);
         }
         loop_init = false;
-        uint _e30 = i;
-        if ((_e30 < view_samples)) {
+        uint _e27 = i;
+        if ((_e27 < view_samples)) {
         } else {
             break;
         }
         {
-            uint _e32 = i;
-            float u_1 = (u0_ + (du * float(_e32)));
-            float _e37 = warp(low_1, (u_1 + du));
-            float _e38 = t0_;
-            float step_ = (_e37 - _e38);
-            float _e43 = warp(low_1, (u_1 + (0.5 * du)));
-            float _e47 = altitude_after(ray_1.x, ray_1.b, _e43, m_2.radius);
-            vec3 _e48 = densities(m_2, _e47);
-            vec3 _e49 = extinction(m_2, _e48);
-            vec3 tau = (_e49 * step_);
-            vec3 _e52 = out_.transmittance;
-            out_.transmittance = (_e52 * exp(-(tau)));
-            t0_ = _e37;
+            uint _e29 = i;
+            float u_1 = (u0_ + (du * float(_e29)));
+            float _e34 = warp(low_1, (u_1 + du));
+            float _e35 = t0_;
+            float step_ = (_e34 - _e35);
+            float _e40 = warp(low_1, (u_1 + (0.5 * du)));
+            float _e45 = altitude_after(_e14.x, _e14.b, (_e40 - low_1), m_2.radius);
+            vec3 _e46 = densities(m_2, _e45);
+            vec3 _e47 = extinction(m_2, _e46);
+            vec3 tau = (_e47 * step_);
+            vec3 _e50 = out_.transmittance;
+            out_.transmittance = (_e50 * exp(-(tau)));
+            t0_ = _e34;
         }
     }
-    Scattered _e59 = out_;
-    return _e59;
+    Scattered _e57 = out_;
+    return _e57;
 }
 
 void main() {

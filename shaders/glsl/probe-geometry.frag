@@ -22,10 +22,18 @@ struct AirRay {
     float length_;
     float x;
     float b;
+    float x_closest;
     float sun_b;
     float nu;
     float cross2_;
+    float shadow_b;
+    float shadow_c;
     bool ground;
+};
+struct Low {
+    float t;
+    float x;
+    float b;
 };
 const float INV_4PI = 0.07957747;
 const int CASE_TEXELS = 10;
@@ -57,138 +65,184 @@ float distance_to_top(float x_2, float b_1, float x_top) {
     return (root - b_1);
 }
 
+float half_chord2_(float b_2, float above, float depth, float p) {
+    float sphere = (depth + p);
+    if ((abs(b_2) < sphere)) {
+        return ((b_2 * b_2) - above);
+    }
+    return (depth * (sphere + p));
+}
+
 AirRay air_ray(vec3 dir, float h_1, float radius_3, float thickness, vec3 sun) {
-    AirRay ray = AirRay(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, false);
+    AirRay ray = AirRay(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, false);
     bool local = false;
     bool local_1 = false;
     float r = (radius_3 + h_1);
-    vec3 side = cross(dir, sun);
     ray.nu = dot(dir, sun);
+    float _e10 = ray.nu;
+    float same = ((_e10 >= 0.0) ? 1.0 : -1.0);
+    vec3 apart = (dir - (same * sun));
+    vec3 side = cross(apart, sun);
     ray.cross2_ = dot(side, side);
     ray.ground = false;
-    float _e14 = excess_of(thickness, radius_3);
+    float _e23 = excess_of(thickness, radius_3);
+    float b_3 = (r * dir.z);
+    float horizontal2_ = dot(dir.xy, dir.xy);
+    float p_1 = (r * sqrt(horizontal2_));
+    float _e31 = excess_of(h_1, radius_3);
+    float _e33 = half_chord2_(b_3, _e31, (radius_3 - p_1), p_1);
+    ray.x_closest = -(_e33);
     if ((h_1 <= thickness)) {
         ray.start = 0.0;
-        float _e19 = excess_of(h_1, radius_3);
-        ray.x = _e19;
-        ray.b = (r * dir.z);
+        float _e40 = excess_of(h_1, radius_3);
+        ray.x = _e40;
+        ray.b = b_3;
         ray.sun_b = (r * sun.z);
-        float _e28 = ray.x;
-        float _e30 = ray.b;
-        float _e31 = distance_to_top(_e28, _e30, _e14);
-        ray.length_ = _e31;
-        float _e33 = ray.b;
-        float _e35 = ray.b;
-        float _e38 = ray.x;
-        float disc = ((_e33 * _e35) - _e38);
-        float _e41 = ray.b;
-        if ((_e41 < 0.0)) {
-            local = (disc >= 0.0);
+        ray.shadow_b = (r * ((sun.x * side.y) - (sun.y * side.x)));
+        float q = (r * length(sun.xy));
+        float _e59 = ray.sun_b;
+        float _e61 = ray.x;
+        float _e63 = half_chord2_(_e59, _e61, (radius_3 - q), q);
+        ray.shadow_c = -(_e63);
+        float _e67 = ray.x;
+        float _e69 = ray.b;
+        float _e70 = distance_to_top(_e67, _e69, _e23);
+        ray.length_ = _e70;
+        if ((b_3 < 0.0)) {
+            local = (_e33 >= 0.0);
         } else {
             local = false;
         }
-        bool _e49 = local;
-        if (_e49) {
+        bool _e78 = local;
+        if (_e78) {
             ray.ground = true;
-            float _e54 = ray.x;
-            float _e57 = ray.b;
-            ray.length_ = (_e54 / (sqrt(disc) - _e57));
+            float _e83 = ray.x;
+            ray.length_ = (_e83 / (sqrt(_e33) - b_3));
         }
-        AirRay _e60 = ray;
-        return _e60;
+        AirRay _e87 = ray;
+        return _e87;
     }
-    float horizontal2_ = dot(dir.xy, dir.xy);
-    float p = (r * sqrt(horizontal2_));
-    float top = (radius_3 + thickness);
-    float top_disc = ((top - p) * (top + p));
-    if (!((dir.z >= 0.0))) {
-        local_1 = (top_disc <= 0.0);
+    float above_1 = ((h_1 - thickness) * ((r + radius_3) + thickness));
+    float top2_ = (((b_3 * b_3) < _e23) ? ((b_3 * b_3) - above_1) : (_e33 + _e23));
+    if (!((b_3 >= 0.0))) {
+        local_1 = (top2_ <= 0.0);
     } else {
         local_1 = true;
     }
-    bool _e79 = local_1;
-    if (_e79) {
+    bool _e106 = local_1;
+    if (_e106) {
         ray.length_ = -1.0;
-        AirRay _e82 = ray;
-        return _e82;
+        AirRay _e109 = ray;
+        return _e109;
     }
-    float half_ = sqrt(top_disc);
-    ray.start = (((h_1 - thickness) * (r + top)) / (half_ - (r * dir.z)));
-    ray.x = _e14;
+    float half_ = sqrt(top2_);
+    ray.start = (above_1 / (half_ - b_3));
+    ray.x = _e23;
     ray.b = -(half_);
     vec3 closest = (vec3((-(dir.z) * dir.xy), horizontal2_) * r);
-    float _e104 = ray.nu;
-    ray.sun_b = (dot(closest, sun) - (half_ * _e104));
+    float _e128 = ray.nu;
+    ray.sun_b = ((-(same) * dot(closest, apart)) - (half_ * _e128));
+    vec3 closest_side = cross(closest, sun);
+    float _e135 = ray.cross2_;
+    ray.shadow_b = (dot(closest_side, side) - (half_ * _e135));
+    float q_1 = length((closest_side - (half_ * side)));
+    float _e143 = ray.sun_b;
+    float _e145 = half_chord2_(_e143, _e23, (radius_3 - q_1), q_1);
+    ray.shadow_c = -(_e145);
     ray.length_ = (2.0 * half_);
-    float ground_disc = ((radius_3 - p) * (radius_3 + p));
-    if ((ground_disc >= 0.0)) {
+    if ((_e33 >= 0.0)) {
         ray.ground = true;
-        ray.length_ = (_e14 / (half_ + sqrt(ground_disc)));
+        ray.length_ = (_e23 / (half_ + sqrt(_e33)));
     }
-    AirRay _e121 = ray;
-    return _e121;
+    AirRay _e158 = ray;
+    return _e158;
 }
 
-bool hits_planet(vec3 dir_1, float h_2, float radius_4, float thickness_1) {
-    float r_1 = (radius_4 + h_2);
-    if ((dir_1.z >= 0.0)) {
-        return false;
+Low lowest(AirRay ray_1, float length_, float radius_4) {
+    bool local_2 = false;
+    if ((ray_1.b >= 0.0)) {
+        return Low(0.0, ray_1.x, ray_1.b);
     }
-    if ((h_2 <= thickness_1)) {
-        float b_2 = (r_1 * dir_1.z);
-        float _e13 = excess_of(h_2, radius_4);
-        return (((b_2 * b_2) - _e13) >= 0.0);
+    if ((-(ray_1.b) <= length_)) {
+        return Low(-(ray_1.b), ray_1.x_closest, 0.0);
     }
-    return ((radius_4 - (r_1 * length(dir_1.xy))) >= 0.0);
+    float b_4 = (ray_1.b + length_);
+    if (ray_1.ground) {
+        local_2 = (length_ >= ray_1.length_);
+    } else {
+        local_2 = false;
+    }
+    bool _e26 = local_2;
+    if (_e26) {
+        return Low(length_, 0.0, b_4);
+    }
+    bool far = ((-(ray_1.b) * length_) > (radius_4 * radius_4));
+    return Low(length_, (far ? (ray_1.x_closest + (b_4 * b_4)) : (ray_1.x + (length_ * ((2.0 * ray_1.b) + length_)))), b_4);
 }
 
-vec2 shadow_stretch(AirRay ray_1) {
+bool hits_planet(vec3 dir_1, float h_2, float radius_5) {
+    bool local_3 = false;
+    float r_1 = (radius_5 + h_2);
+    float b_5 = (r_1 * dir_1.z);
+    float p_2 = (r_1 * sqrt(dot(dir_1.xy, dir_1.xy)));
+    if ((b_5 < 0.0)) {
+        float _e15 = excess_of(h_2, radius_5);
+        float _e17 = half_chord2_(b_5, _e15, (radius_5 - p_2), p_2);
+        local_3 = (_e17 >= 0.0);
+    } else {
+        local_3 = false;
+    }
+    bool _e21 = local_3;
+    return _e21;
+}
+
+vec2 shadow_stretch(AirRay ray_2) {
     vec2 stretch = vec2(0.0);
     vec2 none = vec2(1.0, 0.0);
-    float a = ray_1.cross2_;
-    float b_3 = (ray_1.b - (ray_1.sun_b * ray_1.nu));
-    float c_1 = (ray_1.x - (ray_1.sun_b * ray_1.sun_b));
+    float a = ray_2.cross2_;
+    float b_6 = ray_2.shadow_b;
+    float c_1 = ray_2.shadow_c;
     stretch = vec2(-(1e30), 1e30);
-    float disc_1 = ((b_3 * b_3) - (a * c_1));
-    if ((a > 1e-12)) {
-        if ((disc_1 <= 0.0)) {
+    float disc = ((b_6 * b_6) - (a * c_1));
+    if ((a > 1e-30)) {
+        if ((disc <= 0.0)) {
             return none;
         }
-        float q = -((b_3 + (((b_3 >= 0.0) ? 1.0 : -1.0) * sqrt(disc_1))));
-        float t0_ = (q / a);
-        float t1_ = ((q != 0.0) ? (c_1 / q) : t0_);
+        float q_2 = -((b_6 + (((b_6 >= 0.0) ? 1.0 : -1.0) * sqrt(disc))));
+        float t0_ = (q_2 / a);
+        float t1_ = ((q_2 != 0.0) ? (c_1 / q_2) : t0_);
         stretch = vec2(min(t0_, t1_), max(t0_, t1_));
     } else {
         if ((c_1 >= 0.0)) {
             return none;
         }
     }
-    if ((abs(ray_1.nu) < 1e-12)) {
-        if ((ray_1.sun_b >= 0.0)) {
+    if ((abs(ray_2.nu) < 1e-12)) {
+        if ((ray_2.sun_b >= 0.0)) {
             return none;
         }
     } else {
-        float t_1 = (-(ray_1.sun_b) / ray_1.nu);
-        if ((ray_1.nu > 0.0)) {
-            float _e61 = stretch.y;
-            stretch.y = min(_e61, t_1);
+        float t_1 = (-(ray_2.sun_b) / ray_2.nu);
+        if ((ray_2.nu > 0.0)) {
+            float _e53 = stretch.y;
+            stretch.y = min(_e53, t_1);
         } else {
-            float _e65 = stretch.x;
-            stretch.x = max(_e65, t_1);
+            float _e57 = stretch.x;
+            stretch.x = max(_e57, t_1);
         }
     }
-    vec2 _e67 = stretch;
-    return _e67;
+    vec2 _e59 = stretch;
+    return _e59;
 }
 
 Medium medium_of(ivec2 first) {
     vec4 a_1 = texelFetch(_group_0_binding_1_fs, first, 0);
-    vec4 b_4 = texelFetch(_group_0_binding_1_fs, (first + ivec2(1, 0)), 0);
+    vec4 b_7 = texelFetch(_group_0_binding_1_fs, (first + ivec2(1, 0)), 0);
     vec4 c_2 = texelFetch(_group_0_binding_1_fs, (first + ivec2(2, 0)), 0);
     vec4 d = texelFetch(_group_0_binding_1_fs, (first + ivec2(3, 0)), 0);
     vec4 e = texelFetch(_group_0_binding_1_fs, (first + ivec2(4, 0)), 0);
     vec4 f = texelFetch(_group_0_binding_1_fs, (first + ivec2(5, 0)), 0);
-    return Medium(a_1.xyz, a_1.w, b_4.xyz, b_4.w, c_2.xyz, c_2.w, d.xyz, d.w, e.xyz, e.w, f.xyz, f.w);
+    return Medium(a_1.xyz, a_1.w, b_7.xyz, b_7.w, c_2.xyz, c_2.w, d.xyz, d.w, e.xyz, e.w, f.xyz, f.w);
 }
 
 void main() {
@@ -215,17 +269,18 @@ void main() {
         float reach = max(_e48.length_, 0.0);
         vec2 _e69 = shadow_stretch(_e48);
         vec2 shadow = clamp(_e69, vec2(0.0), vec2(reach));
-        bool _e78 = hits_planet(view.xyz, view.w, _e14.radius, _e14.thickness);
-        float hits = float(_e78);
-        float _e85 = altitude_after(_e48.x, _e48.b, (light.w * reach), _e14.radius);
-        _fs2p_location0 = vec4(_e85, hits, shadow);
+        bool _e77 = hits_planet(view.xyz, view.w, _e14.radius);
+        float hits = float(_e77);
+        Low _e80 = lowest(_e48, reach, _e14.radius);
+        float _e88 = altitude_after(_e80.x, _e80.b, ((light.w * reach) - _e80.t), _e14.radius);
+        _fs2p_location0 = vec4(_e88, hits, shadow);
         return;
     }
-    float _e89 = excess_of(view.w, _e14.radius);
-    float _e91 = altitude_of(_e89, _e14.radius);
-    float _e96 = excess_of(_e14.thickness, _e14.radius);
-    float _e97 = distance_to_top(path.x, path.y, _e96);
-    _fs2p_location0 = vec4(_e89, _e91, _e97, 0.0);
+    float _e92 = excess_of(view.w, _e14.radius);
+    float _e94 = altitude_of(_e92, _e14.radius);
+    float _e99 = excess_of(_e14.thickness, _e14.radius);
+    float _e100 = distance_to_top(path.x, path.y, _e99);
+    _fs2p_location0 = vec4(_e92, _e94, _e100, 0.0);
     return;
 }
 

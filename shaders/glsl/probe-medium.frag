@@ -50,14 +50,16 @@ float rayleigh_phase(float mu) {
     return (0.0596831 * (1.0 + (mu * mu)));
 }
 
-vec3 henyey_greenstein_phase(float away, vec3 g) {
-    vec3 base = (((vec3(1.0) - g) * (vec3(1.0) - g)) + ((2.0 * g) * away));
+vec3 henyey_greenstein_phase(float away, float toward, vec3 g) {
+    vec3 rest = (vec3(1.0) - abs(g));
+    vec3 base = ((rest * rest) + ((2.0 * abs(g)) * mix(vec3(toward), vec3(away), greaterThanEqual(g, vec3(0.0)))));
     return ((INV_4PI * (vec3(1.0) - (g * g))) / (base * sqrt(base)));
 }
 
-vec3 cornette_shanks_phase(float mu_1, float away_1, vec3 g_1) {
-    vec3 _e14 = henyey_greenstein_phase(away_1, g_1);
-    return ((vec3((1.5 * (1.0 + (mu_1 * mu_1)))) / (vec3(2.0) + (g_1 * g_1))) * _e14);
+vec3 cornette_shanks_phase(float away_1, float toward_1, vec3 g_1) {
+    float mu_1 = (1.0 - away_1);
+    vec3 _e16 = henyey_greenstein_phase(away_1, toward_1, g_1);
+    return ((vec3((1.5 * (1.0 + (mu_1 * mu_1)))) / (vec3(2.0) + (g_1 * g_1))) * _e16);
 }
 
 vec3 mean_transmittance(vec3 tau) {
@@ -98,18 +100,18 @@ void main() {
         return;
     }
     if ((answer == 2)) {
-        vec3 _e61 = henyey_greenstein_phase(angle.x, _e14.mie_asymmetry);
-        _fs2p_location0 = vec4(_e61, 0.0);
+        vec3 _e64 = henyey_greenstein_phase(angle.x, (2.0 - angle.x), _e14.mie_asymmetry);
+        _fs2p_location0 = vec4(_e64, 0.0);
         return;
     }
     if ((answer == 3)) {
-        vec3 _e71 = cornette_shanks_phase((1.0 - angle.x), angle.x, _e14.mie_asymmetry);
-        _fs2p_location0 = vec4(_e71, 0.0);
+        vec3 _e74 = cornette_shanks_phase(angle.x, (2.0 - angle.x), _e14.mie_asymmetry);
+        _fs2p_location0 = vec4(_e74, 0.0);
         return;
     }
-    vec3 _e74 = extinction(_e14, _e44);
-    vec3 _e77 = mean_transmittance((_e74 * path.z));
-    _fs2p_location0 = vec4(_e77, 0.0);
+    vec3 _e77 = extinction(_e14, _e44);
+    vec3 _e80 = mean_transmittance((_e77 * path.z));
+    _fs2p_location0 = vec4(_e80, 0.0);
     return;
 }
 

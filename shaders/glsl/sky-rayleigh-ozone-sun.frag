@@ -44,10 +44,18 @@ struct AirRay {
     float length_;
     float x;
     float b;
+    float x_closest;
     float sun_b;
     float nu;
     float cross2_;
+    float shadow_b;
+    float shadow_c;
     bool ground;
+};
+struct Low {
+    float t;
+    float x;
+    float b;
 };
 struct Scattered {
     vec3 radiance;
@@ -87,128 +95,174 @@ float distance_to_top(float x_2, float b_1, float x_top) {
     return (root - b_1);
 }
 
+float half_chord2_(float b_2, float above, float depth, float p) {
+    float sphere = (depth + p);
+    if ((abs(b_2) < sphere)) {
+        return ((b_2 * b_2) - above);
+    }
+    return (depth * (sphere + p));
+}
+
 AirRay air_ray(vec3 dir, float h_1, float radius_3, float thickness, vec3 sun) {
-    AirRay ray = AirRay(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, false);
+    AirRay ray = AirRay(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, false);
     bool local = false;
     bool local_1 = false;
     float r = (radius_3 + h_1);
-    vec3 side = cross(dir, sun);
     ray.nu = dot(dir, sun);
+    float _e10 = ray.nu;
+    float same = ((_e10 >= 0.0) ? 1.0 : -1.0);
+    vec3 apart = (dir - (same * sun));
+    vec3 side = cross(apart, sun);
     ray.cross2_ = dot(side, side);
     ray.ground = false;
-    float _e14 = excess_of(thickness, radius_3);
+    float _e23 = excess_of(thickness, radius_3);
+    float b_4 = (r * dir.z);
+    float horizontal2_ = dot(dir.xy, dir.xy);
+    float p_1 = (r * sqrt(horizontal2_));
+    float _e31 = excess_of(h_1, radius_3);
+    float _e33 = half_chord2_(b_4, _e31, (radius_3 - p_1), p_1);
+    ray.x_closest = -(_e33);
     if ((h_1 <= thickness)) {
         ray.start = 0.0;
-        float _e19 = excess_of(h_1, radius_3);
-        ray.x = _e19;
-        ray.b = (r * dir.z);
+        float _e40 = excess_of(h_1, radius_3);
+        ray.x = _e40;
+        ray.b = b_4;
         ray.sun_b = (r * sun.z);
-        float _e28 = ray.x;
-        float _e30 = ray.b;
-        float _e31 = distance_to_top(_e28, _e30, _e14);
-        ray.length_ = _e31;
-        float _e33 = ray.b;
-        float _e35 = ray.b;
-        float _e38 = ray.x;
-        float disc = ((_e33 * _e35) - _e38);
-        float _e41 = ray.b;
-        if ((_e41 < 0.0)) {
-            local = (disc >= 0.0);
+        ray.shadow_b = (r * ((sun.x * side.y) - (sun.y * side.x)));
+        float q = (r * length(sun.xy));
+        float _e59 = ray.sun_b;
+        float _e61 = ray.x;
+        float _e63 = half_chord2_(_e59, _e61, (radius_3 - q), q);
+        ray.shadow_c = -(_e63);
+        float _e67 = ray.x;
+        float _e69 = ray.b;
+        float _e70 = distance_to_top(_e67, _e69, _e23);
+        ray.length_ = _e70;
+        if ((b_4 < 0.0)) {
+            local = (_e33 >= 0.0);
         } else {
             local = false;
         }
-        bool _e49 = local;
-        if (_e49) {
+        bool _e78 = local;
+        if (_e78) {
             ray.ground = true;
-            float _e54 = ray.x;
-            float _e57 = ray.b;
-            ray.length_ = (_e54 / (sqrt(disc) - _e57));
+            float _e83 = ray.x;
+            ray.length_ = (_e83 / (sqrt(_e33) - b_4));
         }
-        AirRay _e60 = ray;
-        return _e60;
+        AirRay _e87 = ray;
+        return _e87;
     }
-    float horizontal2_ = dot(dir.xy, dir.xy);
-    float p = (r * sqrt(horizontal2_));
-    float top = (radius_3 + thickness);
-    float top_disc = ((top - p) * (top + p));
-    if (!((dir.z >= 0.0))) {
-        local_1 = (top_disc <= 0.0);
+    float above_1 = ((h_1 - thickness) * ((r + radius_3) + thickness));
+    float top2_ = (((b_4 * b_4) < _e23) ? ((b_4 * b_4) - above_1) : (_e33 + _e23));
+    if (!((b_4 >= 0.0))) {
+        local_1 = (top2_ <= 0.0);
     } else {
         local_1 = true;
     }
-    bool _e79 = local_1;
-    if (_e79) {
+    bool _e106 = local_1;
+    if (_e106) {
         ray.length_ = -1.0;
-        AirRay _e82 = ray;
-        return _e82;
+        AirRay _e109 = ray;
+        return _e109;
     }
-    float half_ = sqrt(top_disc);
-    ray.start = (((h_1 - thickness) * (r + top)) / (half_ - (r * dir.z)));
-    ray.x = _e14;
+    float half_ = sqrt(top2_);
+    ray.start = (above_1 / (half_ - b_4));
+    ray.x = _e23;
     ray.b = -(half_);
     vec3 closest = (vec3((-(dir.z) * dir.xy), horizontal2_) * r);
-    float _e104 = ray.nu;
-    ray.sun_b = (dot(closest, sun) - (half_ * _e104));
+    float _e128 = ray.nu;
+    ray.sun_b = ((-(same) * dot(closest, apart)) - (half_ * _e128));
+    vec3 closest_side = cross(closest, sun);
+    float _e135 = ray.cross2_;
+    ray.shadow_b = (dot(closest_side, side) - (half_ * _e135));
+    float q_1 = length((closest_side - (half_ * side)));
+    float _e143 = ray.sun_b;
+    float _e145 = half_chord2_(_e143, _e23, (radius_3 - q_1), q_1);
+    ray.shadow_c = -(_e145);
     ray.length_ = (2.0 * half_);
-    float ground_disc = ((radius_3 - p) * (radius_3 + p));
-    if ((ground_disc >= 0.0)) {
+    if ((_e33 >= 0.0)) {
         ray.ground = true;
-        ray.length_ = (_e14 / (half_ + sqrt(ground_disc)));
+        ray.length_ = (_e23 / (half_ + sqrt(_e33)));
     }
-    AirRay _e121 = ray;
-    return _e121;
+    AirRay _e158 = ray;
+    return _e158;
 }
 
-bool hits_planet(vec3 dir_1, float h_2, float radius_4, float thickness_1) {
-    float r_1 = (radius_4 + h_2);
-    if ((dir_1.z >= 0.0)) {
-        return false;
+Low lowest(AirRay ray_1, float length_, float radius_4) {
+    bool local_2 = false;
+    if ((ray_1.b >= 0.0)) {
+        return Low(0.0, ray_1.x, ray_1.b);
     }
-    if ((h_2 <= thickness_1)) {
-        float b_3 = (r_1 * dir_1.z);
-        float _e13 = excess_of(h_2, radius_4);
-        return (((b_3 * b_3) - _e13) >= 0.0);
+    if ((-(ray_1.b) <= length_)) {
+        return Low(-(ray_1.b), ray_1.x_closest, 0.0);
     }
-    return ((radius_4 - (r_1 * length(dir_1.xy))) >= 0.0);
+    float b_5 = (ray_1.b + length_);
+    if (ray_1.ground) {
+        local_2 = (length_ >= ray_1.length_);
+    } else {
+        local_2 = false;
+    }
+    bool _e26 = local_2;
+    if (_e26) {
+        return Low(length_, 0.0, b_5);
+    }
+    bool far = ((-(ray_1.b) * length_) > (radius_4 * radius_4));
+    return Low(length_, (far ? (ray_1.x_closest + (b_5 * b_5)) : (ray_1.x + (length_ * ((2.0 * ray_1.b) + length_)))), b_5);
 }
 
-vec2 shadow_stretch(AirRay ray_1) {
+bool hits_planet(vec3 dir_1, float h_2, float radius_5) {
+    bool local_3 = false;
+    float r_1 = (radius_5 + h_2);
+    float b_6 = (r_1 * dir_1.z);
+    float p_2 = (r_1 * sqrt(dot(dir_1.xy, dir_1.xy)));
+    if ((b_6 < 0.0)) {
+        float _e15 = excess_of(h_2, radius_5);
+        float _e17 = half_chord2_(b_6, _e15, (radius_5 - p_2), p_2);
+        local_3 = (_e17 >= 0.0);
+    } else {
+        local_3 = false;
+    }
+    bool _e21 = local_3;
+    return _e21;
+}
+
+vec2 shadow_stretch(AirRay ray_2) {
     vec2 stretch = vec2(0.0);
     vec2 none = vec2(1.0, 0.0);
-    float a = ray_1.cross2_;
-    float b_4 = (ray_1.b - (ray_1.sun_b * ray_1.nu));
-    float c_1 = (ray_1.x - (ray_1.sun_b * ray_1.sun_b));
+    float a = ray_2.cross2_;
+    float b_7 = ray_2.shadow_b;
+    float c_1 = ray_2.shadow_c;
     stretch = vec2(-(1e30), 1e30);
-    float disc_1 = ((b_4 * b_4) - (a * c_1));
-    if ((a > 1e-12)) {
-        if ((disc_1 <= 0.0)) {
+    float disc = ((b_7 * b_7) - (a * c_1));
+    if ((a > 1e-30)) {
+        if ((disc <= 0.0)) {
             return none;
         }
-        float q = -((b_4 + (((b_4 >= 0.0) ? 1.0 : -1.0) * sqrt(disc_1))));
-        float t0_2 = (q / a);
-        float t1_ = ((q != 0.0) ? (c_1 / q) : t0_2);
+        float q_2 = -((b_7 + (((b_7 >= 0.0) ? 1.0 : -1.0) * sqrt(disc))));
+        float t0_2 = (q_2 / a);
+        float t1_ = ((q_2 != 0.0) ? (c_1 / q_2) : t0_2);
         stretch = vec2(min(t0_2, t1_), max(t0_2, t1_));
     } else {
         if ((c_1 >= 0.0)) {
             return none;
         }
     }
-    if ((abs(ray_1.nu) < 1e-12)) {
-        if ((ray_1.sun_b >= 0.0)) {
+    if ((abs(ray_2.nu) < 1e-12)) {
+        if ((ray_2.sun_b >= 0.0)) {
             return none;
         }
     } else {
-        float t_2 = (-(ray_1.sun_b) / ray_1.nu);
-        if ((ray_1.nu > 0.0)) {
-            float _e61 = stretch.y;
-            stretch.y = min(_e61, t_2);
+        float t_2 = (-(ray_2.sun_b) / ray_2.nu);
+        if ((ray_2.nu > 0.0)) {
+            float _e53 = stretch.y;
+            stretch.y = min(_e53, t_2);
         } else {
-            float _e65 = stretch.x;
-            stretch.x = max(_e65, t_2);
+            float _e57 = stretch.x;
+            stretch.x = max(_e57, t_2);
         }
     }
-    vec2 _e67 = stretch;
-    return _e67;
+    vec2 _e59 = stretch;
+    return _e59;
 }
 
 vec3 densities(Medium m, float h_3) {
@@ -241,11 +295,11 @@ float unwarp(float low_1, float t_1) {
     return (sign((t_1 - low_1)) * sqrt(abs((t_1 - low_1))));
 }
 
-vec3 path_densities(Medium m_2, float x_3, float b_2, float distance_, uint samples) {
+vec3 path_densities(Medium m_2, float x_3, float b_3, float distance_, uint samples) {
     vec3 sum_1 = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
-    float low_2 = clamp(-(b_2), 0.0, distance_);
+    float low_2 = clamp(-(b_3), 0.0, distance_);
     float u0_ = -(sqrt(low_2));
     float du = ((sqrt((distance_ - low_2)) - u0_) / float(samples));
     bool loop_init = true;
@@ -265,7 +319,7 @@ vec3 path_densities(Medium m_2, float x_3, float b_2, float distance_, uint samp
             float u_1 = (u0_ + (du * float(_e24)));
             float _e31 = warp(low_2, (u_1 + (0.5 * du)));
             float _e33 = warp(low_2, (u_1 + du));
-            float _e35 = altitude_after(x_3, b_2, _e31, m_2.radius);
+            float _e35 = altitude_after(x_3, b_3, _e31, m_2.radius);
             vec3 _e36 = sum_1;
             vec3 _e37 = densities(m_2, _e35);
             float _e38 = t0_;
@@ -290,7 +344,7 @@ vec3 mean_transmittance(vec3 tau) {
     return mix(((vec3(1.0) - exp(-(tau))) / tau), series, lessThan(tau, vec3(0.01)));
 }
 
-Scattered single_scattering(Medium m_4, AirRay ray_2, float length_, float away, uint view_samples, uint light_samples) {
+Scattered single_scattering(Medium m_4, AirRay ray_3, float length_1, float away, uint view_samples, uint light_samples) {
     Scattered out_ = Scattered(vec3(0.0), vec3(0.0));
     float t0_1 = 0.0;
     uint i_1 = 0u;
@@ -298,79 +352,79 @@ Scattered single_scattering(Medium m_4, AirRay ray_2, float length_, float away,
     vec3 source = vec3(0.0);
     out_.radiance = vec3(0.0);
     out_.transmittance = vec3(1.0);
-    float mu_1 = (1.0 - away);
-    float _e16 = rayleigh_phase(mu_1);
+    float _e16 = rayleigh_phase((1.0 - away));
     vec3 rayleigh = (m_4.rayleigh * _e16);
-    float low_3 = clamp(-(ray_2.b), 0.0, length_);
+    Low _e19 = lowest(ray_3, length_1, m_4.radius);
+    float low_3 = _e19.t;
     float u0_1 = -(sqrt(low_3));
-    float du_1 = ((sqrt((length_ - low_3)) - u0_1) / float(view_samples));
-    vec2 _e29 = shadow_stretch(ray_2);
+    float du_1 = ((sqrt((length_1 - low_3)) - u0_1) / float(view_samples));
+    vec2 _e28 = shadow_stretch(ray_3);
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            uint _e132 = i_1;
-            i_1 = (_e132 + 1u);
+            uint _e134 = i_1;
+            i_1 = (_e134 + 1u);
         }
         loop_init_1 = false;
-        uint _e34 = i_1;
-        if ((_e34 < view_samples)) {
+        uint _e33 = i_1;
+        if ((_e33 < view_samples)) {
         } else {
             break;
         }
         {
-            uint _e36 = i_1;
-            float u_2 = (u0_1 + (du_1 * float(_e36)));
-            float _e41 = warp(low_3, (u_2 + du_1));
-            float _e42 = t0_1;
-            float step_ = (_e41 - _e42);
-            float _e47 = warp(low_3, (u_2 + (0.5 * du_1)));
-            float _e51 = altitude_after(ray_2.x, ray_2.b, _e47, m_4.radius);
+            uint _e35 = i_1;
+            float u_2 = (u0_1 + (du_1 * float(_e35)));
+            float _e40 = warp(low_3, (u_2 + du_1));
+            float _e41 = t0_1;
+            float step_ = (_e40 - _e41);
+            float _e46 = warp(low_3, (u_2 + (0.5 * du_1)));
+            float _e51 = altitude_after(_e19.x, _e19.b, (_e46 - low_3), m_4.radius);
             vec3 _e52 = densities(m_4, _e51);
             vec3 _e53 = extinction(m_4, _e52);
             vec3 tau_1 = (_e53 * step_);
             float _e56 = t0_1;
-            float dark0_ = clamp(_e29.x, _e56, _e41);
+            float dark0_ = clamp(_e28.x, _e56, _e40);
             float _e59 = t0_1;
-            float dark1_ = clamp(_e29.y, _e59, _e41);
-            float dark = ((_e29.y > _e29.x) ? max((dark1_ - dark0_), 0.0) : 0.0);
+            float dark1_ = clamp(_e28.y, _e59, _e40);
+            float dark = ((_e28.y > _e28.x) ? max((dark1_ - dark0_), 0.0) : 0.0);
             if ((dark < step_)) {
-                lit_t = _e47;
+                lit_t = _e46;
                 if ((dark > 0.0)) {
                     float _e73 = t0_1;
-                    bool first = ((dark0_ - _e73) > (_e41 - dark1_));
+                    bool first = ((dark0_ - _e73) > (_e40 - dark1_));
                     float _e77 = t0_1;
                     float lit0_ = (first ? _e77 : dark1_);
-                    float lit1_ = (first ? dark0_ : _e41);
+                    float lit1_ = (first ? dark0_ : _e40);
                     float _e80 = unwarp(low_3, lit0_);
                     float _e81 = unwarp(low_3, lit1_);
                     float _e85 = warp(low_3, (0.5 * (_e80 + _e81)));
                     lit_t = _e85;
                 }
                 float _e87 = lit_t;
-                float _e91 = lit_t;
-                float x_5 = (ray_2.x + (_e87 * ((2.0 * ray_2.b) + _e91)));
-                float _e96 = altitude_of(x_5, m_4.radius);
-                vec3 _e99 = densities(m_4, max(_e96, 0.0));
+                float _e92 = lit_t;
+                float x_5 = (_e19.x + ((_e87 - low_3) * ((2.0 * _e19.b) + (_e92 - low_3))));
+                float _e98 = altitude_of(x_5, m_4.radius);
+                vec3 _e101 = densities(m_4, max(_e98, 0.0));
                 source = vec3(0.0);
-                vec3 _e103 = source;
-                source = (_e103 + (rayleigh * _e99.x));
-                vec3 _e107 = source;
-                float _e110 = lit_t;
-                vec3 _e113 = sun_transmittance(m_4, x_5, (ray_2.sun_b + (ray_2.nu * _e110)), light_samples);
-                source = (_e107 * _e113);
-                vec3 _e116 = out_.radiance;
-                vec3 _e118 = out_.transmittance;
-                vec3 _e119 = mean_transmittance(tau_1);
-                vec3 _e121 = source;
-                out_.radiance = (_e116 + (((_e118 * _e119) * _e121) * (step_ - dark)));
+                vec3 _e105 = source;
+                source = (_e105 + (rayleigh * _e101.x));
+                vec3 _e109 = source;
+                float _e112 = lit_t;
+                vec3 _e115 = sun_transmittance(m_4, x_5, (ray_3.sun_b + (ray_3.nu * _e112)), light_samples);
+                source = (_e109 * _e115);
+                vec3 _e118 = out_.radiance;
+                vec3 _e120 = out_.transmittance;
+                vec3 _e121 = mean_transmittance(tau_1);
+                vec3 _e123 = source;
+                out_.radiance = (_e118 + (((_e120 * _e121) * _e123) * (step_ - dark)));
             }
-            vec3 _e127 = out_.transmittance;
-            out_.transmittance = (_e127 * exp(-(tau_1)));
-            t0_1 = _e41;
+            vec3 _e129 = out_.transmittance;
+            out_.transmittance = (_e129 * exp(-(tau_1)));
+            t0_1 = _e40;
         }
     }
-    Scattered _e134 = out_;
-    return _e134;
+    Scattered _e136 = out_;
+    return _e136;
 }
 
 float disk_coverage(vec3 offset, float chord, float pixel_1) {
@@ -386,38 +440,38 @@ void main() {
     vec3 dir_2 = normalize(_e4);
     Medium m_5 = _group_0_binding_0_fs.medium;
     float _e11 = _group_0_binding_0_fs.altitude;
-    bool _e14 = hits_planet(dir_2, _e11, m_5.radius, m_5.thickness);
-    if (_e14) {
-        uint _e17 = _group_0_binding_0_fs.low_resolution;
-        if ((_e17 == 0u)) {
+    bool _e13 = hits_planet(dir_2, _e11, m_5.radius);
+    if (_e13) {
+        uint _e16 = _group_0_binding_0_fs.low_resolution;
+        if ((_e16 == 0u)) {
             discard;
         }
         _fs2p_location0 = vec4(0.0, 0.0, 0.0, -1.0);
         return;
     }
-    vec3 _e27 = _group_0_binding_0_fs.sun;
-    vec3 offset_1 = (dir_2 - _e27);
-    float _e37 = _group_0_binding_0_fs.altitude;
-    vec3 _e42 = _group_0_binding_0_fs.sun;
-    AirRay _e43 = air_ray(dir_2, _e37, m_5.radius, m_5.thickness, _e42);
-    if ((_e43.length_ > 0.0)) {
-        uint _e53 = _group_0_binding_0_fs.view_samples;
-        uint _e56 = _group_0_binding_0_fs.light_samples;
-        Scattered _e57 = single_scattering(m_5, _e43, _e43.length_, (0.5 * dot(offset_1, offset_1)), _e53, _e56);
-        float _e61 = _group_0_binding_0_fs.sky_weight;
-        light = (_e57.radiance * _e61);
-        through = _e57.transmittance;
+    vec3 _e26 = _group_0_binding_0_fs.sun;
+    vec3 offset_1 = (dir_2 - _e26);
+    float _e36 = _group_0_binding_0_fs.altitude;
+    vec3 _e41 = _group_0_binding_0_fs.sun;
+    AirRay _e42 = air_ray(dir_2, _e36, m_5.radius, m_5.thickness, _e41);
+    if ((_e42.length_ > 0.0)) {
+        uint _e52 = _group_0_binding_0_fs.view_samples;
+        uint _e55 = _group_0_binding_0_fs.light_samples;
+        Scattered _e56 = single_scattering(m_5, _e42, _e42.length_, (0.5 * dot(offset_1, offset_1)), _e52, _e55);
+        float _e60 = _group_0_binding_0_fs.sky_weight;
+        light = (_e56.radiance * _e60);
+        through = _e56.transmittance;
     }
-    vec3 _e64 = light;
-    vec3 _e65 = through;
-    float _e68 = _group_0_binding_0_fs.sun_disk;
-    float _e71 = _group_0_binding_0_fs.sun_chord;
-    float _e74 = _group_0_binding_0_fs.pixel_angle;
-    float _e75 = disk_coverage(offset_1, _e71, _e74);
-    light = (_e64 + (_e65 * (_e68 * _e75)));
-    vec3 _e79 = light;
-    vec3 _e85 = through;
-    _fs2p_location0 = vec4(min((_e79 * m_5.irradiance), vec3(65000.0)), (1.0 - dot(_e85, vec3(0.33333334))));
+    vec3 _e63 = light;
+    vec3 _e64 = through;
+    float _e67 = _group_0_binding_0_fs.sun_disk;
+    float _e70 = _group_0_binding_0_fs.sun_chord;
+    float _e73 = _group_0_binding_0_fs.pixel_angle;
+    float _e74 = disk_coverage(offset_1, _e70, _e73);
+    light = (_e63 + (_e64 * (_e67 * _e74)));
+    vec3 _e78 = light;
+    vec3 _e84 = through;
+    _fs2p_location0 = vec4(min((_e78 * m_5.irradiance), vec3(65000.0)), (1.0 - dot(_e84, vec3(0.33333334))));
     return;
 }
 
