@@ -79,6 +79,8 @@ pub mod backend;
 pub mod error;
 pub mod passes;
 pub mod phase;
+#[cfg(feature = "probe")]
+pub mod probe;
 pub mod quality;
 pub mod reference;
 pub mod shaders;

@@ -44,10 +44,25 @@ struct AirRay {
     float length_;
     float x;
     float b;
+    float x_closest;
     float sun_b;
     float nu;
     float cross2_;
+    float shadow_b;
+    float shadow_c;
     bool ground;
+};
+struct SunSide {
+    float sun_b;
+    float nu;
+    float cross2_;
+    float shadow_b;
+    float shadow_c;
+};
+struct Low {
+    float t;
+    float x;
+    float b;
 };
 struct Scattered {
     vec3 radiance;
@@ -89,95 +104,137 @@ float excess_of(float h, float radius_1) {
     return (h * ((2.0 * radius_1) + h));
 }
 
-float distance_to_top(float x_1, float b, float x_top) {
-    float c = max((x_top - x_1), 0.0);
-    float root = sqrt(((b * b) + c));
-    if ((b > 0.0)) {
-        return (c / (b + root));
-    }
-    return (root - b);
+float altitude_after(float x_1, float b, float t, float radius_2) {
+    float _e9 = altitude_of((x_1 + (t * ((2.0 * b) + t))), radius_2);
+    return max(_e9, 0.0);
 }
 
-AirRay air_ray(vec3 dir, float h_1, float radius_2, float thickness, vec3 sun) {
-    AirRay ray = AirRay(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, false);
+float distance_to_top(float x_2, float b_1, float x_top) {
+    float c = max((x_top - x_2), 0.0);
+    float root = sqrt(((b_1 * b_1) + c));
+    if ((b_1 > 0.0)) {
+        return (c / (b_1 + root));
+    }
+    return (root - b_1);
+}
+
+float half_chord2_(float b_2, float above, float depth_1, float p) {
+    float sphere = (depth_1 + p);
+    if ((abs(b_2) < sphere)) {
+        return ((b_2 * b_2) - above);
+    }
+    return (depth_1 * (sphere + p));
+}
+
+SunSide sun_side_inside(vec3 dir, vec3 sun, float r, float x_3, float radius_3) {
+    SunSide s = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
+    s.nu = dot(dir, sun);
+    float _e9 = s.nu;
+    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    s.cross2_ = dot(side, side);
+    s.sun_b = (r * sun.z);
+    s.shadow_b = (r * ((sun.x * side.y) - (sun.y * side.x)));
+    float q = (r * length(sun.xy));
+    float _e37 = s.sun_b;
+    float _e39 = half_chord2_(_e37, x_3, (radius_3 - q), q);
+    s.shadow_c = -(_e39);
+    SunSide _e41 = s;
+    return _e41;
+}
+
+SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_1, float half_, float x_top_1, float radius_4) {
+    SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
+    s_1.nu = dot(dir_1, sun_1);
+    float _e10 = s_1.nu;
+    float same = ((_e10 >= 0.0) ? 1.0 : -1.0);
+    vec3 apart = (dir_1 - (same * sun_1));
+    vec3 side_1 = cross(apart, sun_1);
+    s_1.cross2_ = dot(side_1, side_1);
+    vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_1);
+    float _e35 = s_1.nu;
+    s_1.sun_b = ((-(same) * dot(closest, apart)) - (half_ * _e35));
+    vec3 closest_side = cross(closest, sun_1);
+    float _e42 = s_1.cross2_;
+    s_1.shadow_b = (dot(closest_side, side_1) - (half_ * _e42));
+    float q_1 = length((closest_side - (half_ * side_1)));
+    float _e50 = s_1.sun_b;
+    float _e52 = half_chord2_(_e50, x_top_1, (radius_4 - q_1), q_1);
+    s_1.shadow_c = -(_e52);
+    SunSide _e54 = s_1;
+    return _e54;
+}
+
+AirRay air_ray(vec3 dir_2, float h_1, float radius_5, float thickness, vec3 sun_2) {
     bool local_1 = false;
     bool local_2 = false;
-    float r = (radius_2 + h_1);
-    vec3 side = cross(dir, sun);
-    ray.nu = dot(dir, sun);
-    ray.cross2_ = dot(side, side);
-    ray.ground = false;
-    float _e14 = excess_of(thickness, radius_2);
-    if ((h_1 <= thickness)) {
-        ray.start = 0.0;
-        float _e19 = excess_of(h_1, radius_2);
-        ray.x = _e19;
-        ray.b = (r * dir.z);
-        ray.sun_b = (r * sun.z);
-        float _e28 = ray.x;
-        float _e30 = ray.b;
-        float _e31 = distance_to_top(_e28, _e30, _e14);
-        ray.length_ = _e31;
-        float _e33 = ray.b;
-        float _e35 = ray.b;
-        float _e38 = ray.x;
-        float disc = ((_e33 * _e35) - _e38);
-        float _e41 = ray.b;
-        if ((_e41 < 0.0)) {
-            local_1 = (disc >= 0.0);
-        } else {
-            local_1 = false;
-        }
-        bool _e49 = local_1;
-        if (_e49) {
-            ray.ground = true;
-            float _e54 = ray.x;
-            float _e57 = ray.b;
-            ray.length_ = (_e54 / (sqrt(disc) - _e57));
-        }
-        AirRay _e60 = ray;
-        return _e60;
+    float r_2 = (radius_5 + h_1);
+    float _e6 = excess_of(thickness, radius_5);
+    float b_3 = (r_2 * dir_2.z);
+    float p_1 = (r_2 * sqrt(dot(dir_2.xy, dir_2.xy)));
+    float _e14 = excess_of(h_1, radius_5);
+    float _e16 = half_chord2_(b_3, _e14, (radius_5 - p_1), p_1);
+    if ((b_3 < 0.0)) {
+        local_1 = (_e16 >= 0.0);
+    } else {
+        local_1 = false;
     }
-    float horizontal2_ = dot(dir.xy, dir.xy);
-    float p = (r * sqrt(horizontal2_));
-    float top = (radius_2 + thickness);
-    float top_disc = ((top - p) * (top + p));
-    if (!((dir.z >= 0.0))) {
-        local_2 = (top_disc <= 0.0);
+    bool ground = local_1;
+    if ((h_1 <= thickness)) {
+        float _e26 = excess_of(h_1, radius_5);
+        SunSide _e27 = sun_side_inside(dir_2, sun_2, r_2, _e26, radius_5);
+        float to_ground = (_e26 / (sqrt(max(_e16, 0.0)) - b_3));
+        float _e33 = distance_to_top(_e26, b_3, _e6);
+        float reach = (ground ? to_ground : _e33);
+        return AirRay(0.0, reach, _e26, b_3, -(_e16), _e27.sun_b, _e27.nu, _e27.cross2_, _e27.shadow_b, _e27.shadow_c, ground);
+    }
+    float above_1 = ((h_1 - thickness) * ((r_2 + radius_5) + thickness));
+    float top2_ = (((b_3 * b_3) < _e6) ? ((b_3 * b_3) - above_1) : (_e16 + _e6));
+    if (!((b_3 >= 0.0))) {
+        local_2 = (top2_ <= 0.0);
     } else {
         local_2 = true;
     }
-    bool _e79 = local_2;
-    if (_e79) {
-        ray.length_ = -1.0;
-        AirRay _e82 = ray;
-        return _e82;
+    bool _e61 = local_2;
+    if (_e61) {
+        return AirRay(0.0, -1.0, 0.0, 0.0, -(_e16), 0.0, dot(dir_2, sun_2), 0.0, 0.0, 0.0, false);
     }
-    float half_ = sqrt(top_disc);
-    ray.start = (((h_1 - thickness) * (r + top)) / (half_ - (r * dir.z)));
-    ray.x = _e14;
-    ray.b = -(half_);
-    vec3 closest = (vec3((-(dir.z) * dir.xy), horizontal2_) * r);
-    float _e104 = ray.nu;
-    ray.sun_b = (dot(closest, sun) - (half_ * _e104));
-    ray.length_ = (2.0 * half_);
-    float ground_disc = ((radius_2 - p) * (radius_2 + p));
-    if ((ground_disc >= 0.0)) {
-        ray.ground = true;
-        ray.length_ = (_e14 / (half_ + sqrt(ground_disc)));
+    float half_1 = sqrt(top2_);
+    float start = (above_1 / (half_1 - b_3));
+    SunSide _e77 = sun_side_outside(dir_2, sun_2, r_2, half_1, _e6, radius_5);
+    float reach_1 = (ground ? (_e6 / (half_1 + sqrt(max(_e16, 0.0)))) : (2.0 * half_1));
+    return AirRay(start, reach_1, _e6, -(half_1), -(_e16), _e77.sun_b, _e77.nu, _e77.cross2_, _e77.shadow_b, _e77.shadow_c, ground);
+}
+
+Low lowest(AirRay ray, float length_, float radius_6) {
+    bool local_3 = false;
+    if ((ray.b >= 0.0)) {
+        return Low(0.0, ray.x, ray.b);
     }
-    AirRay _e121 = ray;
-    return _e121;
+    if ((-(ray.b) <= length_)) {
+        return Low(-(ray.b), ray.x_closest, 0.0);
+    }
+    float b_4 = (ray.b + length_);
+    if (ray.ground) {
+        local_3 = (length_ >= ray.length_);
+    } else {
+        local_3 = false;
+    }
+    bool _e26 = local_3;
+    if (_e26) {
+        return Low(length_, 0.0, b_4);
+    }
+    bool far = ((-(ray.b) * length_) > (radius_6 * radius_6));
+    return Low(length_, (far ? (ray.x_closest + (b_4 * b_4)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_4);
 }
 
 float scene_reach(Frame f_2, AirRay ray_1, float distance_) {
-    float reach = min(ray_1.length_, (distance_ - ray_1.start));
+    float reach_2 = min(ray_1.length_, (distance_ - ray_1.start));
     if (!(ray_1.ground)) {
-        return reach;
+        return reach_2;
     }
     float slant = max((abs((ray_1.b + ray_1.length_)) / f_2.medium.radius), 0.05);
     float snap = (((SUBPIXEL * f_2.pixel_angle) * distance_) / slant);
-    return (ray_1.length_ - ((ray_1.length_ - reach) * smoothstep((0.5 * snap), snap, (ray_1.length_ - reach))));
+    return (ray_1.length_ - ((ray_1.length_ - reach_2) * smoothstep((0.5 * snap), snap, (ray_1.length_ - reach_2))));
 }
 
 vec3 densities(Medium m, float h_2) {
@@ -199,47 +256,46 @@ float warp(float low, float u) {
     return (low + (u * abs(u)));
 }
 
-Scattered single_scattering(Medium m_2, AirRay ray_2, float length_, float away, uint view_samples, uint light_samples) {
+Scattered single_scattering(Medium m_2, AirRay ray_2, float length_1, float away, uint view_samples, uint light_samples) {
     Scattered out_ = Scattered(vec3(0.0), vec3(0.0));
     float t0_ = 0.0;
     uint i = 0u;
     out_.radiance = vec3(0.0);
     out_.transmittance = vec3(1.0);
-    float mu = (1.0 - away);
-    float low_1 = clamp(-(ray_2.b), 0.0, length_);
+    Low _e14 = lowest(ray_2, length_1, m_2.radius);
+    float low_1 = _e14.t;
     float u0_ = -(sqrt(low_1));
-    float du = ((sqrt((length_ - low_1)) - u0_) / float(view_samples));
+    float du = ((sqrt((length_1 - low_1)) - u0_) / float(view_samples));
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e64 = i;
-            i = (_e64 + 1u);
+            uint _e55 = i;
+            i = (_e55 + 1u);
         }
         loop_init = false;
-        uint _e30 = i;
-        if ((_e30 < view_samples)) {
+        uint _e27 = i;
+        if ((_e27 < view_samples)) {
         } else {
             break;
         }
         {
-            uint _e32 = i;
-            float u_1 = (u0_ + (du * float(_e32)));
-            float _e37 = warp(low_1, (u_1 + du));
-            float _e38 = t0_;
-            float step_ = (_e37 - _e38);
-            float _e43 = warp(low_1, (u_1 + (0.5 * du)));
-            float _e52 = altitude_of((ray_2.x + (_e43 * ((2.0 * ray_2.b) + _e43))), m_2.radius);
-            float h_3 = max(_e52, 0.0);
-            vec3 _e55 = densities(m_2, h_3);
-            vec3 _e56 = extinction(m_2, _e55);
-            vec3 tau = (_e56 * step_);
-            vec3 _e59 = out_.transmittance;
-            out_.transmittance = (_e59 * exp(-(tau)));
-            t0_ = _e37;
+            uint _e29 = i;
+            float u_1 = (u0_ + (du * float(_e29)));
+            float _e34 = warp(low_1, (u_1 + du));
+            float _e35 = t0_;
+            float step_ = (_e34 - _e35);
+            float _e40 = warp(low_1, (u_1 + (0.5 * du)));
+            float _e45 = altitude_after(_e14.x, _e14.b, (_e40 - low_1), m_2.radius);
+            vec3 _e46 = densities(m_2, _e45);
+            vec3 _e47 = extinction(m_2, _e46);
+            vec3 tau = (_e47 * step_);
+            vec3 _e50 = out_.transmittance;
+            out_.transmittance = (_e50 * exp(-(tau)));
+            t0_ = _e34;
         }
     }
-    Scattered _e66 = out_;
-    return _e66;
+    Scattered _e57 = out_;
+    return _e57;
 }
 
 void main() {
@@ -256,11 +312,11 @@ void main() {
     Frame _e11 = _group_0_binding_0_fs;
     vec4 _e14 = texelFetch(_group_0_binding_1_fs, pixel_1, 0);
     float _e16 = depth_distance(_e11, _e14.x, ray_length_1);
-    vec3 dir_1 = (_e8 / vec3(ray_length_1));
+    vec3 dir_3 = (_e8 / vec3(ray_length_1));
     Medium m_3 = _group_0_binding_0_fs.medium;
     float _e24 = _group_0_binding_0_fs.altitude;
     vec3 _e29 = _group_0_binding_0_fs.sun;
-    AirRay _e30 = air_ray(dir_1, _e24, m_3.radius, m_3.thickness, _e29);
+    AirRay _e30 = air_ray(dir_3, _e24, m_3.radius, m_3.thickness, _e29);
     end = _e30.length_;
     if ((_e16 >= 0.0)) {
         Frame _e40 = _group_0_binding_0_fs;
@@ -287,7 +343,7 @@ void main() {
         return;
     }
     vec3 _e63 = _group_0_binding_0_fs.sun;
-    vec3 offset = (dir_1 - _e63);
+    vec3 offset = (dir_3 - _e63);
     float _e65 = end;
     uint _e71 = _group_0_binding_0_fs.view_samples;
     uint _e74 = _group_0_binding_0_fs.light_samples;

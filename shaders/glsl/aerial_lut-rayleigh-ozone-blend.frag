@@ -44,10 +44,20 @@ struct AirRay {
     float length_;
     float x;
     float b;
+    float x_closest;
     float sun_b;
     float nu;
     float cross2_;
+    float shadow_b;
+    float shadow_c;
     bool ground;
+};
+struct SunSide {
+    float sun_b;
+    float nu;
+    float cross2_;
+    float shadow_b;
+    float shadow_c;
 };
 struct Tables {
     vec3 mie_extinction;
@@ -149,86 +159,101 @@ float distance_to_top(float x_1, float b, float x_top) {
     return (root - b);
 }
 
-AirRay air_ray(vec3 dir, float h_1, float radius_2, float thickness, vec3 sun) {
-    AirRay ray = AirRay(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, false);
+float half_chord2_(float b_1, float above, float depth_1, float p) {
+    float sphere = (depth_1 + p);
+    if ((abs(b_1) < sphere)) {
+        return ((b_1 * b_1) - above);
+    }
+    return (depth_1 * (sphere + p));
+}
+
+SunSide sun_side_inside(vec3 dir, vec3 sun, float r, float x_2, float radius_2) {
+    SunSide s = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
+    s.nu = dot(dir, sun);
+    float _e9 = s.nu;
+    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    s.cross2_ = dot(side, side);
+    s.sun_b = (r * sun.z);
+    s.shadow_b = (r * ((sun.x * side.y) - (sun.y * side.x)));
+    float q = (r * length(sun.xy));
+    float _e37 = s.sun_b;
+    float _e39 = half_chord2_(_e37, x_2, (radius_2 - q), q);
+    s.shadow_c = -(_e39);
+    SunSide _e41 = s;
+    return _e41;
+}
+
+SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_1, float half_, float x_top_1, float radius_3) {
+    SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
+    s_1.nu = dot(dir_1, sun_1);
+    float _e10 = s_1.nu;
+    float same = ((_e10 >= 0.0) ? 1.0 : -1.0);
+    vec3 apart = (dir_1 - (same * sun_1));
+    vec3 side_1 = cross(apart, sun_1);
+    s_1.cross2_ = dot(side_1, side_1);
+    vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_1);
+    float _e35 = s_1.nu;
+    s_1.sun_b = ((-(same) * dot(closest, apart)) - (half_ * _e35));
+    vec3 closest_side = cross(closest, sun_1);
+    float _e42 = s_1.cross2_;
+    s_1.shadow_b = (dot(closest_side, side_1) - (half_ * _e42));
+    float q_1 = length((closest_side - (half_ * side_1)));
+    float _e50 = s_1.sun_b;
+    float _e52 = half_chord2_(_e50, x_top_1, (radius_3 - q_1), q_1);
+    s_1.shadow_c = -(_e52);
+    SunSide _e54 = s_1;
+    return _e54;
+}
+
+AirRay air_ray(vec3 dir_2, float h_1, float radius_4, float thickness, vec3 sun_2) {
     bool local_2 = false;
     bool local_3 = false;
-    float r = (radius_2 + h_1);
-    vec3 side = cross(dir, sun);
-    ray.nu = dot(dir, sun);
-    ray.cross2_ = dot(side, side);
-    ray.ground = false;
-    float _e14 = excess_of(thickness, radius_2);
-    if ((h_1 <= thickness)) {
-        ray.start = 0.0;
-        float _e19 = excess_of(h_1, radius_2);
-        ray.x = _e19;
-        ray.b = (r * dir.z);
-        ray.sun_b = (r * sun.z);
-        float _e28 = ray.x;
-        float _e30 = ray.b;
-        float _e31 = distance_to_top(_e28, _e30, _e14);
-        ray.length_ = _e31;
-        float _e33 = ray.b;
-        float _e35 = ray.b;
-        float _e38 = ray.x;
-        float disc = ((_e33 * _e35) - _e38);
-        float _e41 = ray.b;
-        if ((_e41 < 0.0)) {
-            local_2 = (disc >= 0.0);
-        } else {
-            local_2 = false;
-        }
-        bool _e49 = local_2;
-        if (_e49) {
-            ray.ground = true;
-            float _e54 = ray.x;
-            float _e57 = ray.b;
-            ray.length_ = (_e54 / (sqrt(disc) - _e57));
-        }
-        AirRay _e60 = ray;
-        return _e60;
+    float r_2 = (radius_4 + h_1);
+    float _e6 = excess_of(thickness, radius_4);
+    float b_3 = (r_2 * dir_2.z);
+    float p_1 = (r_2 * sqrt(dot(dir_2.xy, dir_2.xy)));
+    float _e14 = excess_of(h_1, radius_4);
+    float _e16 = half_chord2_(b_3, _e14, (radius_4 - p_1), p_1);
+    if ((b_3 < 0.0)) {
+        local_2 = (_e16 >= 0.0);
+    } else {
+        local_2 = false;
     }
-    float horizontal2_ = dot(dir.xy, dir.xy);
-    float p = (r * sqrt(horizontal2_));
-    float top = (radius_2 + thickness);
-    float top_disc = ((top - p) * (top + p));
-    if (!((dir.z >= 0.0))) {
-        local_3 = (top_disc <= 0.0);
+    bool ground_1 = local_2;
+    if ((h_1 <= thickness)) {
+        float _e26 = excess_of(h_1, radius_4);
+        SunSide _e27 = sun_side_inside(dir_2, sun_2, r_2, _e26, radius_4);
+        float to_ground = (_e26 / (sqrt(max(_e16, 0.0)) - b_3));
+        float _e33 = distance_to_top(_e26, b_3, _e6);
+        float reach = (ground_1 ? to_ground : _e33);
+        return AirRay(0.0, reach, _e26, b_3, -(_e16), _e27.sun_b, _e27.nu, _e27.cross2_, _e27.shadow_b, _e27.shadow_c, ground_1);
+    }
+    float above_1 = ((h_1 - thickness) * ((r_2 + radius_4) + thickness));
+    float top2_ = (((b_3 * b_3) < _e6) ? ((b_3 * b_3) - above_1) : (_e16 + _e6));
+    if (!((b_3 >= 0.0))) {
+        local_3 = (top2_ <= 0.0);
     } else {
         local_3 = true;
     }
-    bool _e79 = local_3;
-    if (_e79) {
-        ray.length_ = -1.0;
-        AirRay _e82 = ray;
-        return _e82;
+    bool _e61 = local_3;
+    if (_e61) {
+        return AirRay(0.0, -1.0, 0.0, 0.0, -(_e16), 0.0, dot(dir_2, sun_2), 0.0, 0.0, 0.0, false);
     }
-    float half_ = sqrt(top_disc);
-    ray.start = (((h_1 - thickness) * (r + top)) / (half_ - (r * dir.z)));
-    ray.x = _e14;
-    ray.b = -(half_);
-    vec3 closest = (vec3((-(dir.z) * dir.xy), horizontal2_) * r);
-    float _e104 = ray.nu;
-    ray.sun_b = (dot(closest, sun) - (half_ * _e104));
-    ray.length_ = (2.0 * half_);
-    float ground_disc = ((radius_2 - p) * (radius_2 + p));
-    if ((ground_disc >= 0.0)) {
-        ray.ground = true;
-        ray.length_ = (_e14 / (half_ + sqrt(ground_disc)));
-    }
-    AirRay _e121 = ray;
-    return _e121;
+    float half_1 = sqrt(top2_);
+    float start = (above_1 / (half_1 - b_3));
+    SunSide _e77 = sun_side_outside(dir_2, sun_2, r_2, half_1, _e6, radius_4);
+    float reach_1 = (ground_1 ? (_e6 / (half_1 + sqrt(max(_e16, 0.0)))) : (2.0 * half_1));
+    return AirRay(start, reach_1, _e6, -(half_1), -(_e16), _e77.sun_b, _e77.nu, _e77.cross2_, _e77.shadow_b, _e77.shadow_c, ground_1);
 }
 
-float scene_reach(Frame f_2, AirRay ray_1, float distance_) {
-    float reach = min(ray_1.length_, (distance_ - ray_1.start));
-    if (!(ray_1.ground)) {
-        return reach;
+float scene_reach(Frame f_2, AirRay ray, float distance_) {
+    float reach_2 = min(ray.length_, (distance_ - ray.start));
+    if (!(ray.ground)) {
+        return reach_2;
     }
-    float slant = max((abs((ray_1.b + ray_1.length_)) / f_2.medium.radius), 0.05);
+    float slant = max((abs((ray.b + ray.length_)) / f_2.medium.radius), 0.05);
     float snap = (((SUBPIXEL * f_2.pixel_angle) * distance_) / slant);
-    return (ray_1.length_ - ((ray_1.length_ - reach) * smoothstep((0.5 * snap), snap, (ray_1.length_ - reach))));
+    return (ray.length_ - ((ray.length_ - reach_2) * smoothstep((0.5 * snap), snap, (ray.length_ - reach_2))));
 }
 
 vec3 extinction(Medium m, vec3 d) {
@@ -255,15 +280,15 @@ vec4 bilinear(highp sampler2D table, Corner c, ivec2 origin) {
     vec4 bottom = mix(_e8, _e13, c.part.x);
     vec4 _e21 = texelFetch(table, ivec2(low_2.x, high.y), 0);
     vec4 _e23 = texelFetch(table, high, 0);
-    vec4 top_1 = mix(_e21, _e23, c.part.x);
-    return mix(bottom, top_1, c.part.y);
+    vec4 top = mix(_e21, _e23, c.part.x);
+    return mix(bottom, top, c.part.y);
 }
 
-vec3 columns_to_top(highp sampler2D table_1, Medium m_1, float x_2, float h_2, float b_1) {
+vec3 columns_to_top(highp sampler2D table_1, Medium m_1, float x_3, float h_2, float b_2) {
     float _e7 = excess_of(m_1.thickness, m_1.radius);
-    float rho = sqrt(max(x_2, 0.0));
+    float rho = sqrt(max(x_3, 0.0));
     float rho_top = sqrt(_e7);
-    float _e12 = distance_to_top(x_2, b_1, _e7);
+    float _e12 = distance_to_top(x_3, b_2, _e7);
     float shortest = max((m_1.thickness - h_2), 0.0);
     ivec2 size_2 = ivec2(uvec2(textureSize(table_1, 0).xy));
     vec2 share_1 = vec2(((_e12 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
@@ -272,38 +297,38 @@ vec3 columns_to_top(highp sampler2D table_1, Medium m_1, float x_2, float h_2, f
     return exp2(_e35.xyz);
 }
 
-float crowded(float rest, float s, float s_max) {
-    return sqrt((max(rest, 0.0) / (s_max * (s + s_max))));
+float crowded(float rest, float s_2, float s_max) {
+    return sqrt((max(rest, 0.0) / (s_max * (s_2 + s_max))));
 }
 
-float azimuth_share(vec3 dir_1) {
-    float flat_ = max(length(dir_1.xy), 1e-30);
-    float cosine = (dir_1.x / flat_);
+float azimuth_share(vec3 dir_3) {
+    float flat_ = max(length(dir_3.xy), 1e-30);
+    float cosine = (dir_3.x / flat_);
     float large = sqrt((0.5 + (0.5 * min(abs(cosine), 1.0))));
-    float small = (((0.5 * abs(dir_1.y)) / flat_) / large);
-    float s_1 = ((cosine >= 0.0) ? small : large);
-    return (s_1 / (large + small));
+    float small = (((0.5 * abs(dir_3.y)) / flat_) / large);
+    float s_3 = ((cosine >= 0.0) ? small : large);
+    return (s_3 / (large + small));
 }
 
-float zenith_share(AirRay ray_2, vec3 dir_2, float h_3, Medium m_2) {
+float zenith_share(AirRay ray_1, vec3 dir_4, float h_3, Medium m_2) {
     bool local_4 = false;
-    if (ray_2.ground) {
-        float mu = clamp((-((ray_2.b + ray_2.length_)) / m_2.radius), 0.0, 1.0);
+    if (ray_1.ground) {
+        float mu = clamp((-((ray_1.b + ray_1.length_)) / m_2.radius), 0.0, 1.0);
         float _e22 = crowded((0.5 * mu), sqrt((0.5 - (0.5 * mu))), SQRT_HALF);
         return _e22;
     }
-    if (!((ray_2.start > 0.0))) {
+    if (!((ray_1.start > 0.0))) {
         local_4 = (h_3 > m_2.thickness);
     } else {
         local_4 = true;
     }
     bool _e32 = local_4;
     if (_e32) {
-        float tangent = (((m_2.radius + h_3) * length(dir_2.xy)) - m_2.radius);
+        float tangent = (((m_2.radius + h_3) * length(dir_4.xy)) - m_2.radius);
         return sqrt(clamp((tangent / m_2.thickness), 0.0, 1.0));
     }
-    float horizon = (sqrt(ray_2.x) / (m_2.radius + h_3));
-    float _e68 = crowded((0.5 * (dir_2.z + horizon)), sqrt(max((0.5 - (0.5 * dir_2.z)), 0.0)), sqrt((0.5 + (0.5 * horizon))));
+    float horizon = (sqrt(ray_1.x) / (m_2.radius + h_3));
+    float _e68 = crowded((0.5 * (dir_4.z + horizon)), sqrt(max((0.5 - (0.5 * dir_4.z)), 0.0)), sqrt((0.5 + (0.5 * horizon))));
     return _e68;
 }
 
@@ -311,19 +336,19 @@ float sky_row(float share, bool ground, int rows, float ground_rows) {
     return (ground ? (share * (ground_rows - 1.0)) : (ground_rows + (share * ((float(rows) - ground_rows) - 1.0))));
 }
 
-SkyLight sky_light(highp sampler2D sky, Medium m_3, Tables t, float h_4, vec3 dir_3, AirRay ray_3, float away) {
+SkyLight sky_light(highp sampler2D sky, Medium m_3, Tables t, float h_4, vec3 dir_5, AirRay ray_2, float away) {
     Corner c_1 = Corner(ivec2(0), ivec2(0), vec2(0.0));
     SkyLight out_ = SkyLight(vec3(0.0), vec3(0.0), 0.0);
     ivec2 dims_1 = ivec2(uvec2(textureSize(sky, 0).xy));
     ivec2 size_3 = ivec2((dims_1.x / SKY_HALVES), dims_1.y);
-    float _e14 = zenith_share(ray_3, dir_3, h_4, m_3);
-    float _e18 = sky_row(_e14, ray_3.ground, size_3.y, t.ground_rows);
-    float _e19 = azimuth_share(dir_3);
+    float _e14 = zenith_share(ray_2, dir_5, h_4, m_3);
+    float _e18 = sky_row(_e14, ray_2.ground, size_3.y, t.ground_rows);
+    float _e19 = azimuth_share(dir_5);
     Corner _e26 = corner(vec2((_e19 * float((size_3.x - 1))), _e18), size_3);
     c_1 = _e26;
     Corner _e28 = c_1;
     vec4 _e31 = bilinear(sky, _e28, ivec2(0));
-    float scale = (ray_3.ground ? ray_3.length_ : 1.0);
+    float scale = (ray_2.ground ? ray_2.length_ : 1.0);
     vec3 root_1 = (_e31.xyz * _e31.xyz);
     out_ = SkyLight(((root_1 * root_1) * scale), vec3(0.0), _e31.w);
     SkyLight _e46 = out_;
@@ -366,8 +391,8 @@ void main() {
     float ray_length_1 = length(_e13);
     vec4 _e17 = texelFetch(_group_0_binding_1_fs, pixel_1, 0);
     float _e19 = depth_distance(f_3, _e17.x, ray_length_1);
-    vec3 dir_4 = (_e13 / vec3(ray_length_1));
-    AirRay _e26 = air_ray(dir_4, f_3.altitude, m_4.radius, m_4.thickness, f_3.sun);
+    vec3 dir_6 = (_e13 / vec3(ray_length_1));
+    AirRay _e26 = air_ray(dir_6, f_3.altitude, m_4.radius, m_4.thickness, f_3.sun);
     end = _e26.length_;
     if ((_e19 >= 0.0)) {
         float _e35 = scene_reach(f_3, _e26, _e19);
@@ -391,8 +416,8 @@ void main() {
         _fs2p_location0 = behind;
         return;
     }
-    vec3 offset = (dir_4 - f_3.sun);
-    SkyLight _e60 = sky_light(_group_0_binding_2_fs, m_4, t_3, f_3.altitude, dir_4, _e26, (0.5 * dot(offset, offset)));
+    vec3 offset = (dir_6 - f_3.sun);
+    SkyLight _e60 = sky_light(_group_0_binding_2_fs, m_4, t_3, f_3.altitude, dir_6, _e26, (0.5 * dot(offset, offset)));
     light = (_e60.even + _e60.aerosol);
     if (!(_e26.ground)) {
         float _e72 = end;
@@ -411,9 +436,9 @@ void main() {
         }
     } else {
         ivec2 size_4 = (ivec2(uvec2(textureSize(_group_0_binding_3_fs, 0).xy)) / ivec2(int(t_3.slices), AIR_KINDS));
-        float _e97 = zenith_share(_e26, dir_4, f_3.altitude, m_4);
+        float _e97 = zenith_share(_e26, dir_6, f_3.altitude, m_4);
         float _e101 = sky_row(_e97, _e26.ground, size_4.y, t_3.air_ground_rows);
-        float _e102 = azimuth_share(dir_4);
+        float _e102 = azimuth_share(dir_6);
         Corner _e109 = corner(vec2((_e102 * float((size_4.x - 1))), _e101), size_4);
         float low_3 = clamp(-(_e26.b), 0.0, _e26.length_);
         float _e116 = unwarp(low_3, 0.0);

@@ -62,6 +62,11 @@ float excess_of(float h, float radius_1) {
     return (h * ((2.0 * radius_1) + h));
 }
 
+float altitude_after(float x_1, float b, float t, float radius_2) {
+    float _e9 = altitude_of((x_1 + (t * ((2.0 * b) + t))), radius_2);
+    return max(_e9, 0.0);
+}
+
 vec3 densities(Medium m, float h_1) {
     vec3 d = vec3(0.0);
     d.x = exp((-(h_1) * m.rayleigh_inv_height));
@@ -80,26 +85,26 @@ vec3 columns_ray(vec2 at, vec2 size, Medium m_1) {
     float h_2 = min(_e15, m_1.thickness);
     float shortest = (m_1.thickness - h_2);
     float d_1 = (shortest + (share.x * ((rho + rho_top) - shortest)));
-    float b_1 = ((d_1 > 0.0) ? (((((rho_top - rho) * (rho_top + rho)) / d_1) - d_1) * 0.5) : (m_1.radius + h_2));
-    return vec3((rho * rho), max(b_1, -(rho)), d_1);
+    float b_2 = ((d_1 > 0.0) ? (((((rho_top - rho) * (rho_top + rho)) / d_1) - d_1) * 0.5) : (m_1.radius + h_2));
+    return vec3((rho * rho), max(b_2, -(rho)), d_1);
 }
 
 float warp(float low, float u) {
     return (low + (u * abs(u)));
 }
 
-vec3 path_densities(Medium m_2, float x_1, float b, float distance_, uint samples) {
+vec3 path_densities(Medium m_2, float x_2, float b_1, float distance_, uint samples) {
     vec3 sum = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
-    float low_1 = clamp(-(b), 0.0, distance_);
+    float low_1 = clamp(-(b_1), 0.0, distance_);
     float u0_ = -(sqrt(low_1));
     float du = ((sqrt((distance_ - low_1)) - u0_) / float(samples));
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e50 = i;
-            i = (_e50 + 1u);
+            uint _e43 = i;
+            i = (_e43 + 1u);
         }
         loop_init = false;
         uint _e22 = i;
@@ -112,17 +117,16 @@ vec3 path_densities(Medium m_2, float x_1, float b, float distance_, uint sample
             float u_1 = (u0_ + (du * float(_e24)));
             float _e31 = warp(low_1, (u_1 + (0.5 * du)));
             float _e33 = warp(low_1, (u_1 + du));
-            float _e40 = altitude_of((x_1 + (_e31 * ((2.0 * b) + _e31))), m_2.radius);
-            float h_3 = max(_e40, 0.0);
-            vec3 _e43 = sum;
-            vec3 _e44 = densities(m_2, h_3);
-            float _e45 = t0_;
-            sum = (_e43 + (_e44 * (_e33 - _e45)));
+            float _e35 = altitude_after(x_2, b_1, _e31, m_2.radius);
+            vec3 _e36 = sum;
+            vec3 _e37 = densities(m_2, _e35);
+            float _e38 = t0_;
+            sum = (_e36 + (_e37 * (_e33 - _e38)));
             t0_ = _e33;
         }
     }
-    vec3 _e52 = sum;
-    return _e52;
+    vec3 _e45 = sum;
+    return _e45;
 }
 
 void main() {

@@ -22,10 +22,25 @@ struct AirRay {
     float length_;
     float x;
     float b;
+    float x_closest;
     float sun_b;
     float nu;
     float cross2_;
+    float shadow_b;
+    float shadow_c;
     bool ground;
+};
+struct SunSide {
+    float sun_b;
+    float nu;
+    float cross2_;
+    float shadow_b;
+    float shadow_c;
+};
+struct Low {
+    float t;
+    float x;
+    float b;
 };
 struct Tables {
     vec3 mie_extinction;
@@ -96,71 +111,124 @@ float excess_of(float h, float radius_1) {
     return (h * ((2.0 * radius_1) + h));
 }
 
-float distance_to_top(float x_1, float b, float x_top) {
-    float c_2 = max((x_top - x_1), 0.0);
-    float root = sqrt(((b * b) + c_2));
-    if ((b > 0.0)) {
-        return (c_2 / (b + root));
-    }
-    return (root - b);
+float altitude_after(float x_1, float b, float t, float radius_2) {
+    float _e9 = altitude_of((x_1 + (t * ((2.0 * b) + t))), radius_2);
+    return max(_e9, 0.0);
 }
 
-vec2 shadow_stretch(AirRay ray) {
+float distance_to_top(float x_2, float b_1, float x_top) {
+    float c_2 = max((x_top - x_2), 0.0);
+    float root = sqrt(((b_1 * b_1) + c_2));
+    if ((b_1 > 0.0)) {
+        return (c_2 / (b_1 + root));
+    }
+    return (root - b_1);
+}
+
+float half_chord2_(float b_2, float above, float depth, float p) {
+    float sphere = (depth + p);
+    if ((abs(b_2) < sphere)) {
+        return ((b_2 * b_2) - above);
+    }
+    return (depth * (sphere + p));
+}
+
+SunSide sun_side_inside(vec3 dir, vec3 sun, float r, float x_3, float radius_3) {
+    SunSide s = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
+    s.nu = dot(dir, sun);
+    float _e9 = s.nu;
+    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    s.cross2_ = dot(side, side);
+    s.sun_b = (r * sun.z);
+    s.shadow_b = (r * ((sun.x * side.y) - (sun.y * side.x)));
+    float q = (r * length(sun.xy));
+    float _e37 = s.sun_b;
+    float _e39 = half_chord2_(_e37, x_3, (radius_3 - q), q);
+    s.shadow_c = -(_e39);
+    SunSide _e41 = s;
+    return _e41;
+}
+
+Low lowest(AirRay ray, float length_, float radius_4) {
+    bool local = false;
+    if ((ray.b >= 0.0)) {
+        return Low(0.0, ray.x, ray.b);
+    }
+    if ((-(ray.b) <= length_)) {
+        return Low(-(ray.b), ray.x_closest, 0.0);
+    }
+    float b_4 = (ray.b + length_);
+    if (ray.ground) {
+        local = (length_ >= ray.length_);
+    } else {
+        local = false;
+    }
+    bool _e26 = local;
+    if (_e26) {
+        return Low(length_, 0.0, b_4);
+    }
+    bool far = ((-(ray.b) * length_) > (radius_4 * radius_4));
+    return Low(length_, (far ? (ray.x_closest + (b_4 * b_4)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_4);
+}
+
+vec2 shadow_stretch(AirRay ray_1) {
     vec2 stretch = vec2(0.0);
     vec2 none = vec2(1.0, 0.0);
-    float a = ray.cross2_;
-    float b_2 = (ray.b - (ray.sun_b * ray.nu));
-    float c_3 = (ray.x - (ray.sun_b * ray.sun_b));
+    float a = ray_1.cross2_;
+    float b_5 = ray_1.shadow_b;
+    float c_3 = ray_1.shadow_c;
     stretch = vec2(-(1e30), 1e30);
-    float disc = ((b_2 * b_2) - (a * c_3));
-    if ((a > 1e-12)) {
+    float disc = ((b_5 * b_5) - (a * c_3));
+    if ((a > 1e-30)) {
         if ((disc <= 0.0)) {
             return none;
         }
-        float q = -((b_2 + (((b_2 >= 0.0) ? 1.0 : -1.0) * sqrt(disc))));
-        float t0_1 = (q / a);
-        float t1_ = ((q != 0.0) ? (c_3 / q) : t0_1);
+        float q_1 = -((b_5 + (((b_5 >= 0.0) ? 1.0 : -1.0) * sqrt(disc))));
+        float t0_1 = (q_1 / a);
+        float t1_ = ((q_1 != 0.0) ? (c_3 / q_1) : t0_1);
         stretch = vec2(min(t0_1, t1_), max(t0_1, t1_));
     } else {
         if ((c_3 >= 0.0)) {
             return none;
         }
     }
-    if ((abs(ray.nu) < 1e-12)) {
-        if ((ray.sun_b >= 0.0)) {
+    if ((abs(ray_1.nu) < 1e-12)) {
+        if ((ray_1.sun_b >= 0.0)) {
             return none;
         }
     } else {
-        float t_8 = (-(ray.sun_b) / ray.nu);
-        if ((ray.nu > 0.0)) {
-            float _e61 = stretch.y;
-            stretch.y = min(_e61, t_8);
+        float t_9 = (-(ray_1.sun_b) / ray_1.nu);
+        if ((ray_1.nu > 0.0)) {
+            float _e53 = stretch.y;
+            stretch.y = min(_e53, t_9);
         } else {
-            float _e65 = stretch.x;
-            stretch.x = max(_e65, t_8);
+            float _e57 = stretch.x;
+            stretch.x = max(_e57, t_9);
         }
     }
-    vec2 _e67 = stretch;
-    return _e67;
+    vec2 _e59 = stretch;
+    return _e59;
 }
 
-AirRay inner_ray(vec3 dir, float h_1, float radius_2, float thickness, vec3 sun, bool ground) {
-    bool local = false;
-    vec3 side = cross(dir, sun);
-    float r = (radius_2 + h_1);
-    float _e8 = excess_of(h_1, radius_2);
-    float b_3 = (r * dir.z);
-    float root_1 = sqrt(max(((b_3 * b_3) - _e8), 0.0));
-    float _e16 = excess_of(thickness, radius_2);
-    float _e17 = distance_to_top(_e8, b_3, _e16);
+AirRay inner_ray(vec3 dir_1, float h_1, float radius_5, float thickness, vec3 sun_1, bool ground) {
+    bool local_1 = false;
+    float r_1 = (radius_5 + h_1);
+    float _e7 = excess_of(h_1, radius_5);
+    float b_6 = (r_1 * dir_1.z);
+    float p_1 = (r_1 * sqrt(dot(dir_1.xy, dir_1.xy)));
+    float _e16 = half_chord2_(b_6, _e7, (radius_5 - p_1), p_1);
+    SunSide _e17 = sun_side_inside(dir_1, sun_1, r_1, _e7, radius_5);
+    float to_ground = (_e7 / (sqrt(max(_e16, 0.0)) - b_6));
+    float _e23 = excess_of(thickness, radius_5);
+    float _e24 = distance_to_top(_e7, b_6, _e23);
     if (ground) {
-        local = (b_3 < 0.0);
+        local_1 = (b_6 < 0.0);
     } else {
-        local = false;
+        local_1 = false;
     }
-    bool _e25 = local;
-    float length_ = (_e25 ? (_e8 / (root_1 - b_3)) : _e17);
-    return AirRay(0.0, length_, _e8, b_3, (r * sun.z), dot(dir, sun), dot(side, side), ground);
+    bool _e30 = local_1;
+    float reach = (_e30 ? to_ground : _e24);
+    return AirRay(0.0, reach, _e7, b_6, -(_e16), _e17.sun_b, _e17.nu, _e17.cross2_, _e17.shadow_b, _e17.shadow_c, ground);
 }
 
 vec3 densities(Medium m, float h_2) {
@@ -186,27 +254,27 @@ vec3 extinction(Medium m_1, vec3 d_1) {
 
 Corner corner(vec2 at, ivec2 size) {
     vec2 inside = clamp(at, vec2(0.0), vec2((size - ivec2(1))));
-    ivec2 low_3 = min(ivec2(inside), (size - ivec2(1)));
-    return Corner(low_3, min((low_3 + ivec2(1)), (size - ivec2(1))), (inside - vec2(low_3)));
+    ivec2 low_2 = min(ivec2(inside), (size - ivec2(1)));
+    return Corner(low_2, min((low_2 + ivec2(1)), (size - ivec2(1))), (inside - vec2(low_2)));
 }
 
 vec4 bilinear(highp sampler2D table, Corner c, ivec2 origin) {
-    ivec2 low_4 = (c.low + origin);
+    ivec2 low_3 = (c.low + origin);
     ivec2 high = (c.high + origin);
-    vec4 _e8 = texelFetch(table, low_4, 0);
-    vec4 _e13 = texelFetch(table, ivec2(high.x, low_4.y), 0);
+    vec4 _e8 = texelFetch(table, low_3, 0);
+    vec4 _e13 = texelFetch(table, ivec2(high.x, low_3.y), 0);
     vec4 bottom = mix(_e8, _e13, c.part.x);
-    vec4 _e21 = texelFetch(table, ivec2(low_4.x, high.y), 0);
+    vec4 _e21 = texelFetch(table, ivec2(low_3.x, high.y), 0);
     vec4 _e23 = texelFetch(table, high, 0);
     vec4 top = mix(_e21, _e23, c.part.x);
     return mix(bottom, top, c.part.y);
 }
 
-vec3 columns_to_top(highp sampler2D table_1, Medium m_2, float x_2, float h_3, float b_1) {
+vec3 columns_to_top(highp sampler2D table_1, Medium m_2, float x_4, float h_3, float b_3) {
     float _e7 = excess_of(m_2.thickness, m_2.radius);
-    float rho = sqrt(max(x_2, 0.0));
+    float rho = sqrt(max(x_4, 0.0));
     float rho_top = sqrt(_e7);
-    float _e12 = distance_to_top(x_2, b_1, _e7);
+    float _e12 = distance_to_top(x_4, b_3, _e7);
     float shortest = max((m_2.thickness - h_3), 0.0);
     ivec2 size_1 = ivec2(uvec2(textureSize(table_1, 0).xy));
     vec2 share_2 = vec2(((_e12 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
@@ -215,23 +283,23 @@ vec3 columns_to_top(highp sampler2D table_1, Medium m_2, float x_2, float h_3, f
     return exp2(_e35.xyz);
 }
 
-float altitude_share(Tables t, float h_4, float thickness_1) {
-    return sqrt((log((1.0 + ((max(h_4, 0.0) / thickness_1) * t.altitude_growth))) / t.altitude_steepness));
+float altitude_share(Tables t_1, float h_4, float thickness_1) {
+    return sqrt((log((1.0 + ((max(h_4, 0.0) / thickness_1) * t_1.altitude_growth))) / t_1.altitude_steepness));
 }
 
-float share_altitude(Tables t_1, float share, float thickness_2) {
-    float s = ((t_1.altitude_steepness * share) * share);
-    float grown = ((s < 0.02) ? (s * (1.0 + (s * (0.5 + (s * 0.16666667))))) : (exp(s) - 1.0));
-    return (thickness_2 * min((grown / t_1.altitude_growth), 1.0));
+float share_altitude(Tables t_2, float share, float thickness_2) {
+    float s_1 = ((t_2.altitude_steepness * share) * share);
+    float grown = ((s_1 < 0.02) ? (s_1 * (1.0 + (s_1 * (0.5 + (s_1 * 0.16666667))))) : (exp(s_1) - 1.0));
+    return (thickness_2 * min((grown / t_2.altitude_growth), 1.0));
 }
 
-float sun_share(Tables t_2, float mu) {
-    float y = ((mu - t_2.sun_middle) / t_2.sun_width);
-    return (((sign(y) * log((abs(y) + sqrt(((y * y) + 1.0))))) - t_2.sun_first) / t_2.sun_span);
+float sun_share(Tables t_3, float mu) {
+    float y = ((mu - t_3.sun_middle) / t_3.sun_width);
+    return (((sign(y) * log((abs(y) + sqrt(((y * y) + 1.0))))) - t_3.sun_first) / t_3.sun_span);
 }
 
-float share_sun(Tables t_3, float share_1) {
-    return clamp((t_3.sun_middle + (t_3.sun_width * sinh((t_3.sun_first + (share_1 * t_3.sun_span))))), -1.0, 1.0);
+float share_sun(Tables t_4, float share_1) {
+    return clamp((t_4.sun_middle + (t_4.sun_width * sinh((t_4.sun_first + (share_1 * t_4.sun_span))))), -1.0, 1.0);
 }
 
 float harmonic(int index, float mu_1, float along) {
@@ -257,13 +325,13 @@ float harmonic(int index, float mu_1, float along) {
     }
 }
 
-vec3 diffuse_source(highp sampler2D table_2, Medium m_3, Tables t_4, vec3 d_2, float h_5, float mu_2, float mu_sun, float nu) {
+vec3 diffuse_source(highp sampler2D table_2, Medium m_3, Tables t_5, vec3 d_2, float h_5, float mu_2, float mu_sun, float nu) {
     Corner c_1 = Corner(ivec2(0), ivec2(0), vec2(0.0));
     vec3 source = vec3(0.0);
     ivec2 dims = ivec2(uvec2(textureSize(table_2, 0).xy));
     ivec2 size_2 = ivec2(dims.x, ((dims.y - 1) / MOMENTS));
-    float _e17 = sun_share(t_4, mu_sun);
-    float _e19 = altitude_share(t_4, h_5, m_3.thickness);
+    float _e17 = sun_share(t_5, mu_sun);
+    float _e19 = altitude_share(t_5, h_5, m_3.thickness);
     vec2 at_1 = (vec2(_e17, _e19) * vec2((size_2 - ivec2(1))));
     Corner _e26 = corner(at_1, size_2);
     c_1 = _e26;
@@ -297,14 +365,14 @@ vec3 diffuse_source(highp sampler2D table_2, Medium m_3, Tables t_4, vec3 d_2, f
     float _e124 = harmonic(2, mu_2, along_1);
     vec3 l1_ = ((_e112.xyz * _e115) + (_e121.xyz * _e124));
     vec3 _e127 = source;
-    source = (_e127 + ((m_3.mie_scattering * d_2.y) * (((SH0_ * t_4.mie_moment0_) + (l1_ * t_4.mie_moment1_)) + (l2_ * t_4.mie_moment2_))));
+    source = (_e127 + ((m_3.mie_scattering * d_2.y) * (((SH0_ * t_5.mie_moment0_) + (l1_ * t_5.mie_moment1_)) + (l2_ * t_5.mie_moment2_))));
     vec3 _e142 = source;
     return (_e142 * mean);
 }
 
-vec3 ground_irradiance(highp sampler2D table_3, Tables t_5, float mu_sun_1) {
+vec3 ground_irradiance(highp sampler2D table_3, Tables t_6, float mu_sun_1) {
     ivec2 dims_1 = ivec2(uvec2(textureSize(table_3, 0).xy));
-    float _e5 = sun_share(t_5, mu_sun_1);
+    float _e5 = sun_share(t_6, mu_sun_1);
     vec2 at_2 = vec2((_e5 * float((dims_1.x - 1))), 0.0);
     Corner _e16 = corner(at_2, ivec2(dims_1.x, 1));
     vec4 _e22 = bilinear(table_3, _e16, ivec2(0, (dims_1.y - 1)));
@@ -315,8 +383,8 @@ float warp(float low, float u) {
     return (low + (u * abs(u)));
 }
 
-float unwarp(float low_1, float t_6) {
-    return (sign((t_6 - low_1)) * sqrt(abs((t_6 - low_1))));
+float unwarp(float low_1, float t_7) {
+    return (sign((t_7 - low_1)) * sqrt(abs((t_7 - low_1))));
 }
 
 vec3 mean_transmittance(vec3 tau) {
@@ -324,116 +392,117 @@ vec3 mean_transmittance(vec3 tau) {
     return mix(((vec3(1.0) - exp(-(tau))) / tau), series, lessThan(tau, vec3(0.01)));
 }
 
-Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium, Tables t_7, AirRay ray_1, float low_2, float u_from, float u_to, vec3 gas, vec3 aerosol, bool direct, bool diffuse) {
+Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium, Tables t_8, AirRay ray_2, Low lowest_1, float u_from, float u_to, vec3 gas, vec3 aerosol, bool direct, bool diffuse) {
     Medium m_4 = Medium(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
     Gathered out_ = Gathered(vec3(0.0), vec3(1.0), vec3(0.0));
     float t0_ = 0.0;
     uint i = 0u;
-    bool local_1 = false;
+    bool local_2 = false;
     float lit_t = 0.0;
     m_4 = medium;
-    m_4.mie_extinction = t_7.mie_extinction;
-    vec2 _e23 = shadow_stretch(ray_1);
-    float du = ((u_to - u_from) / float(t_7.steps));
-    float _e28 = warp(low_2, u_from);
-    t0_ = _e28;
+    m_4.mie_extinction = t_8.mie_extinction;
+    vec2 _e23 = shadow_stretch(ray_2);
+    float low_4 = lowest_1.t;
+    float du = ((u_to - u_from) / float(t_8.steps));
+    float _e29 = warp(low_4, u_from);
+    t0_ = _e29;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e177 = i;
-            i = (_e177 + 1u);
+            uint _e173 = i;
+            i = (_e173 + 1u);
         }
         loop_init = false;
-        uint _e32 = i;
-        if ((_e32 < t_7.steps)) {
+        uint _e33 = i;
+        if ((_e33 < t_8.steps)) {
         } else {
             break;
         }
         {
-            uint _e35 = i;
-            float u_1 = (u_from + (du * float(_e35)));
-            float _e40 = warp(low_2, (u_1 + du));
-            float _e41 = t0_;
-            float step_ = (_e40 - _e41);
-            float _e46 = warp(low_2, (u_1 + (0.5 * du)));
-            float x_3 = max((ray_1.x + (_e46 * ((2.0 * ray_1.b) + _e46))), 0.0);
-            float _e57 = m_4.radius;
-            float _e58 = altitude_of(x_3, _e57);
-            Medium _e59 = m_4;
-            vec3 _e60 = densities(_e59, _e58);
-            Medium _e61 = m_4;
-            vec3 _e62 = extinction(_e61, _e60);
-            vec3 tau_1 = (_e62 * step_);
-            vec3 _e65 = out_.transmittance;
-            vec3 _e66 = mean_transmittance(tau_1);
-            vec3 share_3 = (_e65 * _e66);
-            float _e69 = t0_;
-            float dark0_ = clamp(_e23.x, _e69, _e40);
-            float _e72 = t0_;
-            float dark1_ = clamp(_e23.y, _e72, _e40);
+            uint _e36 = i;
+            float u_1 = (u_from + (du * float(_e36)));
+            float _e41 = warp(low_4, (u_1 + du));
+            float _e42 = t0_;
+            float step_ = (_e41 - _e42);
+            float _e47 = warp(low_4, (u_1 + (0.5 * du)));
+            float _e52 = m_4.radius;
+            float _e53 = altitude_after(lowest_1.x, lowest_1.b, (_e47 - low_4), _e52);
+            Medium _e54 = m_4;
+            vec3 _e55 = densities(_e54, _e53);
+            Medium _e56 = m_4;
+            vec3 _e57 = extinction(_e56, _e55);
+            vec3 tau_1 = (_e57 * step_);
+            vec3 _e60 = out_.transmittance;
+            vec3 _e61 = mean_transmittance(tau_1);
+            vec3 share_3 = (_e60 * _e61);
+            float _e64 = t0_;
+            float dark0_ = clamp(_e23.x, _e64, _e41);
+            float _e67 = t0_;
+            float dark1_ = clamp(_e23.y, _e67, _e41);
             float dark = ((_e23.y > _e23.x) ? max((dark1_ - dark0_), 0.0) : 0.0);
             if (direct) {
-                local_1 = (dark < step_);
+                local_2 = (dark < step_);
             } else {
-                local_1 = false;
+                local_2 = false;
             }
-            bool _e86 = local_1;
-            if (_e86) {
-                lit_t = _e46;
+            bool _e81 = local_2;
+            if (_e81) {
+                lit_t = _e47;
                 if ((dark > 0.0)) {
-                    float _e90 = t0_;
-                    bool first = ((dark0_ - _e90) > (_e40 - dark1_));
-                    float _e94 = t0_;
-                    float lit0_ = (first ? _e94 : dark1_);
-                    float lit1_ = (first ? dark0_ : _e40);
-                    float _e97 = unwarp(low_2, lit0_);
-                    float _e98 = unwarp(low_2, lit1_);
-                    float _e102 = warp(low_2, (0.5 * (_e97 + _e98)));
-                    lit_t = _e102;
+                    float _e85 = t0_;
+                    bool first = ((dark0_ - _e85) > (_e41 - dark1_));
+                    float _e89 = t0_;
+                    float lit0_ = (first ? _e89 : dark1_);
+                    float lit1_ = (first ? dark0_ : _e41);
+                    float _e92 = unwarp(low_4, lit0_);
+                    float _e93 = unwarp(low_4, lit1_);
+                    float _e97 = warp(low_4, (0.5 * (_e92 + _e93)));
+                    lit_t = _e97;
                 }
-                float _e104 = lit_t;
-                float _e108 = lit_t;
-                float lit_x = max((ray_1.x + (_e104 * ((2.0 * ray_1.b) + _e108))), 0.0);
-                float _e115 = m_4.radius;
-                float _e116 = altitude_of(lit_x, _e115);
-                Medium _e117 = m_4;
-                vec3 _e118 = densities(_e117, _e116);
-                Medium _e119 = m_4;
-                float _e122 = lit_t;
-                vec3 _e125 = columns_to_top(columns, _e119, lit_x, _e116, (ray_1.sun_b + (ray_1.nu * _e122)));
-                Medium _e131 = m_4;
-                vec3 _e132 = extinction(_e131, _e125);
-                vec3 source_1 = (((gas * _e118.x) + (aerosol * _e118.y)) * exp(-(_e132)));
-                vec3 _e137 = out_.radiance;
-                out_.radiance = (_e137 + ((share_3 * source_1) * (step_ - dark)));
+                float _e98 = lit_t;
+                float past = (_e98 - low_4);
+                float lit_x = max((lowest_1.x + (past * ((2.0 * lowest_1.b) + past))), 0.0);
+                float _e110 = m_4.radius;
+                float _e111 = altitude_of(lit_x, _e110);
+                Medium _e112 = m_4;
+                vec3 _e113 = densities(_e112, _e111);
+                Medium _e114 = m_4;
+                float _e117 = lit_t;
+                vec3 _e120 = columns_to_top(columns, _e114, lit_x, _e111, (ray_2.sun_b + (ray_2.nu * _e117)));
+                Medium _e126 = m_4;
+                vec3 _e127 = extinction(_e126, _e120);
+                vec3 source_1 = (((gas * _e113.x) + (aerosol * _e113.y)) * exp(-(_e127)));
+                vec3 _e132 = out_.radiance;
+                out_.radiance = (_e132 + ((share_3 * source_1) * (step_ - dark)));
             }
             if (diffuse) {
-                float _e143 = m_4.radius;
-                float r_1 = (_e143 + _e58);
-                float mu_4 = clamp(((ray_1.b + _e46) / r_1), -1.0, 1.0);
-                float mu_sun_2 = clamp(((ray_1.sun_b + (ray_1.nu * _e46)) / r_1), -1.0, 1.0);
-                vec3 _e160 = out_.radiance;
-                Medium _e162 = m_4;
-                vec3 _e164 = diffuse_source(moments, _e162, t_7, _e60, _e58, mu_4, mu_sun_2, ray_1.nu);
-                out_.radiance = (_e160 + ((share_3 * step_) * _e164));
+                float _e138 = m_4.radius;
+                float r_2 = (_e138 + _e53);
+                float mu_4 = clamp((((lowest_1.b + _e47) - low_4) / r_2), -1.0, 1.0);
+                float mu_sun_2 = clamp(((ray_2.sun_b + (ray_2.nu * _e47)) / r_2), -1.0, 1.0);
+                vec3 _e156 = out_.radiance;
+                Medium _e158 = m_4;
+                vec3 _e160 = diffuse_source(moments, _e158, t_8, _e55, _e53, mu_4, mu_sun_2, ray_2.nu);
+                out_.radiance = (_e156 + ((share_3 * step_) * _e160));
             }
-            vec3 _e168 = out_.transmittance;
-            out_.transmittance = (_e168 * exp(-(tau_1)));
-            vec3 _e173 = out_.columns;
-            out_.columns = (_e173 + (_e60 * step_));
-            t0_ = _e40;
+            vec3 _e164 = out_.transmittance;
+            out_.transmittance = (_e164 * exp(-(tau_1)));
+            vec3 _e169 = out_.columns;
+            out_.columns = (_e169 + (_e55 * step_));
+            t0_ = _e41;
         }
     }
-    Gathered _e179 = out_;
-    return _e179;
+    Gathered _e175 = out_;
+    return _e175;
 }
 
 float rayleigh_phase(float mu_3) {
     return (0.0596831 * (1.0 + (mu_3 * mu_3)));
 }
 
-vec3 henyey_greenstein_phase(float away, vec3 g) {
-    vec3 base = (((vec3(1.0) - g) * (vec3(1.0) - g)) + ((2.0 * g) * away));
+vec3 henyey_greenstein_phase(float away, float toward, vec3 g) {
+    vec3 rest = (vec3(1.0) - abs(g));
+    vec3 base = ((rest * rest) + ((2.0 * abs(g)) * mix(vec3(toward), vec3(away), greaterThanEqual(g, vec3(0.0)))));
     return ((INV_4PI * (vec3(1.0) - (g * g))) / (base * sqrt(base)));
 }
 
@@ -466,14 +535,14 @@ vec2 gauss8_(int i_1) {
     }
 }
 
-Direction node_direction(int zenith, int azimuth, float h_6, float radius_3) {
-    bool above = (zenith < 8);
-    vec2 _e8 = gauss8_((above ? zenith : (zenith - 8)));
-    float _e9 = excess_of(h_6, radius_3);
-    float horizon = (-(sqrt(_e9)) / (radius_3 + h_6));
-    float span = (above ? (1.0 - horizon) : (-1.0 - horizon));
+Direction node_direction(int zenith, int azimuth, float h_6, float radius_6) {
+    bool above_1 = (zenith < 8);
+    vec2 _e8 = gauss8_((above_1 ? zenith : (zenith - 8)));
+    float _e9 = excess_of(h_6, radius_6);
+    float horizon = (-(sqrt(_e9)) / (radius_6 + h_6));
+    float span = (above_1 ? (1.0 - horizon) : (-1.0 - horizon));
     float mu_5 = clamp((horizon + ((span * _e8.x) * _e8.x)), -1.0, 1.0);
-    return Direction(mu_5, ((float(azimuth) + 0.5) * 0.3926991), above, (((((abs(span) * 2.0) * _e8.x) * _e8.y) * 2.0) * 0.3926991));
+    return Direction(mu_5, ((float(azimuth) + 0.5) * 0.3926991), above_1, (((((abs(span) * 2.0) * _e8.x) * _e8.y) * 2.0) * 0.3926991));
 }
 
 void main() {
@@ -482,48 +551,48 @@ void main() {
     vec3 light = vec3(0.0);
     Medium scaled = Medium(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
     Medium m_5 = _group_0_binding_0_fs.medium;
-    Tables t_9 = _group_0_binding_0_fs.tables;
+    Tables t_10 = _group_0_binding_0_fs.tables;
     ivec2 at_3 = ivec2(position.xy);
     ivec2 dims_2 = ivec2(uvec2(textureSize(_group_0_binding_2_fs, 0).xy));
     ivec2 size_3 = ivec2(dims_2.x, ((dims_2.y - 1) / MOMENTS));
     ivec2 node = ivec2((at_3.x / AZIMUTHS), (at_3.y / ZENITHS));
-    float _e33 = share_sun(t_9, (float(node.x) / float((size_3.x - 1))));
-    float _e42 = share_altitude(t_9, (float(node.y) / float((size_3.y - 1))), m_5.thickness);
-    vec3 sun_1 = vec3(sqrt(max(((1.0 - _e33) * (1.0 + _e33)), 0.0)), 0.0, _e33);
+    float _e33 = share_sun(t_10, (float(node.x) / float((size_3.x - 1))));
+    float _e42 = share_altitude(t_10, (float(node.y) / float((size_3.y - 1))), m_5.thickness);
+    vec3 sun_2 = vec3(sqrt(max(((1.0 - _e33) * (1.0 + _e33)), 0.0)), 0.0, _e33);
     Direction _e60 = node_direction((at_3.y % ZENITHS), (at_3.x % AZIMUTHS), _e42, m_5.radius);
     float sine = sqrt(max(((1.0 - _e60.mu) * (1.0 + _e60.mu)), 0.0));
-    vec3 dir_1 = vec3((sine * cos(_e60.azimuth)), (sine * sin(_e60.azimuth)), _e60.mu);
-    AirRay _e83 = inner_ray(dir_1, _e42, m_5.radius, m_5.thickness, sun_1, !(_e60.above));
+    vec3 dir_2 = vec3((sine * cos(_e60.azimuth)), (sine * sin(_e60.azimuth)), _e60.mu);
+    AirRay _e83 = inner_ray(dir_2, _e42, m_5.radius, m_5.thickness, sun_2, !(_e60.above));
     float nu_1 = _e83.nu;
     float _e86 = rayleigh_phase(nu_1);
     vec3 gas_1 = (m_5.rayleigh * _e86);
-    vec3 _e94 = henyey_greenstein_phase((1.0 - nu_1), t_9.mie_asymmetry);
-    vec3 aerosol_1 = ((m_5.mie_scattering * t_9.mie_moment0_) * _e94);
-    float low_5 = clamp(-(_e83.b), 0.0, _e83.length_);
-    float _e104 = unwarp(low_5, 0.0);
-    float _e106 = unwarp(low_5, _e83.length_);
-    Gathered _e109 = gather(_group_0_binding_1_fs, _group_0_binding_2_fs, m_5, t_9, _e83, low_5, _e104, _e106, gas_1, aerosol_1, true, true);
-    radiance = _e109.radiance;
+    vec3 _e96 = henyey_greenstein_phase((1.0 - nu_1), (1.0 + nu_1), t_10.mie_asymmetry);
+    vec3 aerosol_1 = ((m_5.mie_scattering * t_10.mie_moment0_) * _e96);
+    Low _e100 = lowest(_e83, _e83.length_, m_5.radius);
+    float _e105 = unwarp(_e100.t, 0.0);
+    float _e108 = unwarp(_e100.t, _e83.length_);
+    Gathered _e111 = gather(_group_0_binding_1_fs, _group_0_binding_2_fs, m_5, t_10, _e83, _e100, _e105, _e108, gas_1, aerosol_1, true, true);
+    radiance = _e111.radiance;
     if (_e83.ground) {
         float sun_b = (_e83.sun_b + (_e83.nu * _e83.length_));
         float mu_ground = clamp((sun_b / m_5.radius), -1.0, 1.0);
-        vec3 _e124 = ground_irradiance(_group_0_binding_2_fs, t_9, mu_ground);
-        light = _e124;
+        vec3 _e126 = ground_irradiance(_group_0_binding_2_fs, t_10, mu_ground);
+        light = _e126;
         if ((mu_ground > 0.0)) {
             scaled = m_5;
-            scaled.mie_extinction = t_9.mie_extinction;
-            vec3 _e131 = light;
-            Medium _e132 = scaled;
-            vec3 _e136 = columns_to_top(_group_0_binding_1_fs, m_5, 0.0, 0.0, sun_b);
-            vec3 _e137 = extinction(_e132, _e136);
-            light = (_e131 + (mu_ground * exp(-(_e137))));
+            scaled.mie_extinction = t_10.mie_extinction;
+            vec3 _e133 = light;
+            Medium _e134 = scaled;
+            vec3 _e138 = columns_to_top(_group_0_binding_1_fs, m_5, 0.0, 0.0, sun_b);
+            vec3 _e139 = extinction(_e134, _e138);
+            light = (_e133 + (mu_ground * exp(-(_e139))));
         }
-        vec3 _e142 = radiance;
-        vec3 _e144 = light;
-        radiance = (_e142 + (((_e109.transmittance * _e144) * t_9.albedo) * 0.31830987));
+        vec3 _e144 = radiance;
+        vec3 _e146 = light;
+        radiance = (_e144 + (((_e111.transmittance * _e146) * t_10.albedo) * 0.31830987));
     }
-    vec3 _e151 = radiance;
-    _fs2p_location0 = vec4(_e151, 0.0);
+    vec3 _e153 = radiance;
+    _fs2p_location0 = vec4(_e153, 0.0);
     return;
 }
 

@@ -44,10 +44,25 @@ struct AirRay {
     float length_;
     float x;
     float b;
+    float x_closest;
     float sun_b;
     float nu;
     float cross2_;
+    float shadow_b;
+    float shadow_c;
     bool ground;
+};
+struct SunSide {
+    float sun_b;
+    float nu;
+    float cross2_;
+    float shadow_b;
+    float shadow_c;
+};
+struct Low {
+    float t;
+    float x;
+    float b;
 };
 struct Tables {
     vec3 mie_extinction;
@@ -115,71 +130,146 @@ float excess_of(float h, float radius_1) {
     return (h * ((2.0 * radius_1) + h));
 }
 
-float distance_to_top(float x_1, float b, float x_top) {
-    float c_2 = max((x_top - x_1), 0.0);
-    float root = sqrt(((b * b) + c_2));
-    if ((b > 0.0)) {
-        return (c_2 / (b + root));
-    }
-    return (root - b);
+float altitude_after(float x_1, float b, float t, float radius_2) {
+    float _e9 = altitude_of((x_1 + (t * ((2.0 * b) + t))), radius_2);
+    return max(_e9, 0.0);
 }
 
-vec2 shadow_stretch(AirRay ray) {
+float distance_to_top(float x_2, float b_1, float x_top) {
+    float c_2 = max((x_top - x_2), 0.0);
+    float root = sqrt(((b_1 * b_1) + c_2));
+    if ((b_1 > 0.0)) {
+        return (c_2 / (b_1 + root));
+    }
+    return (root - b_1);
+}
+
+float half_chord2_(float b_2, float above, float depth, float p) {
+    float sphere = (depth + p);
+    if ((abs(b_2) < sphere)) {
+        return ((b_2 * b_2) - above);
+    }
+    return (depth * (sphere + p));
+}
+
+SunSide sun_side_inside(vec3 dir, vec3 sun, float r, float x_3, float radius_3) {
+    SunSide s = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
+    s.nu = dot(dir, sun);
+    float _e9 = s.nu;
+    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    s.cross2_ = dot(side, side);
+    s.sun_b = (r * sun.z);
+    s.shadow_b = (r * ((sun.x * side.y) - (sun.y * side.x)));
+    float q = (r * length(sun.xy));
+    float _e37 = s.sun_b;
+    float _e39 = half_chord2_(_e37, x_3, (radius_3 - q), q);
+    s.shadow_c = -(_e39);
+    SunSide _e41 = s;
+    return _e41;
+}
+
+SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_1, float half_, float x_top_1, float radius_4) {
+    SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
+    s_1.nu = dot(dir_1, sun_1);
+    float _e10 = s_1.nu;
+    float same = ((_e10 >= 0.0) ? 1.0 : -1.0);
+    vec3 apart = (dir_1 - (same * sun_1));
+    vec3 side_1 = cross(apart, sun_1);
+    s_1.cross2_ = dot(side_1, side_1);
+    vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_1);
+    float _e35 = s_1.nu;
+    s_1.sun_b = ((-(same) * dot(closest, apart)) - (half_ * _e35));
+    vec3 closest_side = cross(closest, sun_1);
+    float _e42 = s_1.cross2_;
+    s_1.shadow_b = (dot(closest_side, side_1) - (half_ * _e42));
+    float q_1 = length((closest_side - (half_ * side_1)));
+    float _e50 = s_1.sun_b;
+    float _e52 = half_chord2_(_e50, x_top_1, (radius_4 - q_1), q_1);
+    s_1.shadow_c = -(_e52);
+    SunSide _e54 = s_1;
+    return _e54;
+}
+
+Low lowest(AirRay ray, float length_, float radius_5) {
+    bool local = false;
+    if ((ray.b >= 0.0)) {
+        return Low(0.0, ray.x, ray.b);
+    }
+    if ((-(ray.b) <= length_)) {
+        return Low(-(ray.b), ray.x_closest, 0.0);
+    }
+    float b_4 = (ray.b + length_);
+    if (ray.ground) {
+        local = (length_ >= ray.length_);
+    } else {
+        local = false;
+    }
+    bool _e26 = local;
+    if (_e26) {
+        return Low(length_, 0.0, b_4);
+    }
+    bool far = ((-(ray.b) * length_) > (radius_5 * radius_5));
+    return Low(length_, (far ? (ray.x_closest + (b_4 * b_4)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_4);
+}
+
+vec2 shadow_stretch(AirRay ray_1) {
     vec2 stretch = vec2(0.0);
     vec2 none = vec2(1.0, 0.0);
-    float a = ray.cross2_;
-    float b_2 = (ray.b - (ray.sun_b * ray.nu));
-    float c_3 = (ray.x - (ray.sun_b * ray.sun_b));
+    float a = ray_1.cross2_;
+    float b_5 = ray_1.shadow_b;
+    float c_3 = ray_1.shadow_c;
     stretch = vec2(-(1e30), 1e30);
-    float disc = ((b_2 * b_2) - (a * c_3));
-    if ((a > 1e-12)) {
+    float disc = ((b_5 * b_5) - (a * c_3));
+    if ((a > 1e-30)) {
         if ((disc <= 0.0)) {
             return none;
         }
-        float q = -((b_2 + (((b_2 >= 0.0) ? 1.0 : -1.0) * sqrt(disc))));
-        float t0_1 = (q / a);
-        float t1_ = ((q != 0.0) ? (c_3 / q) : t0_1);
+        float q_2 = -((b_5 + (((b_5 >= 0.0) ? 1.0 : -1.0) * sqrt(disc))));
+        float t0_1 = (q_2 / a);
+        float t1_ = ((q_2 != 0.0) ? (c_3 / q_2) : t0_1);
         stretch = vec2(min(t0_1, t1_), max(t0_1, t1_));
     } else {
         if ((c_3 >= 0.0)) {
             return none;
         }
     }
-    if ((abs(ray.nu) < 1e-12)) {
-        if ((ray.sun_b >= 0.0)) {
+    if ((abs(ray_1.nu) < 1e-12)) {
+        if ((ray_1.sun_b >= 0.0)) {
             return none;
         }
     } else {
-        float t_5 = (-(ray.sun_b) / ray.nu);
-        if ((ray.nu > 0.0)) {
-            float _e61 = stretch.y;
-            stretch.y = min(_e61, t_5);
+        float t_6 = (-(ray_1.sun_b) / ray_1.nu);
+        if ((ray_1.nu > 0.0)) {
+            float _e53 = stretch.y;
+            stretch.y = min(_e53, t_6);
         } else {
-            float _e65 = stretch.x;
-            stretch.x = max(_e65, t_5);
+            float _e57 = stretch.x;
+            stretch.x = max(_e57, t_6);
         }
     }
-    vec2 _e67 = stretch;
-    return _e67;
+    vec2 _e59 = stretch;
+    return _e59;
 }
 
-AirRay inner_ray(vec3 dir, float h_1, float radius_2, float thickness, vec3 sun, bool ground) {
-    bool local = false;
-    vec3 side = cross(dir, sun);
-    float r = (radius_2 + h_1);
-    float _e8 = excess_of(h_1, radius_2);
-    float b_3 = (r * dir.z);
-    float root_1 = sqrt(max(((b_3 * b_3) - _e8), 0.0));
-    float _e16 = excess_of(thickness, radius_2);
-    float _e17 = distance_to_top(_e8, b_3, _e16);
+AirRay inner_ray(vec3 dir_2, float h_1, float radius_6, float thickness, vec3 sun_2, bool ground) {
+    bool local_1 = false;
+    float r_2 = (radius_6 + h_1);
+    float _e7 = excess_of(h_1, radius_6);
+    float b_6 = (r_2 * dir_2.z);
+    float p_1 = (r_2 * sqrt(dot(dir_2.xy, dir_2.xy)));
+    float _e16 = half_chord2_(b_6, _e7, (radius_6 - p_1), p_1);
+    SunSide _e17 = sun_side_inside(dir_2, sun_2, r_2, _e7, radius_6);
+    float to_ground = (_e7 / (sqrt(max(_e16, 0.0)) - b_6));
+    float _e23 = excess_of(thickness, radius_6);
+    float _e24 = distance_to_top(_e7, b_6, _e23);
     if (ground) {
-        local = (b_3 < 0.0);
+        local_1 = (b_6 < 0.0);
     } else {
-        local = false;
+        local_1 = false;
     }
-    bool _e25 = local;
-    float length_ = (_e25 ? (_e8 / (root_1 - b_3)) : _e17);
-    return AirRay(0.0, length_, _e8, b_3, (r * sun.z), dot(dir, sun), dot(side, side), ground);
+    bool _e30 = local_1;
+    float reach = (_e30 ? to_ground : _e24);
+    return AirRay(0.0, reach, _e7, b_6, -(_e16), _e17.sun_b, _e17.nu, _e17.cross2_, _e17.shadow_b, _e17.shadow_c, ground);
 }
 
 vec3 densities(Medium m, float h_2) {
@@ -202,27 +292,27 @@ vec3 extinction(Medium m_1, vec3 d_1) {
 
 Corner corner(vec2 at, ivec2 size) {
     vec2 inside = clamp(at, vec2(0.0), vec2((size - ivec2(1))));
-    ivec2 low_3 = min(ivec2(inside), (size - ivec2(1)));
-    return Corner(low_3, min((low_3 + ivec2(1)), (size - ivec2(1))), (inside - vec2(low_3)));
+    ivec2 low_2 = min(ivec2(inside), (size - ivec2(1)));
+    return Corner(low_2, min((low_2 + ivec2(1)), (size - ivec2(1))), (inside - vec2(low_2)));
 }
 
 vec4 bilinear(highp sampler2D table, Corner c, ivec2 origin) {
-    ivec2 low_4 = (c.low + origin);
+    ivec2 low_3 = (c.low + origin);
     ivec2 high = (c.high + origin);
-    vec4 _e8 = texelFetch(table, low_4, 0);
-    vec4 _e13 = texelFetch(table, ivec2(high.x, low_4.y), 0);
+    vec4 _e8 = texelFetch(table, low_3, 0);
+    vec4 _e13 = texelFetch(table, ivec2(high.x, low_3.y), 0);
     vec4 bottom = mix(_e8, _e13, c.part.x);
-    vec4 _e21 = texelFetch(table, ivec2(low_4.x, high.y), 0);
+    vec4 _e21 = texelFetch(table, ivec2(low_3.x, high.y), 0);
     vec4 _e23 = texelFetch(table, high, 0);
     vec4 top = mix(_e21, _e23, c.part.x);
     return mix(bottom, top, c.part.y);
 }
 
-vec3 columns_to_top(highp sampler2D table_1, Medium m_2, float x_2, float h_3, float b_1) {
+vec3 columns_to_top(highp sampler2D table_1, Medium m_2, float x_4, float h_3, float b_3) {
     float _e7 = excess_of(m_2.thickness, m_2.radius);
-    float rho = sqrt(max(x_2, 0.0));
+    float rho = sqrt(max(x_4, 0.0));
     float rho_top = sqrt(_e7);
-    float _e12 = distance_to_top(x_2, b_1, _e7);
+    float _e12 = distance_to_top(x_4, b_3, _e7);
     float shortest = max((m_2.thickness - h_3), 0.0);
     ivec2 size_1 = ivec2(uvec2(textureSize(table_1, 0).xy));
     vec2 share_2 = vec2(((_e12 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
@@ -231,13 +321,13 @@ vec3 columns_to_top(highp sampler2D table_1, Medium m_2, float x_2, float h_3, f
     return exp2(_e35.xyz);
 }
 
-float altitude_share(Tables t, float h_4, float thickness_1) {
-    return sqrt((log((1.0 + ((max(h_4, 0.0) / thickness_1) * t.altitude_growth))) / t.altitude_steepness));
+float altitude_share(Tables t_1, float h_4, float thickness_1) {
+    return sqrt((log((1.0 + ((max(h_4, 0.0) / thickness_1) * t_1.altitude_growth))) / t_1.altitude_steepness));
 }
 
-float sun_share(Tables t_1, float mu) {
-    float y = ((mu - t_1.sun_middle) / t_1.sun_width);
-    return (((sign(y) * log((abs(y) + sqrt(((y * y) + 1.0))))) - t_1.sun_first) / t_1.sun_span);
+float sun_share(Tables t_2, float mu) {
+    float y = ((mu - t_2.sun_middle) / t_2.sun_width);
+    return (((sign(y) * log((abs(y) + sqrt(((y * y) + 1.0))))) - t_2.sun_first) / t_2.sun_span);
 }
 
 float harmonic(int index, float mu_1, float along) {
@@ -263,13 +353,13 @@ float harmonic(int index, float mu_1, float along) {
     }
 }
 
-vec3 diffuse_source(highp sampler2D table_2, Medium m_3, Tables t_2, vec3 d_2, float h_5, float mu_2, float mu_sun, float nu) {
+vec3 diffuse_source(highp sampler2D table_2, Medium m_3, Tables t_3, vec3 d_2, float h_5, float mu_2, float mu_sun, float nu) {
     Corner c_1 = Corner(ivec2(0), ivec2(0), vec2(0.0));
     vec3 source = vec3(0.0);
     ivec2 dims = ivec2(uvec2(textureSize(table_2, 0).xy));
     ivec2 size_2 = ivec2(dims.x, ((dims.y - 1) / MOMENTS));
-    float _e17 = sun_share(t_2, mu_sun);
-    float _e19 = altitude_share(t_2, h_5, m_3.thickness);
+    float _e17 = sun_share(t_3, mu_sun);
+    float _e19 = altitude_share(t_3, h_5, m_3.thickness);
     vec2 at_1 = (vec2(_e17, _e19) * vec2((size_2 - ivec2(1))));
     Corner _e26 = corner(at_1, size_2);
     c_1 = _e26;
@@ -303,7 +393,7 @@ vec3 diffuse_source(highp sampler2D table_2, Medium m_3, Tables t_2, vec3 d_2, f
     float _e124 = harmonic(2, mu_2, along_1);
     vec3 l1_ = ((_e112.xyz * _e115) + (_e121.xyz * _e124));
     vec3 _e127 = source;
-    source = (_e127 + ((m_3.mie_scattering * d_2.y) * (((SH0_ * t_2.mie_moment0_) + (l1_ * t_2.mie_moment1_)) + (l2_ * t_2.mie_moment2_))));
+    source = (_e127 + ((m_3.mie_scattering * d_2.y) * (((SH0_ * t_3.mie_moment0_) + (l1_ * t_3.mie_moment1_)) + (l2_ * t_3.mie_moment2_))));
     vec3 _e142 = source;
     return (_e142 * mean);
 }
@@ -312,8 +402,8 @@ float warp(float low, float u) {
     return (low + (u * abs(u)));
 }
 
-float unwarp(float low_1, float t_3) {
-    return (sign((t_3 - low_1)) * sqrt(abs((t_3 - low_1))));
+float unwarp(float low_1, float t_4) {
+    return (sign((t_4 - low_1)) * sqrt(abs((t_4 - low_1))));
 }
 
 vec3 mean_transmittance(vec3 tau) {
@@ -321,108 +411,108 @@ vec3 mean_transmittance(vec3 tau) {
     return mix(((vec3(1.0) - exp(-(tau))) / tau), series, lessThan(tau, vec3(0.01)));
 }
 
-Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium, Tables t_4, AirRay ray_1, float low_2, float u_from, float u_to, vec3 gas_1, vec3 aerosol_1, bool direct, bool diffuse) {
+Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium, Tables t_5, AirRay ray_2, Low lowest_1, float u_from, float u_to, vec3 gas_1, vec3 aerosol_1, bool direct, bool diffuse) {
     Medium m_4 = Medium(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
     Gathered out_ = Gathered(vec3(0.0), vec3(1.0), vec3(0.0));
     float t0_ = 0.0;
     uint i = 0u;
-    bool local_1 = false;
+    bool local_2 = false;
     float lit_t = 0.0;
     m_4 = medium;
-    m_4.mie_extinction = t_4.mie_extinction;
-    vec2 _e23 = shadow_stretch(ray_1);
-    float du = ((u_to - u_from) / float(t_4.steps));
-    float _e28 = warp(low_2, u_from);
-    t0_ = _e28;
+    m_4.mie_extinction = t_5.mie_extinction;
+    vec2 _e23 = shadow_stretch(ray_2);
+    float low_4 = lowest_1.t;
+    float du = ((u_to - u_from) / float(t_5.steps));
+    float _e29 = warp(low_4, u_from);
+    t0_ = _e29;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e177 = i;
-            i = (_e177 + 1u);
+            uint _e173 = i;
+            i = (_e173 + 1u);
         }
         loop_init = false;
-        uint _e32 = i;
-        if ((_e32 < t_4.steps)) {
+        uint _e33 = i;
+        if ((_e33 < t_5.steps)) {
         } else {
             break;
         }
         {
-            uint _e35 = i;
-            float u_1 = (u_from + (du * float(_e35)));
-            float _e40 = warp(low_2, (u_1 + du));
-            float _e41 = t0_;
-            float step_ = (_e40 - _e41);
-            float _e46 = warp(low_2, (u_1 + (0.5 * du)));
-            float x_3 = max((ray_1.x + (_e46 * ((2.0 * ray_1.b) + _e46))), 0.0);
-            float _e57 = m_4.radius;
-            float _e58 = altitude_of(x_3, _e57);
-            Medium _e59 = m_4;
-            vec3 _e60 = densities(_e59, _e58);
-            Medium _e61 = m_4;
-            vec3 _e62 = extinction(_e61, _e60);
-            vec3 tau_1 = (_e62 * step_);
-            vec3 _e65 = out_.transmittance;
-            vec3 _e66 = mean_transmittance(tau_1);
-            vec3 share_3 = (_e65 * _e66);
-            float _e69 = t0_;
-            float dark0_ = clamp(_e23.x, _e69, _e40);
-            float _e72 = t0_;
-            float dark1_ = clamp(_e23.y, _e72, _e40);
+            uint _e36 = i;
+            float u_1 = (u_from + (du * float(_e36)));
+            float _e41 = warp(low_4, (u_1 + du));
+            float _e42 = t0_;
+            float step_ = (_e41 - _e42);
+            float _e47 = warp(low_4, (u_1 + (0.5 * du)));
+            float _e52 = m_4.radius;
+            float _e53 = altitude_after(lowest_1.x, lowest_1.b, (_e47 - low_4), _e52);
+            Medium _e54 = m_4;
+            vec3 _e55 = densities(_e54, _e53);
+            Medium _e56 = m_4;
+            vec3 _e57 = extinction(_e56, _e55);
+            vec3 tau_1 = (_e57 * step_);
+            vec3 _e60 = out_.transmittance;
+            vec3 _e61 = mean_transmittance(tau_1);
+            vec3 share_3 = (_e60 * _e61);
+            float _e64 = t0_;
+            float dark0_ = clamp(_e23.x, _e64, _e41);
+            float _e67 = t0_;
+            float dark1_ = clamp(_e23.y, _e67, _e41);
             float dark = ((_e23.y > _e23.x) ? max((dark1_ - dark0_), 0.0) : 0.0);
             if (direct) {
-                local_1 = (dark < step_);
+                local_2 = (dark < step_);
             } else {
-                local_1 = false;
+                local_2 = false;
             }
-            bool _e86 = local_1;
-            if (_e86) {
-                lit_t = _e46;
+            bool _e81 = local_2;
+            if (_e81) {
+                lit_t = _e47;
                 if ((dark > 0.0)) {
-                    float _e90 = t0_;
-                    bool first = ((dark0_ - _e90) > (_e40 - dark1_));
-                    float _e94 = t0_;
-                    float lit0_ = (first ? _e94 : dark1_);
-                    float lit1_ = (first ? dark0_ : _e40);
-                    float _e97 = unwarp(low_2, lit0_);
-                    float _e98 = unwarp(low_2, lit1_);
-                    float _e102 = warp(low_2, (0.5 * (_e97 + _e98)));
-                    lit_t = _e102;
+                    float _e85 = t0_;
+                    bool first = ((dark0_ - _e85) > (_e41 - dark1_));
+                    float _e89 = t0_;
+                    float lit0_ = (first ? _e89 : dark1_);
+                    float lit1_ = (first ? dark0_ : _e41);
+                    float _e92 = unwarp(low_4, lit0_);
+                    float _e93 = unwarp(low_4, lit1_);
+                    float _e97 = warp(low_4, (0.5 * (_e92 + _e93)));
+                    lit_t = _e97;
                 }
-                float _e104 = lit_t;
-                float _e108 = lit_t;
-                float lit_x = max((ray_1.x + (_e104 * ((2.0 * ray_1.b) + _e108))), 0.0);
-                float _e115 = m_4.radius;
-                float _e116 = altitude_of(lit_x, _e115);
-                Medium _e117 = m_4;
-                vec3 _e118 = densities(_e117, _e116);
-                Medium _e119 = m_4;
-                float _e122 = lit_t;
-                vec3 _e125 = columns_to_top(columns, _e119, lit_x, _e116, (ray_1.sun_b + (ray_1.nu * _e122)));
-                Medium _e131 = m_4;
-                vec3 _e132 = extinction(_e131, _e125);
-                vec3 source_1 = (((gas_1 * _e118.x) + (aerosol_1 * _e118.y)) * exp(-(_e132)));
-                vec3 _e137 = out_.radiance;
-                out_.radiance = (_e137 + ((share_3 * source_1) * (step_ - dark)));
+                float _e98 = lit_t;
+                float past = (_e98 - low_4);
+                float lit_x = max((lowest_1.x + (past * ((2.0 * lowest_1.b) + past))), 0.0);
+                float _e110 = m_4.radius;
+                float _e111 = altitude_of(lit_x, _e110);
+                Medium _e112 = m_4;
+                vec3 _e113 = densities(_e112, _e111);
+                Medium _e114 = m_4;
+                float _e117 = lit_t;
+                vec3 _e120 = columns_to_top(columns, _e114, lit_x, _e111, (ray_2.sun_b + (ray_2.nu * _e117)));
+                Medium _e126 = m_4;
+                vec3 _e127 = extinction(_e126, _e120);
+                vec3 source_1 = (((gas_1 * _e113.x) + (aerosol_1 * _e113.y)) * exp(-(_e127)));
+                vec3 _e132 = out_.radiance;
+                out_.radiance = (_e132 + ((share_3 * source_1) * (step_ - dark)));
             }
             if (diffuse) {
-                float _e143 = m_4.radius;
-                float r_1 = (_e143 + _e58);
-                float mu_5 = clamp(((ray_1.b + _e46) / r_1), -1.0, 1.0);
-                float mu_sun_1 = clamp(((ray_1.sun_b + (ray_1.nu * _e46)) / r_1), -1.0, 1.0);
-                vec3 _e160 = out_.radiance;
-                Medium _e162 = m_4;
-                vec3 _e164 = diffuse_source(moments, _e162, t_4, _e60, _e58, mu_5, mu_sun_1, ray_1.nu);
-                out_.radiance = (_e160 + ((share_3 * step_) * _e164));
+                float _e138 = m_4.radius;
+                float r_3 = (_e138 + _e53);
+                float mu_5 = clamp((((lowest_1.b + _e47) - low_4) / r_3), -1.0, 1.0);
+                float mu_sun_1 = clamp(((ray_2.sun_b + (ray_2.nu * _e47)) / r_3), -1.0, 1.0);
+                vec3 _e156 = out_.radiance;
+                Medium _e158 = m_4;
+                vec3 _e160 = diffuse_source(moments, _e158, t_5, _e55, _e53, mu_5, mu_sun_1, ray_2.nu);
+                out_.radiance = (_e156 + ((share_3 * step_) * _e160));
             }
-            vec3 _e168 = out_.transmittance;
-            out_.transmittance = (_e168 * exp(-(tau_1)));
-            vec3 _e173 = out_.columns;
-            out_.columns = (_e173 + (_e60 * step_));
-            t0_ = _e40;
+            vec3 _e164 = out_.transmittance;
+            out_.transmittance = (_e164 * exp(-(tau_1)));
+            vec3 _e169 = out_.columns;
+            out_.columns = (_e169 + (_e55 * step_));
+            t0_ = _e41;
         }
     }
-    Gathered _e179 = out_;
-    return _e179;
+    Gathered _e175 = out_;
+    return _e175;
 }
 
 vec2 share_azimuth(float share) {
@@ -431,34 +521,35 @@ vec2 share_azimuth(float share) {
     return (vec2(((c_4 - share) * (c_4 + share)), ((2.0 * share) * c_4)) * norm);
 }
 
-TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_6, Medium m_5, vec3 sun_1) {
-    bool local_2 = false;
+TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_6, Medium m_5, vec3 sun_3) {
+    bool local_3 = false;
     float c2_ = 0.0;
     float mu_3 = 0.0;
-    AirRay ray_2 = AirRay(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, false);
-    float r_2 = (m_5.radius + h_6);
+    SunSide s_2 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
+    float start = 0.0;
+    float r_4 = (m_5.radius + h_6);
     float _e9 = excess_of(h_6, m_5.radius);
     float _e12 = excess_of(m_5.thickness, m_5.radius);
     vec2 _e13 = share_azimuth(azimuth);
     bool outside = (h_6 > m_5.thickness);
     if (!(outside)) {
-        local_2 = !(ground_1);
+        local_3 = !(ground_1);
     } else {
-        local_2 = false;
+        local_3 = false;
     }
-    bool _e21 = local_2;
+    bool _e21 = local_3;
     if (_e21) {
-        float horizon = (sqrt(_e9) / r_2);
+        float horizon = (sqrt(_e9) / r_4);
         float s_max = sqrt((0.5 + (0.5 * horizon)));
-        float s = (s_max * (1.0 - (share_1 * share_1)));
-        float mu_6 = (1.0 - ((2.0 * s) * s));
-        vec3 dir_1 = vec3((_e13 * ((2.0 * s) * sqrt(max((1.0 - (s * s)), 0.0)))), mu_6);
-        AirRay _e52 = inner_ray(dir_1, h_6, m_5.radius, m_5.thickness, sun_1, false);
-        return TableRay(dir_1, _e52);
+        float s_3 = (s_max * (1.0 - (share_1 * share_1)));
+        float mu_6 = (1.0 - ((2.0 * s_3) * s_3));
+        vec3 dir_3 = vec3((_e13 * ((2.0 * s_3) * sqrt(max((1.0 - (s_3 * s_3)), 0.0)))), mu_6);
+        AirRay _e52 = inner_ray(dir_3, h_6, m_5.radius, m_5.thickness, sun_3, false);
+        return TableRay(dir_3, _e52);
     }
     if (ground_1) {
-        float s_1 = (SQRT_HALF * (1.0 - (share_1 * share_1)));
-        mu_3 = max((1.0 - ((2.0 * s_1) * s_1)), 0.0);
+        float s_4 = (SQRT_HALF * (1.0 - (share_1 * share_1)));
+        mu_3 = max((1.0 - ((2.0 * s_4) * s_4)), 0.0);
         float _e74 = mu_3;
         float _e76 = mu_3;
         c2_ = (((-(m_5.radius) * m_5.radius) * _e74) * _e76);
@@ -468,31 +559,32 @@ TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_6, Mediu
     }
     float start_x = (outside ? _e12 : _e9);
     float _e84 = c2_;
-    float b_4 = -(sqrt(max((start_x - _e84), 0.0)));
+    float b_7 = -(sqrt(max((start_x - _e84), 0.0)));
     float _e93 = c2_;
     float approach = sqrt(max(((m_5.radius * m_5.radius) + _e93), 0.0));
-    float sine = min((approach / r_2), 1.0);
+    float sine = min((approach / r_4), 1.0);
     float _e101 = c2_;
-    float down = (-(sqrt(max((_e9 - _e101), 0.0))) / r_2);
-    vec3 dir_2 = vec3((_e13 * sine), down);
-    vec3 side_1 = cross(dir_2, sun_1);
-    ray_2.nu = dot(dir_2, sun_1);
-    ray_2.cross2_ = dot(side_1, side_1);
-    ray_2.ground = ground_1;
-    ray_2.x = start_x;
-    ray_2.b = b_4;
-    ray_2.start = 0.0;
-    ray_2.sun_b = (r_2 * sun_1.z);
+    float down = (-(sqrt(max((_e9 - _e101), 0.0))) / r_4);
+    vec3 dir_4 = vec3((_e13 * sine), down);
     if (outside) {
-        ray_2.start = (((h_6 - m_5.thickness) * (((2.0 * m_5.radius) + m_5.thickness) + h_6)) / (-(b_4) - (r_2 * down)));
-        vec3 closest = (vec3((-(down) * dir_2.xy), (sine * sine)) * r_2);
-        float _e147 = ray_2.nu;
-        ray_2.sun_b = (dot(closest, sun_1) + (b_4 * _e147));
+        start = (((h_6 - m_5.thickness) * (((2.0 * m_5.radius) + m_5.thickness) + h_6)) / (-(b_7) - (r_4 * down)));
+        SunSide _e128 = sun_side_outside(dir_4, sun_3, r_4, -(b_7), _e12, m_5.radius);
+        s_2 = _e128;
+    } else {
+        SunSide _e130 = sun_side_inside(dir_4, sun_3, r_4, _e9, m_5.radius);
+        s_2 = _e130;
     }
-    float _e154 = mu_3;
-    ray_2.length_ = (ground_1 ? (start_x / ((m_5.radius * _e154) - b_4)) : (-2.0 * b_4));
-    AirRay _e159 = ray_2;
-    return TableRay(dir_2, _e159);
+    float _e134 = mu_3;
+    float reach_1 = (ground_1 ? (start_x / ((m_5.radius * _e134) - b_7)) : (-2.0 * b_7));
+    float _e139 = start;
+    float _e140 = c2_;
+    float _e142 = s_2.sun_b;
+    float _e144 = s_2.nu;
+    float _e146 = s_2.cross2_;
+    float _e148 = s_2.shadow_b;
+    float _e150 = s_2.shadow_c;
+    AirRay ray_3 = AirRay(_e139, reach_1, start_x, b_7, _e140, _e142, _e144, _e146, _e148, _e150, ground_1);
+    return TableRay(dir_4, ray_3);
 }
 
 float rayleigh_phase(float mu_4) {
@@ -504,39 +596,39 @@ void main() {
     vec3 gas = vec3(0.0);
     vec3 aerosol = vec3(0.0);
     Frame f = _group_0_binding_0_fs.frame;
-    Tables t_6 = _group_0_binding_0_fs.tables;
+    Tables t_7 = _group_0_binding_0_fs.tables;
     Medium m_6 = f.medium;
     ivec2 at_2 = ivec2(position.xy);
-    ivec2 size_3 = ivec2(t_6.size);
-    int half_ = (size_3.x / SKY_HALVES);
-    bool aerosol_half = (at_2.x >= half_);
-    float azimuth_1 = (float((at_2.x % half_)) / float((half_ - 1)));
-    int ground_rows = int(t_6.ground_rows);
+    ivec2 size_3 = ivec2(t_7.size);
+    int half_1 = (size_3.x / SKY_HALVES);
+    bool aerosol_half = (at_2.x >= half_1);
+    float azimuth_1 = (float((at_2.x % half_1)) / float((half_1 - 1)));
+    int ground_rows = int(t_7.ground_rows);
     bool ground_2 = (at_2.y < ground_rows);
     int first_1 = (ground_2 ? 0 : ground_rows);
     int rows = (ground_2 ? ground_rows : (size_3.y - ground_rows));
     float share_4 = (float((at_2.y - first_1)) / float((rows - 1)));
     TableRay _e42 = table_ray(azimuth_1, share_4, ground_2, f.altitude, m_6, f.sun);
-    AirRay ray_3 = _e42.ray;
-    if ((ray_3.length_ <= 0.0)) {
+    AirRay ray_4 = _e42.ray;
+    if ((ray_4.length_ <= 0.0)) {
         _fs2p_location0 = vec4(0.0, 0.0, 0.0, 1.0);
         return;
     }
     if (aerosol_half) {
         aerosol = m_6.mie_scattering;
     } else {
-        float _e61 = rayleigh_phase(ray_3.nu);
+        float _e61 = rayleigh_phase(ray_4.nu);
         gas = (m_6.rayleigh * _e61);
     }
-    float low_5 = clamp(-(ray_3.b), 0.0, ray_3.length_);
-    float _e69 = unwarp(low_5, ray_3.length_);
-    float _e73 = unwarp(low_5, 0.0);
+    Low _e65 = lowest(ray_4, ray_4.length_, m_6.radius);
+    float _e68 = unwarp(_e65.t, ray_4.length_);
+    float _e73 = unwarp(_e65.t, 0.0);
     vec3 _e74 = gas;
     vec3 _e75 = aerosol;
-    Gathered _e78 = gather(_group_0_binding_1_fs, _group_0_binding_2_fs, m_6, t_6, ray_3, low_5, _e73, _e69, _e74, _e75, true, !(aerosol_half));
+    Gathered _e78 = gather(_group_0_binding_1_fs, _group_0_binding_2_fs, m_6, t_7, ray_4, _e65, _e73, _e68, _e74, _e75, true, !(aerosol_half));
     vec3 _e80 = extinction(m_6, _e78.columns);
     float grey = dot(exp(-(_e80)), vec3(0.33333334));
-    float scale = (ground_2 ? (1.0 / ray_3.length_) : 1.0);
+    float scale = (ground_2 ? (1.0 / ray_4.length_) : 1.0);
     _fs2p_location0 = vec4(sqrt(sqrt((max(_e78.radiance, vec3(0.0)) * scale))), grey);
     return;
 }

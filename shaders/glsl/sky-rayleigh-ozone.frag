@@ -44,10 +44,25 @@ struct AirRay {
     float length_;
     float x;
     float b;
+    float x_closest;
     float sun_b;
     float nu;
     float cross2_;
+    float shadow_b;
+    float shadow_c;
     bool ground;
+};
+struct SunSide {
+    float sun_b;
+    float nu;
+    float cross2_;
+    float shadow_b;
+    float shadow_c;
+};
+struct Low {
+    float t;
+    float x;
+    float b;
 };
 struct Scattered {
     vec3 radiance;
@@ -73,115 +88,160 @@ float excess_of(float h, float radius_1) {
     return (h * ((2.0 * radius_1) + h));
 }
 
-float distance_to_top(float x_1, float b, float x_top) {
-    float c = max((x_top - x_1), 0.0);
-    float root = sqrt(((b * b) + c));
-    if ((b > 0.0)) {
-        return (c / (b + root));
-    }
-    return (root - b);
+float altitude_after(float x_1, float b, float t, float radius_2) {
+    float _e9 = altitude_of((x_1 + (t * ((2.0 * b) + t))), radius_2);
+    return max(_e9, 0.0);
 }
 
-AirRay air_ray(vec3 dir, float h_1, float radius_2, float thickness, vec3 sun) {
-    AirRay ray = AirRay(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, false);
+float distance_to_top(float x_2, float b_1, float x_top) {
+    float c = max((x_top - x_2), 0.0);
+    float root = sqrt(((b_1 * b_1) + c));
+    if ((b_1 > 0.0)) {
+        return (c / (b_1 + root));
+    }
+    return (root - b_1);
+}
+
+float half_chord2_(float b_2, float above, float depth, float p) {
+    float sphere = (depth + p);
+    if ((abs(b_2) < sphere)) {
+        return ((b_2 * b_2) - above);
+    }
+    return (depth * (sphere + p));
+}
+
+SunSide sun_side_inside(vec3 dir, vec3 sun, float r, float x_3, float radius_3) {
+    SunSide s = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
+    s.nu = dot(dir, sun);
+    float _e9 = s.nu;
+    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    s.cross2_ = dot(side, side);
+    s.sun_b = (r * sun.z);
+    s.shadow_b = (r * ((sun.x * side.y) - (sun.y * side.x)));
+    float q = (r * length(sun.xy));
+    float _e37 = s.sun_b;
+    float _e39 = half_chord2_(_e37, x_3, (radius_3 - q), q);
+    s.shadow_c = -(_e39);
+    SunSide _e41 = s;
+    return _e41;
+}
+
+SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_1, float half_, float x_top_1, float radius_4) {
+    SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
+    s_1.nu = dot(dir_1, sun_1);
+    float _e10 = s_1.nu;
+    float same = ((_e10 >= 0.0) ? 1.0 : -1.0);
+    vec3 apart = (dir_1 - (same * sun_1));
+    vec3 side_1 = cross(apart, sun_1);
+    s_1.cross2_ = dot(side_1, side_1);
+    vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_1);
+    float _e35 = s_1.nu;
+    s_1.sun_b = ((-(same) * dot(closest, apart)) - (half_ * _e35));
+    vec3 closest_side = cross(closest, sun_1);
+    float _e42 = s_1.cross2_;
+    s_1.shadow_b = (dot(closest_side, side_1) - (half_ * _e42));
+    float q_1 = length((closest_side - (half_ * side_1)));
+    float _e50 = s_1.sun_b;
+    float _e52 = half_chord2_(_e50, x_top_1, (radius_4 - q_1), q_1);
+    s_1.shadow_c = -(_e52);
+    SunSide _e54 = s_1;
+    return _e54;
+}
+
+AirRay air_ray(vec3 dir_2, float h_1, float radius_5, float thickness, vec3 sun_2) {
     bool local = false;
     bool local_1 = false;
-    float r = (radius_2 + h_1);
-    vec3 side = cross(dir, sun);
-    ray.nu = dot(dir, sun);
-    ray.cross2_ = dot(side, side);
-    ray.ground = false;
-    float _e14 = excess_of(thickness, radius_2);
-    if ((h_1 <= thickness)) {
-        ray.start = 0.0;
-        float _e19 = excess_of(h_1, radius_2);
-        ray.x = _e19;
-        ray.b = (r * dir.z);
-        ray.sun_b = (r * sun.z);
-        float _e28 = ray.x;
-        float _e30 = ray.b;
-        float _e31 = distance_to_top(_e28, _e30, _e14);
-        ray.length_ = _e31;
-        float _e33 = ray.b;
-        float _e35 = ray.b;
-        float _e38 = ray.x;
-        float disc = ((_e33 * _e35) - _e38);
-        float _e41 = ray.b;
-        if ((_e41 < 0.0)) {
-            local = (disc >= 0.0);
-        } else {
-            local = false;
-        }
-        bool _e49 = local;
-        if (_e49) {
-            ray.ground = true;
-            float _e54 = ray.x;
-            float _e57 = ray.b;
-            ray.length_ = (_e54 / (sqrt(disc) - _e57));
-        }
-        AirRay _e60 = ray;
-        return _e60;
+    float r_2 = (radius_5 + h_1);
+    float _e6 = excess_of(thickness, radius_5);
+    float b_4 = (r_2 * dir_2.z);
+    float p_1 = (r_2 * sqrt(dot(dir_2.xy, dir_2.xy)));
+    float _e14 = excess_of(h_1, radius_5);
+    float _e16 = half_chord2_(b_4, _e14, (radius_5 - p_1), p_1);
+    if ((b_4 < 0.0)) {
+        local = (_e16 >= 0.0);
+    } else {
+        local = false;
     }
-    float horizontal2_ = dot(dir.xy, dir.xy);
-    float p = (r * sqrt(horizontal2_));
-    float top = (radius_2 + thickness);
-    float top_disc = ((top - p) * (top + p));
-    if (!((dir.z >= 0.0))) {
-        local_1 = (top_disc <= 0.0);
+    bool ground = local;
+    if ((h_1 <= thickness)) {
+        float _e26 = excess_of(h_1, radius_5);
+        SunSide _e27 = sun_side_inside(dir_2, sun_2, r_2, _e26, radius_5);
+        float to_ground = (_e26 / (sqrt(max(_e16, 0.0)) - b_4));
+        float _e33 = distance_to_top(_e26, b_4, _e6);
+        float reach = (ground ? to_ground : _e33);
+        return AirRay(0.0, reach, _e26, b_4, -(_e16), _e27.sun_b, _e27.nu, _e27.cross2_, _e27.shadow_b, _e27.shadow_c, ground);
+    }
+    float above_1 = ((h_1 - thickness) * ((r_2 + radius_5) + thickness));
+    float top2_ = (((b_4 * b_4) < _e6) ? ((b_4 * b_4) - above_1) : (_e16 + _e6));
+    if (!((b_4 >= 0.0))) {
+        local_1 = (top2_ <= 0.0);
     } else {
         local_1 = true;
     }
-    bool _e79 = local_1;
-    if (_e79) {
-        ray.length_ = -1.0;
-        AirRay _e82 = ray;
-        return _e82;
+    bool _e61 = local_1;
+    if (_e61) {
+        return AirRay(0.0, -1.0, 0.0, 0.0, -(_e16), 0.0, dot(dir_2, sun_2), 0.0, 0.0, 0.0, false);
     }
-    float half_ = sqrt(top_disc);
-    ray.start = (((h_1 - thickness) * (r + top)) / (half_ - (r * dir.z)));
-    ray.x = _e14;
-    ray.b = -(half_);
-    vec3 closest = (vec3((-(dir.z) * dir.xy), horizontal2_) * r);
-    float _e104 = ray.nu;
-    ray.sun_b = (dot(closest, sun) - (half_ * _e104));
-    ray.length_ = (2.0 * half_);
-    float ground_disc = ((radius_2 - p) * (radius_2 + p));
-    if ((ground_disc >= 0.0)) {
-        ray.ground = true;
-        ray.length_ = (_e14 / (half_ + sqrt(ground_disc)));
-    }
-    AirRay _e121 = ray;
-    return _e121;
+    float half_1 = sqrt(top2_);
+    float start = (above_1 / (half_1 - b_4));
+    SunSide _e77 = sun_side_outside(dir_2, sun_2, r_2, half_1, _e6, radius_5);
+    float reach_1 = (ground ? (_e6 / (half_1 + sqrt(max(_e16, 0.0)))) : (2.0 * half_1));
+    return AirRay(start, reach_1, _e6, -(half_1), -(_e16), _e77.sun_b, _e77.nu, _e77.cross2_, _e77.shadow_b, _e77.shadow_c, ground);
 }
 
-bool hits_planet(vec3 dir_1, float h_2, float radius_3, float thickness_1) {
-    float r_1 = (radius_3 + h_2);
-    if ((dir_1.z >= 0.0)) {
-        return false;
+Low lowest(AirRay ray, float length_, float radius_6) {
+    bool local_2 = false;
+    if ((ray.b >= 0.0)) {
+        return Low(0.0, ray.x, ray.b);
     }
-    if ((h_2 <= thickness_1)) {
-        float b_2 = (r_1 * dir_1.z);
-        float _e13 = excess_of(h_2, radius_3);
-        return (((b_2 * b_2) - _e13) >= 0.0);
+    if ((-(ray.b) <= length_)) {
+        return Low(-(ray.b), ray.x_closest, 0.0);
     }
-    return ((radius_3 - (r_1 * length(dir_1.xy))) >= 0.0);
+    float b_5 = (ray.b + length_);
+    if (ray.ground) {
+        local_2 = (length_ >= ray.length_);
+    } else {
+        local_2 = false;
+    }
+    bool _e26 = local_2;
+    if (_e26) {
+        return Low(length_, 0.0, b_5);
+    }
+    bool far = ((-(ray.b) * length_) > (radius_6 * radius_6));
+    return Low(length_, (far ? (ray.x_closest + (b_5 * b_5)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_5);
+}
+
+bool hits_planet(vec3 dir_3, float h_2, float radius_7) {
+    bool local_3 = false;
+    float r_3 = (radius_7 + h_2);
+    float b_6 = (r_3 * dir_3.z);
+    float p_2 = (r_3 * sqrt(dot(dir_3.xy, dir_3.xy)));
+    if ((b_6 < 0.0)) {
+        float _e15 = excess_of(h_2, radius_7);
+        float _e17 = half_chord2_(b_6, _e15, (radius_7 - p_2), p_2);
+        local_3 = (_e17 >= 0.0);
+    } else {
+        local_3 = false;
+    }
+    bool _e21 = local_3;
+    return _e21;
 }
 
 vec2 shadow_stretch(AirRay ray_1) {
     vec2 stretch = vec2(0.0);
     vec2 none = vec2(1.0, 0.0);
     float a = ray_1.cross2_;
-    float b_3 = (ray_1.b - (ray_1.sun_b * ray_1.nu));
-    float c_1 = (ray_1.x - (ray_1.sun_b * ray_1.sun_b));
+    float b_7 = ray_1.shadow_b;
+    float c_1 = ray_1.shadow_c;
     stretch = vec2(-(1e30), 1e30);
-    float disc_1 = ((b_3 * b_3) - (a * c_1));
-    if ((a > 1e-12)) {
-        if ((disc_1 <= 0.0)) {
+    float disc = ((b_7 * b_7) - (a * c_1));
+    if ((a > 1e-30)) {
+        if ((disc <= 0.0)) {
             return none;
         }
-        float q = -((b_3 + (((b_3 >= 0.0) ? 1.0 : -1.0) * sqrt(disc_1))));
-        float t0_2 = (q / a);
-        float t1_ = ((q != 0.0) ? (c_1 / q) : t0_2);
+        float q_2 = -((b_7 + (((b_7 >= 0.0) ? 1.0 : -1.0) * sqrt(disc))));
+        float t0_2 = (q_2 / a);
+        float t1_ = ((q_2 != 0.0) ? (c_1 / q_2) : t0_2);
         stretch = vec2(min(t0_2, t1_), max(t0_2, t1_));
     } else {
         if ((c_1 >= 0.0)) {
@@ -193,17 +253,17 @@ vec2 shadow_stretch(AirRay ray_1) {
             return none;
         }
     } else {
-        float t_1 = (-(ray_1.sun_b) / ray_1.nu);
+        float t_2 = (-(ray_1.sun_b) / ray_1.nu);
         if ((ray_1.nu > 0.0)) {
-            float _e61 = stretch.y;
-            stretch.y = min(_e61, t_1);
+            float _e53 = stretch.y;
+            stretch.y = min(_e53, t_2);
         } else {
-            float _e65 = stretch.x;
-            stretch.x = max(_e65, t_1);
+            float _e57 = stretch.x;
+            stretch.x = max(_e57, t_2);
         }
     }
-    vec2 _e67 = stretch;
-    return _e67;
+    vec2 _e59 = stretch;
+    return _e59;
 }
 
 vec3 densities(Medium m, float h_3) {
@@ -228,22 +288,22 @@ float warp(float low, float u) {
     return (low + (u * abs(u)));
 }
 
-float unwarp(float low_1, float t) {
-    return (sign((t - low_1)) * sqrt(abs((t - low_1))));
+float unwarp(float low_1, float t_1) {
+    return (sign((t_1 - low_1)) * sqrt(abs((t_1 - low_1))));
 }
 
-vec3 path_densities(Medium m_2, float x_2, float b_1, float distance_, uint samples) {
+vec3 path_densities(Medium m_2, float x_4, float b_3, float distance_, uint samples) {
     vec3 sum_1 = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
-    float low_2 = clamp(-(b_1), 0.0, distance_);
+    float low_2 = clamp(-(b_3), 0.0, distance_);
     float u0_ = -(sqrt(low_2));
     float du = ((sqrt((distance_ - low_2)) - u0_) / float(samples));
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e50 = i;
-            i = (_e50 + 1u);
+            uint _e43 = i;
+            i = (_e43 + 1u);
         }
         loop_init = false;
         uint _e22 = i;
@@ -256,17 +316,16 @@ vec3 path_densities(Medium m_2, float x_2, float b_1, float distance_, uint samp
             float u_1 = (u0_ + (du * float(_e24)));
             float _e31 = warp(low_2, (u_1 + (0.5 * du)));
             float _e33 = warp(low_2, (u_1 + du));
-            float _e40 = altitude_of((x_2 + (_e31 * ((2.0 * b_1) + _e31))), m_2.radius);
-            float h_4 = max(_e40, 0.0);
-            vec3 _e43 = sum_1;
-            vec3 _e44 = densities(m_2, h_4);
-            float _e45 = t0_;
-            sum_1 = (_e43 + (_e44 * (_e33 - _e45)));
+            float _e35 = altitude_after(x_4, b_3, _e31, m_2.radius);
+            vec3 _e36 = sum_1;
+            vec3 _e37 = densities(m_2, _e35);
+            float _e38 = t0_;
+            sum_1 = (_e36 + (_e37 * (_e33 - _e38)));
             t0_ = _e33;
         }
     }
-    vec3 _e52 = sum_1;
-    return _e52;
+    vec3 _e45 = sum_1;
+    return _e45;
 }
 
 vec3 mean_transmittance(vec3 tau) {
@@ -278,15 +337,15 @@ float rayleigh_phase(float mu) {
     return (0.0596831 * (1.0 + (mu * mu)));
 }
 
-vec3 sun_transmittance(Medium m_3, float x_3, float sun_b, uint samples_1) {
+vec3 sun_transmittance(Medium m_3, float x_5, float sun_b, uint samples_1) {
     float _e6 = excess_of(m_3.thickness, m_3.radius);
-    float _e7 = distance_to_top(x_3, sun_b, _e6);
-    vec3 _e8 = path_densities(m_3, x_3, sun_b, _e7, samples_1);
+    float _e7 = distance_to_top(x_5, sun_b, _e6);
+    vec3 _e8 = path_densities(m_3, x_5, sun_b, _e7, samples_1);
     vec3 _e9 = extinction(m_3, _e8);
     return exp(-(_e9));
 }
 
-Scattered single_scattering(Medium m_4, AirRay ray_2, float length_, float away, uint view_samples, uint light_samples) {
+Scattered single_scattering(Medium m_4, AirRay ray_2, float length_1, float away, uint view_samples, uint light_samples) {
     Scattered out_ = Scattered(vec3(0.0), vec3(0.0));
     float t0_1 = 0.0;
     uint i_1 = 0u;
@@ -294,80 +353,79 @@ Scattered single_scattering(Medium m_4, AirRay ray_2, float length_, float away,
     vec3 source = vec3(0.0);
     out_.radiance = vec3(0.0);
     out_.transmittance = vec3(1.0);
-    float mu_1 = (1.0 - away);
-    float _e16 = rayleigh_phase(mu_1);
+    float _e16 = rayleigh_phase((1.0 - away));
     vec3 rayleigh = (m_4.rayleigh * _e16);
-    float low_3 = clamp(-(ray_2.b), 0.0, length_);
+    Low _e19 = lowest(ray_2, length_1, m_4.radius);
+    float low_3 = _e19.t;
     float u0_1 = -(sqrt(low_3));
-    float du_1 = ((sqrt((length_ - low_3)) - u0_1) / float(view_samples));
-    vec2 _e29 = shadow_stretch(ray_2);
+    float du_1 = ((sqrt((length_1 - low_3)) - u0_1) / float(view_samples));
+    vec2 _e28 = shadow_stretch(ray_2);
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            uint _e139 = i_1;
-            i_1 = (_e139 + 1u);
+            uint _e134 = i_1;
+            i_1 = (_e134 + 1u);
         }
         loop_init_1 = false;
-        uint _e34 = i_1;
-        if ((_e34 < view_samples)) {
+        uint _e33 = i_1;
+        if ((_e33 < view_samples)) {
         } else {
             break;
         }
         {
-            uint _e36 = i_1;
-            float u_2 = (u0_1 + (du_1 * float(_e36)));
-            float _e41 = warp(low_3, (u_2 + du_1));
-            float _e42 = t0_1;
-            float step_ = (_e41 - _e42);
-            float _e47 = warp(low_3, (u_2 + (0.5 * du_1)));
-            float _e56 = altitude_of((ray_2.x + (_e47 * ((2.0 * ray_2.b) + _e47))), m_4.radius);
-            float h_5 = max(_e56, 0.0);
-            vec3 _e59 = densities(m_4, h_5);
-            vec3 _e60 = extinction(m_4, _e59);
-            vec3 tau_1 = (_e60 * step_);
-            float _e63 = t0_1;
-            float dark0_ = clamp(_e29.x, _e63, _e41);
-            float _e66 = t0_1;
-            float dark1_ = clamp(_e29.y, _e66, _e41);
-            float dark = ((_e29.y > _e29.x) ? max((dark1_ - dark0_), 0.0) : 0.0);
+            uint _e35 = i_1;
+            float u_2 = (u0_1 + (du_1 * float(_e35)));
+            float _e40 = warp(low_3, (u_2 + du_1));
+            float _e41 = t0_1;
+            float step_ = (_e40 - _e41);
+            float _e46 = warp(low_3, (u_2 + (0.5 * du_1)));
+            float _e51 = altitude_after(_e19.x, _e19.b, (_e46 - low_3), m_4.radius);
+            vec3 _e52 = densities(m_4, _e51);
+            vec3 _e53 = extinction(m_4, _e52);
+            vec3 tau_1 = (_e53 * step_);
+            float _e56 = t0_1;
+            float dark0_ = clamp(_e28.x, _e56, _e40);
+            float _e59 = t0_1;
+            float dark1_ = clamp(_e28.y, _e59, _e40);
+            float dark = ((_e28.y > _e28.x) ? max((dark1_ - dark0_), 0.0) : 0.0);
             if ((dark < step_)) {
-                lit_t = _e47;
+                lit_t = _e46;
                 if ((dark > 0.0)) {
-                    float _e80 = t0_1;
-                    bool first = ((dark0_ - _e80) > (_e41 - dark1_));
-                    float _e84 = t0_1;
-                    float lit0_ = (first ? _e84 : dark1_);
-                    float lit1_ = (first ? dark0_ : _e41);
-                    float _e87 = unwarp(low_3, lit0_);
-                    float _e88 = unwarp(low_3, lit1_);
-                    float _e92 = warp(low_3, (0.5 * (_e87 + _e88)));
-                    lit_t = _e92;
+                    float _e73 = t0_1;
+                    bool first = ((dark0_ - _e73) > (_e40 - dark1_));
+                    float _e77 = t0_1;
+                    float lit0_ = (first ? _e77 : dark1_);
+                    float lit1_ = (first ? dark0_ : _e40);
+                    float _e80 = unwarp(low_3, lit0_);
+                    float _e81 = unwarp(low_3, lit1_);
+                    float _e85 = warp(low_3, (0.5 * (_e80 + _e81)));
+                    lit_t = _e85;
                 }
-                float _e94 = lit_t;
-                float _e98 = lit_t;
-                float x_4 = (ray_2.x + (_e94 * ((2.0 * ray_2.b) + _e98)));
-                float _e103 = altitude_of(x_4, m_4.radius);
-                vec3 _e106 = densities(m_4, max(_e103, 0.0));
+                float _e87 = lit_t;
+                float _e92 = lit_t;
+                float x_6 = (_e19.x + ((_e87 - low_3) * ((2.0 * _e19.b) + (_e92 - low_3))));
+                float _e98 = altitude_of(x_6, m_4.radius);
+                vec3 _e101 = densities(m_4, max(_e98, 0.0));
                 source = vec3(0.0);
-                vec3 _e110 = source;
-                source = (_e110 + (rayleigh * _e106.x));
-                vec3 _e114 = source;
-                float _e117 = lit_t;
-                vec3 _e120 = sun_transmittance(m_4, x_4, (ray_2.sun_b + (ray_2.nu * _e117)), light_samples);
-                source = (_e114 * _e120);
-                vec3 _e123 = out_.radiance;
-                vec3 _e125 = out_.transmittance;
-                vec3 _e126 = mean_transmittance(tau_1);
-                vec3 _e128 = source;
-                out_.radiance = (_e123 + (((_e125 * _e126) * _e128) * (step_ - dark)));
+                vec3 _e105 = source;
+                source = (_e105 + (rayleigh * _e101.x));
+                vec3 _e109 = source;
+                float _e112 = lit_t;
+                vec3 _e115 = sun_transmittance(m_4, x_6, (ray_2.sun_b + (ray_2.nu * _e112)), light_samples);
+                source = (_e109 * _e115);
+                vec3 _e118 = out_.radiance;
+                vec3 _e120 = out_.transmittance;
+                vec3 _e121 = mean_transmittance(tau_1);
+                vec3 _e123 = source;
+                out_.radiance = (_e118 + (((_e120 * _e121) * _e123) * (step_ - dark)));
             }
-            vec3 _e134 = out_.transmittance;
-            out_.transmittance = (_e134 * exp(-(tau_1)));
-            t0_1 = _e41;
+            vec3 _e129 = out_.transmittance;
+            out_.transmittance = (_e129 * exp(-(tau_1)));
+            t0_1 = _e40;
         }
     }
-    Scattered _e141 = out_;
-    return _e141;
+    Scattered _e136 = out_;
+    return _e136;
 }
 
 void main() {
@@ -376,34 +434,34 @@ void main() {
     vec3 through = vec3(1.0);
     Frame _e2 = _group_0_binding_0_fs;
     vec3 _e4 = pixel_ray(_e2, position.xy);
-    vec3 dir_2 = normalize(_e4);
+    vec3 dir_4 = normalize(_e4);
     Medium m_5 = _group_0_binding_0_fs.medium;
     float _e11 = _group_0_binding_0_fs.altitude;
-    bool _e14 = hits_planet(dir_2, _e11, m_5.radius, m_5.thickness);
-    if (_e14) {
-        uint _e17 = _group_0_binding_0_fs.low_resolution;
-        if ((_e17 == 0u)) {
+    bool _e13 = hits_planet(dir_4, _e11, m_5.radius);
+    if (_e13) {
+        uint _e16 = _group_0_binding_0_fs.low_resolution;
+        if ((_e16 == 0u)) {
             discard;
         }
         _fs2p_location0 = vec4(0.0, 0.0, 0.0, -1.0);
         return;
     }
-    vec3 _e27 = _group_0_binding_0_fs.sun;
-    vec3 offset = (dir_2 - _e27);
-    float _e37 = _group_0_binding_0_fs.altitude;
-    vec3 _e42 = _group_0_binding_0_fs.sun;
-    AirRay _e43 = air_ray(dir_2, _e37, m_5.radius, m_5.thickness, _e42);
-    if ((_e43.length_ > 0.0)) {
-        uint _e53 = _group_0_binding_0_fs.view_samples;
-        uint _e56 = _group_0_binding_0_fs.light_samples;
-        Scattered _e57 = single_scattering(m_5, _e43, _e43.length_, (0.5 * dot(offset, offset)), _e53, _e56);
-        float _e61 = _group_0_binding_0_fs.sky_weight;
-        light = (_e57.radiance * _e61);
-        through = _e57.transmittance;
+    vec3 _e26 = _group_0_binding_0_fs.sun;
+    vec3 offset = (dir_4 - _e26);
+    float _e36 = _group_0_binding_0_fs.altitude;
+    vec3 _e41 = _group_0_binding_0_fs.sun;
+    AirRay _e42 = air_ray(dir_4, _e36, m_5.radius, m_5.thickness, _e41);
+    if ((_e42.length_ > 0.0)) {
+        uint _e52 = _group_0_binding_0_fs.view_samples;
+        uint _e55 = _group_0_binding_0_fs.light_samples;
+        Scattered _e56 = single_scattering(m_5, _e42, _e42.length_, (0.5 * dot(offset, offset)), _e52, _e55);
+        float _e60 = _group_0_binding_0_fs.sky_weight;
+        light = (_e56.radiance * _e60);
+        through = _e56.transmittance;
     }
-    vec3 _e64 = light;
-    vec3 _e70 = through;
-    _fs2p_location0 = vec4(min((_e64 * m_5.irradiance), vec3(65000.0)), (1.0 - dot(_e70, vec3(0.33333334))));
+    vec3 _e63 = light;
+    vec3 _e69 = through;
+    _fs2p_location0 = vec4(min((_e63 * m_5.irradiance), vec3(65000.0)), (1.0 - dot(_e69, vec3(0.33333334))));
     return;
 }
 

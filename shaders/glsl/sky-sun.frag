@@ -55,17 +55,28 @@ float excess_of(float h, float radius) {
     return (h * ((2.0 * radius) + h));
 }
 
-bool hits_planet(vec3 dir, float h_1, float radius_1, float thickness) {
+float half_chord2_(float b, float above, float depth, float p) {
+    float sphere = (depth + p);
+    if ((abs(b) < sphere)) {
+        return ((b * b) - above);
+    }
+    return (depth * (sphere + p));
+}
+
+bool hits_planet(vec3 dir, float h_1, float radius_1) {
+    bool local = false;
     float r = (radius_1 + h_1);
-    if ((dir.z >= 0.0)) {
-        return false;
+    float b_1 = (r * dir.z);
+    float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
+    if ((b_1 < 0.0)) {
+        float _e15 = excess_of(h_1, radius_1);
+        float _e17 = half_chord2_(b_1, _e15, (radius_1 - p_1), p_1);
+        local = (_e17 >= 0.0);
+    } else {
+        local = false;
     }
-    if ((h_1 <= thickness)) {
-        float b = (r * dir.z);
-        float _e13 = excess_of(h_1, radius_1);
-        return (((b * b) - _e13) >= 0.0);
-    }
-    return ((radius_1 - (r * length(dir.xy))) >= 0.0);
+    bool _e21 = local;
+    return _e21;
 }
 
 float disk_coverage(vec3 offset, float chord, float pixel_1) {
@@ -81,27 +92,27 @@ void main() {
     vec3 dir_1 = normalize(_e4);
     Medium m = _group_0_binding_0_fs.medium;
     float _e11 = _group_0_binding_0_fs.altitude;
-    bool _e14 = hits_planet(dir_1, _e11, m.radius, m.thickness);
-    if (_e14) {
-        uint _e17 = _group_0_binding_0_fs.low_resolution;
-        if ((_e17 == 0u)) {
+    bool _e13 = hits_planet(dir_1, _e11, m.radius);
+    if (_e13) {
+        uint _e16 = _group_0_binding_0_fs.low_resolution;
+        if ((_e16 == 0u)) {
             discard;
         }
         _fs2p_location0 = vec4(0.0, 0.0, 0.0, -1.0);
         return;
     }
-    vec3 _e27 = _group_0_binding_0_fs.sun;
-    vec3 offset_1 = (dir_1 - _e27);
-    vec3 _e35 = light;
-    vec3 _e36 = through;
-    float _e39 = _group_0_binding_0_fs.sun_disk;
-    float _e42 = _group_0_binding_0_fs.sun_chord;
-    float _e45 = _group_0_binding_0_fs.pixel_angle;
-    float _e46 = disk_coverage(offset_1, _e42, _e45);
-    light = (_e35 + (_e36 * (_e39 * _e46)));
-    vec3 _e50 = light;
-    vec3 _e56 = through;
-    _fs2p_location0 = vec4(min((_e50 * m.irradiance), vec3(65000.0)), (1.0 - dot(_e56, vec3(0.33333334))));
+    vec3 _e26 = _group_0_binding_0_fs.sun;
+    vec3 offset_1 = (dir_1 - _e26);
+    vec3 _e34 = light;
+    vec3 _e35 = through;
+    float _e38 = _group_0_binding_0_fs.sun_disk;
+    float _e41 = _group_0_binding_0_fs.sun_chord;
+    float _e44 = _group_0_binding_0_fs.pixel_angle;
+    float _e45 = disk_coverage(offset_1, _e41, _e44);
+    light = (_e34 + (_e35 * (_e38 * _e45)));
+    vec3 _e49 = light;
+    vec3 _e55 = through;
+    _fs2p_location0 = vec4(min((_e49 * m.irradiance), vec3(65000.0)), (1.0 - dot(_e55, vec3(0.33333334))));
     return;
 }
 

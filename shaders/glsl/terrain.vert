@@ -85,13 +85,18 @@ float excess_of(float h, float radius_1) {
     return (h * ((2.0 * radius_1) + h));
 }
 
-float distance_to_top(float x_1, float b, float x_top) {
-    float c = max((x_top - x_1), 0.0);
-    float root = sqrt(((b * b) + c));
-    if ((b > 0.0)) {
-        return (c / (b + root));
+float altitude_after(float x_1, float b, float t, float radius_2) {
+    float _e9 = altitude_of((x_1 + (t * ((2.0 * b) + t))), radius_2);
+    return max(_e9, 0.0);
+}
+
+float distance_to_top(float x_2, float b_1, float x_top) {
+    float c = max((x_top - x_2), 0.0);
+    float root = sqrt(((b_1 * b_1) + c));
+    if ((b_1 > 0.0)) {
+        return (c / (b_1 + root));
     }
-    return (root - b);
+    return (root - b_1);
 }
 
 vec3 densities(Medium m, float h_1) {
@@ -119,18 +124,18 @@ float warp(float low, float u) {
     return (low + (u * abs(u)));
 }
 
-vec3 path_densities(Medium m_2, float x_2, float b_1, float distance_, uint samples) {
+vec3 path_densities(Medium m_2, float x_3, float b_2, float distance_, uint samples) {
     vec3 sum_1 = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
-    float low_1 = clamp(-(b_1), 0.0, distance_);
+    float low_1 = clamp(-(b_2), 0.0, distance_);
     float u0_ = -(sqrt(low_1));
     float du = ((sqrt((distance_ - low_1)) - u0_) / float(samples));
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e50 = i;
-            i = (_e50 + 1u);
+            uint _e43 = i;
+            i = (_e43 + 1u);
         }
         loop_init = false;
         uint _e22 = i;
@@ -143,23 +148,22 @@ vec3 path_densities(Medium m_2, float x_2, float b_1, float distance_, uint samp
             float u_1 = (u0_ + (du * float(_e24)));
             float _e31 = warp(low_1, (u_1 + (0.5 * du)));
             float _e33 = warp(low_1, (u_1 + du));
-            float _e40 = altitude_of((x_2 + (_e31 * ((2.0 * b_1) + _e31))), m_2.radius);
-            float h_3 = max(_e40, 0.0);
-            vec3 _e43 = sum_1;
-            vec3 _e44 = densities(m_2, h_3);
-            float _e45 = t0_;
-            sum_1 = (_e43 + (_e44 * (_e33 - _e45)));
+            float _e35 = altitude_after(x_3, b_2, _e31, m_2.radius);
+            vec3 _e36 = sum_1;
+            vec3 _e37 = densities(m_2, _e35);
+            float _e38 = t0_;
+            sum_1 = (_e36 + (_e37 * (_e33 - _e38)));
             t0_ = _e33;
         }
     }
-    vec3 _e52 = sum_1;
-    return _e52;
+    vec3 _e45 = sum_1;
+    return _e45;
 }
 
-vec3 sun_transmittance(Medium m_3, float x_3, float sun_b, uint samples_1) {
+vec3 sun_transmittance(Medium m_3, float x_4, float sun_b, uint samples_1) {
     float _e6 = excess_of(m_3.thickness, m_3.radius);
-    float _e7 = distance_to_top(x_3, sun_b, _e6);
-    vec3 _e8 = path_densities(m_3, x_3, sun_b, _e7, samples_1);
+    float _e7 = distance_to_top(x_4, sun_b, _e6);
+    vec3 _e8 = path_densities(m_3, x_4, sun_b, _e7, samples_1);
     vec3 _e9 = extinction(m_3, _e8);
     return exp(-(_e9));
 }
@@ -230,9 +234,9 @@ vec4 height_field(vec3 n, float amplitude, float rate, float sea, float spacing)
     vec3 d_above = ((rise < 1.0) ? (_e65.xyz * 14.0) : vec3(0.0));
     vec4 _e76 = noise(((n * 9.0) + vec3(29.0)));
     vec4 belt_noise = (_e76 * vec4(vec3(9.0), 1.0));
-    float t = clamp(((belt_noise.w - 0.38) * 4.0), 0.0, 1.0);
-    float belt = (0.1 + (((0.9 * t) * t) * (3.0 - (2.0 * t))));
-    vec3 d_belt = (belt_noise.xyz * (((5.4 * t) * (1.0 - t)) * 4.0));
+    float t_1 = clamp(((belt_noise.w - 0.38) * 4.0), 0.0, 1.0);
+    float belt = (0.1 + (((0.9 * t_1) * t_1) * (3.0 - (2.0 * t_1))));
+    vec3 d_belt = (belt_noise.xyz * (((5.4 * t_1) * (1.0 - t_1)) * 4.0));
     frequency = rate;
     bool loop_init_1 = true;
     while(true) {
@@ -290,13 +294,13 @@ void main() {
     float _e29 = _group_0_binding_0_vs.arc_rate;
     float s_1 = (_e29 * float(ring));
     float _e34 = _group_0_binding_0_vs.arc_scale;
-    float t_1 = ((_e34 * 0.5) * (exp(s_1) - exp(-(s_1))));
+    float t_2 = ((_e34 * 0.5) * (exp(s_1) - exp(-(s_1))));
     vec3 _e44 = _group_0_binding_0_vs.grid_x;
     vec3 _e49 = _group_0_binding_0_vs.grid_y;
     vec3 flat_ = normalize(((_e44 * cos(azimuth)) + (_e49 * sin(azimuth))));
     vec3 up = vec3(0.0, 0.0, 1.0);
-    float sin_arc = ((2.0 * t_1) / (1.0 + (t_1 * t_1)));
-    float drop = (((2.0 * t_1) * t_1) / (1.0 + (t_1 * t_1)));
+    float sin_arc = ((2.0 * t_2) / (1.0 + (t_2 * t_2)));
+    float drop = (((2.0 * t_2) * t_2) / (1.0 + (t_2 * t_2)));
     vec3 n_1 = ((flat_ * sin_arc) + (up * (1.0 - drop)));
     vec3 _e78 = _group_0_binding_0_vs.planet_x;
     vec3 _e82 = _group_0_binding_0_vs.planet_y;
@@ -305,23 +309,23 @@ void main() {
     float _e91 = _group_0_binding_0_vs.arc_rate;
     float _e96 = _group_0_binding_0_vs.arc_scale;
     float _e99 = _group_0_binding_0_vs.arc_scale;
-    float along = (((2.0 * _e91) * sqrt(((_e96 * _e99) + (t_1 * t_1)))) / (1.0 + (t_1 * t_1)));
+    float along = (((2.0 * _e91) * sqrt(((_e96 * _e99) + (t_2 * t_2)))) / (1.0 + (t_2 * t_2)));
     float spacing_1 = max(along, (sin_arc * 0.016362462));
     float _e114 = _group_0_binding_0_vs.amplitude;
     float _e117 = _group_0_binding_0_vs.mountain_rate;
     float _e120 = _group_0_binding_0_vs.sea;
     vec4 _e121 = height_field(planet_n, _e114, _e117, _e120, spacing_1);
-    float h_4 = _e121.w;
-    vec3 position = ((flat_ * ((m_4.radius + h_4) * sin_arc)) + (up * ((h_4 - f_1.camera_altitude) - ((m_4.radius + h_4) * drop))));
+    float h_3 = _e121.w;
+    vec3 position = ((flat_ * ((m_4.radius + h_3) * sin_arc)) + (up * ((h_3 - f_1.camera_altitude) - ((m_4.radius + h_3) * drop))));
     vec3 _e137 = _group_0_binding_0_vs.planet_x;
     vec3 _e142 = _group_0_binding_0_vs.planet_y;
     vec3 _e148 = _group_0_binding_0_vs.planet_z;
     vec3 g = (((_e137 * _e121.x) + (_e142 * _e121.y)) + (_e148 * _e121.z));
     vec3 tangential = ((g - (n_1 * dot(g, n_1))) / vec3(m_4.radius));
     vec3 normal = normalize((n_1 - tangential));
-    float _e161 = excess_of(h_4, m_4.radius);
-    float sun_b_1 = ((m_4.radius + h_4) * dot(n_1, f_1.sun));
-    float dip = (sqrt(_e161) / (m_4.radius + h_4));
+    float _e161 = excess_of(h_3, m_4.radius);
+    float sun_b_1 = ((m_4.radius + h_3) * dot(n_1, f_1.sun));
+    float dip = (sqrt(_e161) / (m_4.radius + h_3));
     float above_1 = ((dot(n_1, f_1.sun) + dip) / f_1.sun_chord);
     float visible = smoothstep(-1.0, 1.0, above_1);
     vec3 _e181 = _group_0_binding_0_vs.sky_share;
@@ -341,7 +345,7 @@ void main() {
     out_.position = position;
     vec3 _e244 = light;
     out_.light = _e244;
-    out_.surface = vec2(h_4, dot(normal, n_1));
+    out_.surface = vec2(h_3, dot(normal, n_1));
     Varyings _e248 = out_;
     gl_Position = _e248.clip;
     _vs2fs_location0 = _e248.position;

@@ -54,17 +54,28 @@ float excess_of(float h, float radius) {
     return (h * ((2.0 * radius) + h));
 }
 
-bool hits_planet(vec3 dir, float h_1, float radius_1, float thickness) {
+float half_chord2_(float b, float above, float depth, float p) {
+    float sphere = (depth + p);
+    if ((abs(b) < sphere)) {
+        return ((b * b) - above);
+    }
+    return (depth * (sphere + p));
+}
+
+bool hits_planet(vec3 dir, float h_1, float radius_1) {
+    bool local = false;
     float r = (radius_1 + h_1);
-    if ((dir.z >= 0.0)) {
-        return false;
+    float b_1 = (r * dir.z);
+    float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
+    if ((b_1 < 0.0)) {
+        float _e15 = excess_of(h_1, radius_1);
+        float _e17 = half_chord2_(b_1, _e15, (radius_1 - p_1), p_1);
+        local = (_e17 >= 0.0);
+    } else {
+        local = false;
     }
-    if ((h_1 <= thickness)) {
-        float b = (r * dir.z);
-        float _e13 = excess_of(h_1, radius_1);
-        return (((b * b) - _e13) >= 0.0);
-    }
-    return ((radius_1 - (r * length(dir.xy))) >= 0.0);
+    bool _e21 = local;
+    return _e21;
 }
 
 void main() {
@@ -78,25 +89,24 @@ void main() {
     vec3 dir_1 = normalize(_e4);
     float _e8 = _group_0_binding_0_fs.altitude;
     float _e12 = _group_0_binding_0_fs.medium.radius;
-    float _e16 = _group_0_binding_0_fs.medium.thickness;
-    bool _e17 = hits_planet(dir_1, _e8, _e12, _e16);
-    if (_e17) {
+    bool _e13 = hits_planet(dir_1, _e8, _e12);
+    if (_e13) {
         discard;
     }
     ivec2 size = ivec2(uvec2(textureSize(_group_0_binding_1_fs, 0).xy));
-    vec2 _e24 = _group_0_binding_0_fs.size;
-    vec2 at = (((position.xy / _e24) * vec2(size)) - vec2(0.5));
+    vec2 _e20 = _group_0_binding_0_fs.size;
+    vec2 at = (((position.xy / _e20) * vec2(size)) - vec2(0.5));
     ivec2 base = ivec2(floor(at));
     vec2 part = (at - floor(at));
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            int _e94 = y;
-            y = (_e94 + 1);
+            int _e90 = y;
+            y = (_e90 + 1);
         }
         loop_init = false;
-        int _e42 = y;
-        if ((_e42 <= 2)) {
+        int _e38 = y;
+        if ((_e38 <= 2)) {
         } else {
             break;
         }
@@ -105,35 +115,35 @@ void main() {
             bool loop_init_1 = true;
             while(true) {
                 if (!loop_init_1) {
-                    int _e91 = x;
-                    x = (_e91 + 1);
+                    int _e87 = x;
+                    x = (_e87 + 1);
                 }
                 loop_init_1 = false;
-                int _e47 = x;
-                if ((_e47 <= 2)) {
+                int _e43 = x;
+                if ((_e43 <= 2)) {
                 } else {
                     break;
                 }
                 {
-                    int _e51 = x;
-                    int _e52 = y;
-                    vec4 texel = texelFetch(_group_0_binding_1_fs, min(max((base + ivec2(_e51, _e52)), ivec2(0)), (size - ivec2(1))), 0);
-                    int _e63 = x;
-                    int _e65 = y;
-                    vec2 w = max((vec2(1.0) - abs((vec2(float(_e63), float(_e65)) - part))), vec2(0.0001));
+                    int _e47 = x;
+                    int _e48 = y;
+                    vec4 texel = texelFetch(_group_0_binding_1_fs, min(max((base + ivec2(_e47, _e48)), ivec2(0)), (size - ivec2(1))), 0);
+                    int _e59 = x;
+                    int _e61 = y;
+                    vec2 w = max((vec2(1.0) - abs((vec2(float(_e59), float(_e61)) - part))), vec2(0.0001));
                     if ((texel.w >= 0.0)) {
-                        vec4 _e79 = sum;
-                        sum = (_e79 + ((texel * w.x) * w.y));
-                        float _e85 = weight;
-                        weight = (_e85 + (w.x * w.y));
+                        vec4 _e75 = sum;
+                        sum = (_e75 + ((texel * w.x) * w.y));
+                        float _e81 = weight;
+                        weight = (_e81 + (w.x * w.y));
                     }
                 }
             }
         }
     }
-    vec4 _e96 = sum;
-    float _e97 = weight;
-    _fs2p_location0 = (_e96 / vec4(max(_e97, 1e-12)));
+    vec4 _e92 = sum;
+    float _e93 = weight;
+    _fs2p_location0 = (_e92 / vec4(max(_e93, 1e-12)));
     return;
 }
 

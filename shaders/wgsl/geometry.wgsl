@@ -14,15 +14,23 @@ fn excess_of(h: f32, radius: f32) -> f32 {
     return h * (2.0 * radius + h);
 }
 
+// Altitude, never negative, a distance t along a ray from r^2 - R^2 = x with r mu = b.
+fn altitude_after(x: f32, b: f32, t: f32, radius: f32) -> f32 {
+    return max(altitude_of(x + t * (2.0 * b + t), radius), 0.0);
+}
+
 // A view ray inside the atmosphere, from where it enters (or the camera) to where it ends.
 struct AirRay {
     start: f32,    // distance from the camera to the entry, 0 inside
     length: f32,   // distance from the entry to the ground or the top; negative if the ray misses the air
     x: f32,        // r^2 - R^2 at the entry
     b: f32,        // r mu at the entry
+    x_closest: f32, // r^2 - R^2 at the closest approach of the whole line, negative if that is underground
     sun_b: f32,    // r times the cosine of the sun's zenith angle at the entry
     nu: f32,       // cosine of the angle between ray and sun
     cross2: f32,   // squared sine of that angle
+    shadow_b: f32, // at the entry: position times direction, both without their parts along the sun
+    shadow_c: f32, // squared distance of the entry from the planet's axis towards the sun, less R^2
     ground: bool,  // the ray ends on the ground
 }
 
@@ -37,66 +45,121 @@ fn distance_to_top(x: f32, b: f32, x_top: f32) -> f32 {
     return root - b;
 }
 
+// Squared half of the chord that a line cuts from a sphere; negative if it passes by. b: r mu, above:
+// r^2 - sphere^2, depth: sphere - p with p the closest approach to the centre. b^2 - above keeps its digits
+// near the sphere, where p is next to r; the product keeps them far away, where b^2 and above are large and
+// nearly equal.
+fn half_chord2(b: f32, above: f32, depth: f32, p: f32) -> f32 {
+    let sphere = depth + p;
+    if abs(b) < sphere {
+        return b * b - above;
+    }
+    return depth * (sphere + p);
+}
+
+// What a ray has to do with the sun: see the fields of `AirRay`.
+struct SunSide {
+    sun_b: f32,
+    nu: f32,
+    cross2: f32,
+    shadow_b: f32,
+    shadow_c: f32,
+}
+
+// From a camera in the air at r = R + h, r^2 - R^2 = x.
+fn sun_side_inside(dir: vec3f, sun: vec3f, r: f32, x: f32, radius: f32) -> SunSide {
+    var s: SunSide;
+    s.nu = dot(dir, sun);
+    // Near the sun and opposite to it, products of both lose the digits that their difference keeps.
+    let side = cross(dir - select(-1.0, 1.0, s.nu >= 0.0) * sun, sun); // dir x sun
+    s.cross2 = dot(side, side);
+    s.sun_b = r * sun.z;
+    // (position x sun) . (direction x sun)
+    s.shadow_b = r * (sun.x * side.y - sun.y * side.x);
+    let q = r * length(sun.xy);
+    s.shadow_c = -half_chord2(s.sun_b, x, radius - q, q);
+    return s;
+}
+
+// From the entry, `half` before the closest approach of a ray from outside at distance r.
+fn sun_side_outside(dir: vec3f, sun: vec3f, r: f32, half: f32, x_top: f32, radius: f32) -> SunSide {
+    var s: SunSide;
+    s.nu = dot(dir, sun);
+    let same = select(-1.0, 1.0, s.nu >= 0.0);
+    let apart = dir - same * sun;
+    let side = cross(apart, sun); // dir x sun
+    s.cross2 = dot(side, side);
+    // Point of closest approach, r (z - mu dir), has the parts below; the entry is `half` before it.
+    let closest = vec3f(-dir.z * dir.xy, dot(dir.xy, dir.xy)) * r;
+    // closest . dir = 0, so closest . sun = closest . (sun - same dir).
+    s.sun_b = -same * dot(closest, apart) - half * s.nu;
+    let closest_side = cross(closest, sun);
+    s.shadow_b = dot(closest_side, side) - half * s.cross2;
+    let q = length(closest_side - half * side);
+    s.shadow_c = -half_chord2(s.sun_b, x_top, radius - q, q);
+    return s;
+}
+
 // The part of a ray inside the air. dir: unit, zenith frame; h: camera's altitude >= 0; sun: unit.
 fn air_ray(dir: vec3f, h: f32, radius: f32, thickness: f32, sun: vec3f) -> AirRay {
-    var ray: AirRay;
     let r = radius + h;
-    let side = cross(dir, sun);
-    ray.nu = dot(dir, sun);
-    ray.cross2 = dot(side, side);
-    ray.ground = false;
     let x_top = excess_of(thickness, radius);
+    let b = r * dir.z;
+    let p = r * sqrt(dot(dir.xy, dir.xy));
+    let ground2 = half_chord2(b, excess_of(h, radius), radius - p, p);
+    let ground = b < 0.0 && ground2 >= 0.0;
     if h <= thickness {
-        ray.start = 0.0;
-        ray.x = excess_of(h, radius);
-        ray.b = r * dir.z;
-        ray.sun_b = r * sun.z;
-        ray.length = distance_to_top(ray.x, ray.b, x_top);
-        let disc = ray.b * ray.b - ray.x;
-        if ray.b < 0.0 && disc >= 0.0 {
-            ray.ground = true;
-            ray.length = ray.x / (sqrt(disc) - ray.b);
-        }
-        return ray;
+        let x = excess_of(h, radius);
+        let s = sun_side_inside(dir, sun, r, x, radius);
+        let to_ground = x / (sqrt(max(ground2, 0.0)) - b);
+        let reach = select(distance_to_top(x, b, x_top), to_ground, ground);
+        return AirRay(0.0, reach, x, b, -ground2, s.sun_b, s.nu, s.cross2, s.shadow_b, s.shadow_c, ground);
     }
-    // From outside: everything follows from the closest approach p, which the horizontal part of dir
-    // gives without a difference of large numbers.
-    let horizontal2 = dot(dir.xy, dir.xy);
-    let p = r * sqrt(horizontal2);
-    let top = radius + thickness;
-    let top_disc = (top - p) * (top + p);
-    if dir.z >= 0.0 || top_disc <= 0.0 {
-        ray.length = -1.0;
-        return ray;
+    // From outside: the ray is moved to where it enters.
+    // Not from the rounded radius of the top, in which a thin shell is lost. Just above the top, where b is
+    // small, from the height above it.
+    let above = (h - thickness) * (r + radius + thickness);
+    let top2 = select(ground2 + x_top, b * b - above, b * b < x_top);
+    if b >= 0.0 || top2 <= 0.0 {
+        return AirRay(0.0, -1.0, 0.0, 0.0, -ground2, 0.0, dot(dir, sun), 0.0, 0.0, 0.0, false);
     }
-    let half = sqrt(top_disc);
+    let half = sqrt(top2);
     // Entry distance as c / q: (h - H)(r + T) / (-r mu + half).
-    ray.start = (h - thickness) * (r + top) / (half - r * dir.z);
-    ray.x = x_top;
-    ray.b = -half;
-    // Point of closest approach, r (z - mu dir), has the parts below; the entry is `half` before it.
-    let closest = vec3f(-dir.z * dir.xy, horizontal2) * r;
-    ray.sun_b = dot(closest, sun) - half * ray.nu;
-    ray.length = 2.0 * half;
-    let ground_disc = (radius - p) * (radius + p);
-    if ground_disc >= 0.0 {
-        ray.ground = true;
-        ray.length = x_top / (half + sqrt(ground_disc));
+    let start = above / (half - b);
+    let s = sun_side_outside(dir, sun, r, half, x_top, radius);
+    let reach = select(2.0 * half, x_top / (half + sqrt(max(ground2, 0.0))), ground);
+    return AirRay(start, reach, x_top, -half, -ground2, s.sun_b, s.nu, s.cross2, s.shadow_b, s.shadow_c, ground);
+}
+
+// The lowest point of a ray's first `length` km, from which altitudes along it are told: that is where the
+// air is dense, and from a far away entry its altitude would be a small difference of large numbers.
+struct Low {
+    t: f32,  // distance from the entry
+    x: f32,  // r^2 - R^2
+    b: f32,  // r mu, 0 at the closest approach
+}
+
+fn lowest(ray: AirRay, length: f32, radius: f32) -> Low {
+    if ray.b >= 0.0 {
+        return Low(0.0, ray.x, ray.b);
     }
-    return ray;
+    if -ray.b <= length {
+        return Low(-ray.b, ray.x_closest, 0.0);
+    }
+    let b = ray.b + length;
+    if ray.ground && length >= ray.length {
+        return Low(length, 0.0, b);
+    }
+    let far = -ray.b * length > radius * radius;
+    return Low(length, select(ray.x + length * (2.0 * ray.b + length), ray.x_closest + b * b, far), b);
 }
 
 // Whether a camera ray meets the planet's surface. Same decision as air_ray, cheaper.
-fn hits_planet(dir: vec3f, h: f32, radius: f32, thickness: f32) -> bool {
+fn hits_planet(dir: vec3f, h: f32, radius: f32) -> bool {
     let r = radius + h;
-    if dir.z >= 0.0 {
-        return false;
-    }
-    if h <= thickness {
-        let b = r * dir.z;
-        return b * b - excess_of(h, radius) >= 0.0;
-    }
-    return radius - r * length(dir.xy) >= 0.0;
+    let b = r * dir.z;
+    let p = r * sqrt(dot(dir.xy, dir.xy));
+    return b < 0.0 && half_chord2(b, excess_of(h, radius), radius - p, p) >= 0.0;
 }
 
 // The stretch of a ray that lies in the planet's shadow (a half cylinder behind it): begin and end
@@ -106,11 +169,11 @@ fn shadow_stretch(ray: AirRay) -> vec2f {
     let far = 1e30;
     // (r^2 - R^2) - (r cos(sun))^2 < 0 along the ray, a quadratic a t^2 + 2 b t + c < 0 ...
     let a = ray.cross2;
-    let b = ray.b - ray.sun_b * ray.nu;
-    let c = ray.x - ray.sun_b * ray.sun_b;
+    let b = ray.shadow_b;
+    let c = ray.shadow_c;
     var stretch = vec2f(-far, far);
     let disc = b * b - a * c;
-    if a > 1e-12 {
+    if a > 1e-30 {
         if disc <= 0.0 {
             return none;
         }
@@ -139,11 +202,13 @@ fn shadow_stretch(ray: AirRay) -> vec2f {
 
 // A ray from inside the air of which it is known whether it ends on the ground, whatever rounding says.
 fn inner_ray(dir: vec3f, h: f32, radius: f32, thickness: f32, sun: vec3f, ground: bool) -> AirRay {
-    let side = cross(dir, sun);
     let r = radius + h;
     let x = excess_of(h, radius);
     let b = r * dir.z;
-    let root = sqrt(max(b * b - x, 0.0));
-    let length = select(distance_to_top(x, b, excess_of(thickness, radius)), x / (root - b), ground && b < 0.0);
-    return AirRay(0.0, length, x, b, r * sun.z, dot(dir, sun), dot(side, side), ground);
+    let p = r * sqrt(dot(dir.xy, dir.xy));
+    let ground2 = half_chord2(b, x, radius - p, p);
+    let s = sun_side_inside(dir, sun, r, x, radius);
+    let to_ground = x / (sqrt(max(ground2, 0.0)) - b);
+    let reach = select(distance_to_top(x, b, excess_of(thickness, radius)), to_ground, ground && b < 0.0);
+    return AirRay(0.0, reach, x, b, -ground2, s.sun_b, s.nu, s.cross2, s.shadow_b, s.shadow_c, ground);
 }

@@ -27,9 +27,9 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     if ray.length <= 0.0 {
         return vec4f(vec3f(select(0.0, 1.0, a.kind >= AIR_BEAM)), 0.0);
     }
-    let low = clamp(-ray.b, 0.0, ray.length);
-    let u0 = unwarp(low, 0.0);
-    let du = (unwarp(low, ray.length) - u0) / f32(t.slices);
+    let low = lowest(ray, ray.length, m.radius);
+    let u0 = unwarp(low.t, 0.0);
+    let du = (unwarp(low.t, ray.length) - u0) / f32(t.slices);
     let from_ = u0 + du * f32(a.slice);
     var gas = vec3f(0.0);
     var aerosol = vec3f(0.0);

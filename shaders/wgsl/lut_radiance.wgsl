@@ -33,9 +33,9 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let nu = ray.nu;
     // Direct light: of the aerosol's phase function the part that is not counted as passing straight on.
     let gas = m.rayleigh * rayleigh_phase(nu);
-    let aerosol = m.mie_scattering * t.mie_moment0 * henyey_greenstein_phase(1.0 - nu, t.mie_asymmetry);
-    let low = clamp(-ray.b, 0.0, ray.length);
-    let g = gather(columns, moments, m, t, ray, low, unwarp(low, 0.0), unwarp(low, ray.length), gas, aerosol, true, true);
+    let aerosol = m.mie_scattering * t.mie_moment0 * henyey_greenstein_phase(1.0 - nu, 1.0 + nu, t.mie_asymmetry);
+    let low = lowest(ray, ray.length, m.radius);
+    let g = gather(columns, moments, m, t, ray, low, unwarp(low.t, 0.0), unwarp(low.t, ray.length), gas, aerosol, true, true);
     var radiance = g.radiance;
     if ray.ground {
         let sun_b = ray.sun_b + ray.nu * ray.length;

@@ -42,9 +42,9 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     } else {
         gas = m.rayleigh * rayleigh_phase(ray.nu);
     }
-    let low = clamp(-ray.b, 0.0, ray.length);
-    let u_end = unwarp(low, ray.length);
-    let g = gather(columns, moments, m, t, ray, low, unwarp(low, 0.0), u_end, gas, aerosol, true, !aerosol_half);
+    let low = lowest(ray, ray.length, m.radius);
+    let u_end = unwarp(low.t, ray.length);
+    let g = gather(columns, moments, m, t, ray, low, unwarp(low.t, 0.0), u_end, gas, aerosol, true, !aerosol_half);
     let grey = dot(exp(-extinction(m, g.columns)), vec3f(1.0 / 3.0));
     let scale = select(1.0, 1.0 / ray.length, ground);
     return vec4f(sqrt(sqrt(max(g.radiance, vec3f(0.0)) * scale)), grey);

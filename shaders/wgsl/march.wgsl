@@ -13,12 +13,13 @@ struct Gathered {
 // is scattered: the sun's, and what was scattered before.
 fn gather(
     columns: texture_2d<f32>, moments: texture_2d<f32>, medium: Medium, t: Tables, ray: AirRay,
-    low: f32, u_from: f32, u_to: f32, gas: vec3f, aerosol: vec3f, direct: bool, diffuse: bool,
+    lowest: Low, u_from: f32, u_to: f32, gas: vec3f, aerosol: vec3f, direct: bool, diffuse: bool,
 ) -> Gathered {
     var m = medium;
     m.mie_extinction = t.mie_extinction;
     var out = Gathered(vec3f(0.0), vec3f(1.0), vec3f(0.0));
     let shadow = shadow_stretch(ray);
+    let low = lowest.t;
     let du = (u_to - u_from) / f32(t.steps);
     var t0 = warp(low, u_from);
     for (var i = 0u; i < t.steps; i++) {
@@ -26,8 +27,7 @@ fn gather(
         let t1 = warp(low, u + du);
         let step = t1 - t0;
         let mid = warp(low, u + 0.5 * du);
-        let x = max(ray.x + mid * (2.0 * ray.b + mid), 0.0);
-        let h = altitude_of(x, m.radius);
+        let h = altitude_after(lowest.x, lowest.b, mid - low, m.radius);
         let d = densities(m, h);
         let tau = extinction(m, d) * step;
         let share = out.transmittance * mean_transmittance(tau);
@@ -42,7 +42,8 @@ fn gather(
                 let lit1 = select(t1, dark0, first);
                 lit_t = warp(low, 0.5 * (unwarp(low, lit0) + unwarp(low, lit1)));
             }
-            let lit_x = max(ray.x + lit_t * (2.0 * ray.b + lit_t), 0.0);
+            let past = lit_t - low;
+            let lit_x = max(lowest.x + past * (2.0 * lowest.b + past), 0.0);
             let lit_h = altitude_of(lit_x, m.radius);
             let lit_d = densities(m, lit_h);
             let path = columns_to_top(columns, m, lit_x, lit_h, ray.sun_b + ray.nu * lit_t);
@@ -51,7 +52,7 @@ fn gather(
         }
         if diffuse {
             let r = m.radius + h;
-            let mu = clamp((ray.b + mid) / r, -1.0, 1.0);
+            let mu = clamp((lowest.b + mid - low) / r, -1.0, 1.0);
             let mu_sun = clamp((ray.sun_b + ray.nu * mid) / r, -1.0, 1.0);
             out.radiance += share * step * diffuse_source(moments, m, t, d, h, mu, mu_sun, ray.nu);
         }

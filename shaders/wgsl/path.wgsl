@@ -24,7 +24,7 @@ fn path_densities(m: Medium, x: f32, b: f32, distance: f32, samples: u32) -> vec
         let u = u0 + du * f32(i);
         let t = warp(low, u + 0.5 * du);
         let t1 = warp(low, u + du);
-        let h = max(altitude_of(x + t * (2.0 * b + t), m.radius), 0.0);
+        let h = altitude_after(x, b, t, m.radius);
         sum += densities(m, h) * (t1 - t0);
         t0 = t1;
     }

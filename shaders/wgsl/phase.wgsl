@@ -7,14 +7,17 @@ fn rayleigh_phase(mu: f32) -> f32 {
     return 0.75 * INV_4PI * (1.0 + mu * mu);
 }
 
-// Henyey & Greenstein 1941, eq. 2, per channel. away = 1 - mu, given on its own because it is what
-// decides near the sun: 1 + g^2 - 2 g mu = (1 - g)^2 + 2 g away.
-fn henyey_greenstein_phase(away: f32, g: vec3f) -> vec3f {
-    let base = (1.0 - g) * (1.0 - g) + 2.0 * g * away;
+// Henyey & Greenstein 1941, eq. 2, per channel. away = 1 - mu and toward = 1 + mu, given on their own because
+// they decide at the peak: 1 + g^2 - 2 g mu = (1 - g)^2 + 2 g away = (1 + g)^2 - 2 g toward, of which the
+// first has no difference for g > 0 and the second none for g < 0.
+fn henyey_greenstein_phase(away: f32, toward: f32, g: vec3f) -> vec3f {
+    let rest = 1.0 - abs(g);
+    let base = rest * rest + 2.0 * abs(g) * select(vec3f(toward), vec3f(away), g >= vec3f(0.0));
     return INV_4PI * (1.0 - g * g) / (base * sqrt(base));
 }
 
 // Cornette & Shanks 1992, eq. 8.
-fn cornette_shanks_phase(mu: f32, away: f32, g: vec3f) -> vec3f {
-    return 1.5 * (1.0 + mu * mu) / (2.0 + g * g) * henyey_greenstein_phase(away, g);
+fn cornette_shanks_phase(away: f32, toward: f32, g: vec3f) -> vec3f {
+    let mu = 1.0 - away;
+    return 1.5 * (1.0 + mu * mu) / (2.0 + g * g) * henyey_greenstein_phase(away, toward, g);
 }

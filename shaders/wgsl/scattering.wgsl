@@ -21,17 +21,21 @@ fn single_scattering(m: Medium, ray: AirRay, length: f32, away: f32, view_sample
     var out: Scattered;
     out.radiance = vec3f(0.0);
     out.transmittance = vec3f(1.0);
-    let mu = 1.0 - away;
     //#if RAYLEIGH
-    let rayleigh = m.rayleigh * rayleigh_phase(mu);
+    let rayleigh = m.rayleigh * rayleigh_phase(1.0 - away);
+    //#endif
+    //#if MIE
+    // 1 + cos: the squared sine over 1 - cos, where that is the small one.
+    let toward = select(2.0 - away, ray.cross2 / max(away, 1.0), away > 1.0);
     //#endif
     //#if MIE_HG
-    let mie = m.mie_scattering * henyey_greenstein_phase(away, m.mie_asymmetry);
+    let mie = m.mie_scattering * henyey_greenstein_phase(away, toward, m.mie_asymmetry);
     //#endif
     //#if MIE_CS
-    let mie = m.mie_scattering * cornette_shanks_phase(mu, away, m.mie_asymmetry);
+    let mie = m.mie_scattering * cornette_shanks_phase(away, toward, m.mie_asymmetry);
     //#endif
-    let low = clamp(-ray.b, 0.0, length);
+    let lowest = lowest(ray, length, m.radius);
+    let low = lowest.t;
     let u0 = -sqrt(low);
     let du = (sqrt(length - low) - u0) / f32(view_samples);
     //#if SCATTER
@@ -43,7 +47,7 @@ fn single_scattering(m: Medium, ray: AirRay, length: f32, away: f32, view_sample
         let t1 = warp(low, u + du);
         let step = t1 - t0;
         let t = warp(low, u + 0.5 * du);
-        let h = max(altitude_of(ray.x + t * (2.0 * ray.b + t), m.radius), 0.0);
+        let h = altitude_after(lowest.x, lowest.b, t - low, m.radius);
         let tau = extinction(m, densities(m, h)) * step;
         //#if SCATTER
         // The part of the step that the sun reaches, and a point in its middle.
@@ -58,7 +62,7 @@ fn single_scattering(m: Medium, ray: AirRay, length: f32, away: f32, view_sample
                 let lit1 = select(t1, dark0, first);
                 lit_t = warp(low, 0.5 * (unwarp(low, lit0) + unwarp(low, lit1)));
             }
-            let x = ray.x + lit_t * (2.0 * ray.b + lit_t);
+            let x = lowest.x + (lit_t - low) * (2.0 * lowest.b + (lit_t - low));
             let d = densities(m, max(altitude_of(x, m.radius), 0.0));
             var source = vec3f(0.0);
             //#if RAYLEIGH

@@ -10,7 +10,7 @@
 fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let dir = normalize(pixel_ray(frame, position.xy));
     let m = frame.medium;
-    if hits_planet(dir, frame.altitude, m.radius, m.thickness) {
+    if hits_planet(dir, frame.altitude, m.radius) {
         if frame.low_resolution == 0u {
             discard;
         }

@@ -24,11 +24,15 @@ fn sky_light(sky: texture_2d<f32>, m: Medium, t: Tables, h: f32, dir: vec3f, ray
     let second = fourth * fourth;
     let aerosol = second * second;
     //#endif
+    //#if MIE
+    // 1 + cos: the squared sine over 1 - cos, where that is the small one.
+    let toward = select(2.0 - away, ray.cross2 / max(away, 1.0), away > 1.0);
+    //#endif
     //#if MIE_HG
-    out.aerosol = aerosol * henyey_greenstein_phase(away, m.mie_asymmetry) * scale;
+    out.aerosol = aerosol * henyey_greenstein_phase(away, toward, m.mie_asymmetry) * scale;
     //#endif
     //#if MIE_CS
-    out.aerosol = aerosol * cornette_shanks_phase(1.0 - away, away, m.mie_asymmetry) * scale;
+    out.aerosol = aerosol * cornette_shanks_phase(away, toward, m.mie_asymmetry) * scale;
     //#endif
     return out;
 }

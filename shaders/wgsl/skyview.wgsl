@@ -87,22 +87,16 @@ fn table_ray(azimuth: f32, share: f32, ground: bool, h: f32, m: Medium, sun: vec
     let sine = min(approach / r, 1.0);
     let down = -sqrt(max((x - c2), 0.0)) / r;
     let dir = vec3f(around * sine, down);
-    let side = cross(dir, sun);
-    var ray: AirRay;
-    ray.nu = dot(dir, sun);
-    ray.cross2 = dot(side, side);
-    ray.ground = ground;
-    ray.x = start_x;
-    ray.b = b;
-    ray.start = 0.0;
-    ray.sun_b = r * sun.z;
+    var s: SunSide;
+    var start = 0.0;
     if outside {
-        ray.start = (h - m.thickness) * (2.0 * m.radius + m.thickness + h) / (-b - r * down);
-        // Point of closest approach, r (z - dir.z dir), has the parts below; the entry is -b before it.
-        let closest = vec3f(-down * dir.xy, sine * sine) * r;
-        ray.sun_b = dot(closest, sun) + b * ray.nu;
+        start = (h - m.thickness) * (2.0 * m.radius + m.thickness + h) / (-b - r * down);
+        s = sun_side_outside(dir, sun, r, -b, x_top, m.radius);
+    } else {
+        s = sun_side_inside(dir, sun, r, x, m.radius);
     }
-    ray.length = select(-2.0 * b, start_x / (m.radius * mu - b), ground);
+    let reach = select(-2.0 * b, start_x / (m.radius * mu - b), ground);
+    let ray = AirRay(start, reach, start_x, b, c2, s.sun_b, s.nu, s.cross2, s.shadow_b, s.shadow_c, ground);
     return TableRay(dir, ray);
 }
 

@@ -9,7 +9,7 @@
 @fragment
 fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let dir = normalize(pixel_ray(frame, position.xy));
-    if hits_planet(dir, frame.altitude, frame.medium.radius, frame.medium.thickness) {
+    if hits_planet(dir, frame.altitude, frame.medium.radius) {
         discard;
     }
     let size = vec2i(textureDimensions(sky));

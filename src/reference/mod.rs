@@ -23,7 +23,7 @@ pub mod geometry;
 mod harmonics;
 mod medium;
 pub mod multiple;
-mod parallel;
+pub(crate) mod parallel;
 pub mod path;
 #[cfg(all(feature = "reference", not(target_arch = "wasm32")))]
 pub mod picture;

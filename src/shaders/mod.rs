@@ -12,6 +12,9 @@
 #[cfg(feature = "glow")]
 #[rustfmt::skip]
 mod generated;
+#[cfg(all(feature = "glow", feature = "probe"))]
+#[rustfmt::skip]
+mod generated_probe;
 #[cfg(feature = "translate")]
 pub mod translate;
 
@@ -167,6 +170,9 @@ pub enum Program {
     Terrain,
     /// A plain copy, `copy.wgsl`.
     Copy,
+    /// The library's functions on single cases, `probe.wgsl`; see [`crate::probe`].
+    #[cfg(feature = "probe")]
+    Probe(crate::probe::Probe),
 }
 
 /// Vertices of the terrain's one triangle strip; the constants are RINGS and SEGMENTS in `terrain.wgsl`.
@@ -192,6 +198,9 @@ impl Program {
             }
             all.push(Self::Sky { air, sun: true });
         }
+        // Last: what only they need is kept apart from what pictures need.
+        #[cfg(feature = "probe")]
+        all.extend(crate::probe::Probe::ALL.map(Self::Probe));
         all
     }
 
@@ -205,6 +214,8 @@ impl Program {
             }
             Self::LutScan { finish } => format!("lut_scan-{}", if finish { "finish" } else { "add" }),
             Self::ToneMap(t) => format!("tonemap-{}", t.name()),
+            #[cfg(feature = "probe")]
+            Self::Probe(p) => format!("probe-{}", p.name()),
             Self::LutSky { .. } | Self::LutAir { .. } => {
                 [self.module(), part("RAYLEIGH", "-rayleigh"), part("MIE", "-mie"), part("OZONE", "-ozone")].concat()
             }
@@ -238,6 +249,8 @@ impl Program {
             Self::ToneMap(_) => "tonemap",
             Self::Terrain => "terrain",
             Self::Copy => "copy",
+            #[cfg(feature = "probe")]
+            Self::Probe(_) => "probe",
         }
     }
 
@@ -265,6 +278,11 @@ impl Program {
                 Constituents { rayleigh: true, mie: Some(MiePhase::HenyeyGreenstein), ozone: true }.flags(&mut flags)
             }
             Self::Upsample | Self::Copy => {}
+            #[cfg(feature = "probe")]
+            Self::Probe(p) => {
+                Constituents { rayleigh: true, mie: Some(p.mie_phase()), ozone: true }.flags(&mut flags);
+                flags.push(p.flag());
+            }
         }
         flags
     }
@@ -289,6 +307,8 @@ impl Program {
             Self::LutRadiance | Self::LutSky { .. } | Self::LutAir { .. } => 2,
             Self::Aerial { blend, .. } => 2 - usize::from(blend),
             Self::AerialLut { blend, .. } => 5 - usize::from(blend),
+            #[cfg(feature = "probe")]
+            Self::Probe(_) => 1,
         }
     }
 
@@ -306,6 +326,8 @@ impl Program {
             | Self::LutAir { .. }
             | Self::LutScan { .. } => size_of::<lut::FrameTables>(),
             Self::Copy => 0,
+            #[cfg(feature = "probe")]
+            Self::Probe(_) => 0,
         }
     }
 
@@ -330,6 +352,10 @@ impl Program {
     #[cfg(feature = "glow")]
     pub(crate) fn glsl(self) -> Option<&'static Glsl> {
         let name = self.name();
+        #[cfg(feature = "probe")]
+        if matches!(self, Self::Probe(_)) {
+            return generated_probe::GLSL.iter().find(|g| g.name == name);
+        }
         generated::GLSL.iter().find(|g| g.name == name)
     }
 }
@@ -351,18 +377,29 @@ pub(crate) struct Glsl {
 impl Glsl {
     /// Text of the vertex shader.
     pub fn vertex(&self) -> String {
-        self.vertex.iter().map(|&i| generated::PARTS[usize::from(i)]).collect()
+        self.vertex.iter().map(|&i| part(i)).collect()
     }
 
     /// Text of the fragment shader.
     pub fn fragment(&self) -> String {
-        self.fragment.iter().map(|&i| generated::PARTS[usize::from(i)]).collect()
+        self.fragment.iter().map(|&i| part(i)).collect()
     }
 }
 
+/// A part of the generated table; the probe's own follow those of the pictures.
+#[cfg(feature = "glow")]
+fn part(index: u16) -> &'static str {
+    let index = usize::from(index);
+    #[cfg(feature = "probe")]
+    if let Some(own) = index.checked_sub(generated::PARTS.len()) {
+        return generated_probe::PARTS[own];
+    }
+    generated::PARTS[index]
+}
+
 macro_rules! modules {
-    ($($name:literal),* $(,)?) => {
-        &[$(($name, include_str!(concat!("../../shaders/wgsl/", $name, ".wgsl")))),*]
+    ($($(#[$on:meta])? $name:literal),* $(,)?) => {
+        &[$($(#[$on])? ($name, include_str!(concat!("../../shaders/wgsl/", $name, ".wgsl")))),*]
     };
 }
 
@@ -388,6 +425,8 @@ pub const MODULES: &[(&str, &str)] = modules![
     "noise",
     "path",
     "phase",
+    #[cfg(feature = "probe")]
+    "probe",
     "reach",
     "scattering",
     "sky",

@@ -77,14 +77,19 @@ fn stage(program: Program, stage: naga::ShaderStage, entry: &str) -> Result<(Str
     Ok((text, block, textures))
 }
 
-/// File name (below `shaders/glsl/`) and text of everything generated, and the Rust table last, whose name
-/// is `generated.rs` (below `src/shaders/`). Equal vertex shaders share a file. The table holds each
+/// File name (below `shaders/glsl/`) and text of everything generated, and the Rust tables last, whose names
+/// are `generated.rs` and, with what only the probe needs, `generated_probe.rs` (below `src/shaders/`). Equal vertex shaders share a file. The table holds each
 /// function once: variants differ in few of them, and all of them travel in the wasm module.
 pub fn generate() -> Result<Vec<(String, String)>> {
     let mut files: Vec<(String, String)> = Vec::new();
     let mut parts: Vec<String> = Vec::new();
     let mut rows = String::new();
+    // Where the probe's parts and rows begin.
+    let mut pictures = None;
     for program in Program::all() {
+        if matches!(program, Program::Probe(_)) {
+            pictures.get_or_insert((parts.len(), rows.len()));
+        }
         let t = translate(program)?;
         let own = format!("{}.vert", program.module());
         let vertex_file = if program == Program::Terrain { own } else { "fullscreen.vert".to_owned() };
@@ -112,16 +117,22 @@ pub fn generate() -> Result<Vec<(String, String)>> {
             t.name, t.blocks, t.textures,
         );
     }
+    let (part, row) = pictures.unwrap_or((parts.len(), rows.len()));
+    files.push(("generated.rs".to_owned(), table(&parts[..part], &rows[..row])));
+    files.push(("generated_probe.rs".to_owned(), table(&parts[part..], &rows[row..])));
+    Ok(files)
+}
+
+/// The Rust text of a table of parts and of the programs made of them.
+fn table(parts: &[String], rows: &str) -> String {
     let mut table = String::from(
         "// Made by `cargo run --features cli -- shaders` from shaders/wgsl/; do not edit.\n// Readable whole shaders are in shaders/glsl/.\n\n\
          use super::Glsl;\n\npub(super) static PARTS: &[&str] = &[\n",
     );
-    for part in &parts {
+    for part in parts {
         table += &format!("    {part:?},\n");
     }
-    table += &format!("];\n\npub(super) static GLSL: &[Glsl] = &[\n{rows}];\n");
-    files.push(("generated.rs".to_owned(), table));
-    Ok(files)
+    table + &format!("];\n\npub(super) static GLSL: &[Glsl] = &[\n{rows}];\n")
 }
 
 /// A shader's text cut behind every top-level closing brace.

@@ -69,6 +69,8 @@ pub enum Command {
     Radiance(RadianceArgs),
     /// Measure what accuracy costs in time, on every backend
     Accuracy(AccuracyArgs),
+    /// Run the shaders' functions on a million cases, against f64
+    Stress(StressArgs),
     /// List the backends and adapters that can draw here
     Info,
     /// Translate shaders/wgsl/ to shaders/glsl/ (for work on welkin itself)
@@ -131,10 +133,68 @@ impl Command {
             Self::Radiance(_) => "radiance",
             Self::Accuracy(_) => "accuracy",
             Self::Compare(_) => "compare",
+            Self::Stress(_) => "stress",
             Self::Info => "info",
             Self::Shaders { .. } => "shaders",
         }
     }
+}
+
+const STRESS_ABOUT: &str = "\
+Run the shaders' functions on a million cases, against f64
+
+Each case is a planet, its air, a camera, a ray and a sun: first a fixed grid of what breaks atmosphere code, then \
+random ones over everything that the library accepts. The shaders' own functions run on each of them, one pixel a \
+case, and every number that comes back must be finite, possible (no negative light, transmittance from 0 to 1) and \
+right: geometry within 1e-5 or 1 m (in proportion on planets smaller than the Earth), everything else within 0.1 % \
+or 1e-6 of the case's brightest value.";
+
+const STRESS_DETAILS: &str = "\
+The table, a line for each quantity:
+  tried       numbers that were judged
+  non-finite  NaN or infinite ones
+  steep       numbers that depend on digits of the inputs that 32-bit floats do not have, such as the length
+              of a ray that touches the planet; they must be right for some inputs within 2^-22 of the case's
+  worst       largest error of all others, over the true value (or over what counts as small beside it); a little
+              above the promise where the last digits of the inputs explain the rest
+  promise     what that may be
+  broken      wrong by more, not finite or impossible
+
+For the first case that breaks a promise, each quantity shows its number, its inputs, what came back and what
+f64 makes of it; then the plainest case that breaks it too. A case is the same on every machine, by its
+number and the seed.
+
+Examples:
+  welkin stress
+      A million cases on the backend that draws by default
+  welkin stress --cases 20000000 --seed 7 --backend webgl2
+      More of them, other random ones, the other backend
+  welkin stress --case 123456
+      That case alone: its inputs, and every number that breaks a promise
+
+Exit status: 0 every promise was kept; 1 one was broken, or a backend failed; 2 the request was not accepted.";
+
+/// Options of `welkin stress`.
+#[derive(Args, Debug)]
+#[command(long_about = STRESS_ABOUT, after_long_help = STRESS_DETAILS)]
+#[command(after_help = "What the table says, and examples: welkin stress --help")]
+pub struct StressArgs {
+    /// How many cases, 1 to 10^10
+    #[arg(long, value_name = "N", default_value = "1000000")]
+    #[arg(value_parser = clap::value_parser!(u64).range(1..=10_000_000_000))]
+    pub cases: u64,
+
+    /// Which random cases follow the grid
+    #[arg(long, value_name = "S", default_value = "1")]
+    pub seed: u64,
+
+    /// Only the case of this number
+    #[arg(long, value_name = "NUMBER", conflicts_with = "cases")]
+    pub case: Option<u64>,
+
+    /// What runs the shaders; the CPU cannot
+    #[arg(long, value_name = "NAME", default_value = "auto")]
+    pub backend: BackendChoice,
 }
 
 const RENDER_ABOUT: &str = "\

@@ -13,6 +13,7 @@ mod radiance;
 mod render;
 mod shaders;
 mod sheet;
+mod stress;
 mod sun;
 mod views;
 
@@ -48,6 +49,7 @@ fn run(cli: Cli) -> anyhow::Result<()> {
         Command::Compare(args) => compare::run(&args),
         Command::Accuracy(args) => accuracy::run(&args),
         Command::Radiance(args) => radiance::run(&args),
+        Command::Stress(args) => stress::run(&args),
         Command::Info => info::run(),
         Command::Shaders { check, root } => shaders::run(&root, check),
     }

@@ -1,0 +1,287 @@
+#version 300 es
+
+precision highp float;
+precision highp int;
+
+struct Medium {
+    vec3 rayleigh;
+    float rayleigh_inv_height;
+    vec3 mie_scattering;
+    float mie_inv_height;
+    vec3 mie_extinction;
+    float ozone_center;
+    vec3 mie_asymmetry;
+    float ozone_inv_half_width;
+    vec3 ozone;
+    float radius;
+    vec3 irradiance;
+    float thickness;
+};
+struct AirRay {
+    float start;
+    float length_;
+    float x;
+    float b;
+    float x_closest;
+    float sun_b;
+    float nu;
+    float cross2_;
+    float shadow_b;
+    float shadow_c;
+    bool ground;
+};
+struct SunSide {
+    float sun_b;
+    float nu;
+    float cross2_;
+    float shadow_b;
+    float shadow_c;
+};
+struct Low {
+    float t;
+    float x;
+    float b;
+};
+const float INV_4PI = 0.07957747;
+const int CASE_TEXELS = 10;
+const int ANSWERS = 4;
+
+uniform highp sampler2D _group_0_binding_1_fs;
+
+layout(location = 0) out vec4 _fs2p_location0;
+
+float altitude_of(float x, float radius) {
+    return (x / (radius + sqrt(max(((radius * radius) + x), 0.0))));
+}
+
+float excess_of(float h, float radius_1) {
+    return (h * ((2.0 * radius_1) + h));
+}
+
+float altitude_after(float x_1, float b, float t, float radius_2) {
+    float _e9 = altitude_of((x_1 + (t * ((2.0 * b) + t))), radius_2);
+    return max(_e9, 0.0);
+}
+
+float distance_to_top(float x_2, float b_1, float x_top) {
+    float c = max((x_top - x_2), 0.0);
+    float root = sqrt(((b_1 * b_1) + c));
+    if ((b_1 > 0.0)) {
+        return (c / (b_1 + root));
+    }
+    return (root - b_1);
+}
+
+float half_chord2_(float b_2, float above, float depth, float p) {
+    float sphere = (depth + p);
+    if ((abs(b_2) < sphere)) {
+        return ((b_2 * b_2) - above);
+    }
+    return (depth * (sphere + p));
+}
+
+SunSide sun_side_inside(vec3 dir, vec3 sun, float r, float x_3, float radius_3) {
+    SunSide s = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
+    s.nu = dot(dir, sun);
+    float _e9 = s.nu;
+    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    s.cross2_ = dot(side, side);
+    s.sun_b = (r * sun.z);
+    s.shadow_b = (r * ((sun.x * side.y) - (sun.y * side.x)));
+    float q = (r * length(sun.xy));
+    float _e37 = s.sun_b;
+    float _e39 = half_chord2_(_e37, x_3, (radius_3 - q), q);
+    s.shadow_c = -(_e39);
+    SunSide _e41 = s;
+    return _e41;
+}
+
+SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_1, float half_, float x_top_1, float radius_4) {
+    SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
+    s_1.nu = dot(dir_1, sun_1);
+    float _e10 = s_1.nu;
+    float same = ((_e10 >= 0.0) ? 1.0 : -1.0);
+    vec3 apart = (dir_1 - (same * sun_1));
+    vec3 side_1 = cross(apart, sun_1);
+    s_1.cross2_ = dot(side_1, side_1);
+    vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_1);
+    float _e35 = s_1.nu;
+    s_1.sun_b = ((-(same) * dot(closest, apart)) - (half_ * _e35));
+    vec3 closest_side = cross(closest, sun_1);
+    float _e42 = s_1.cross2_;
+    s_1.shadow_b = (dot(closest_side, side_1) - (half_ * _e42));
+    float q_1 = length((closest_side - (half_ * side_1)));
+    float _e50 = s_1.sun_b;
+    float _e52 = half_chord2_(_e50, x_top_1, (radius_4 - q_1), q_1);
+    s_1.shadow_c = -(_e52);
+    SunSide _e54 = s_1;
+    return _e54;
+}
+
+AirRay air_ray(vec3 dir_2, float h_1, float radius_5, float thickness, vec3 sun_2) {
+    bool local = false;
+    bool local_1 = false;
+    float r_2 = (radius_5 + h_1);
+    float _e6 = excess_of(thickness, radius_5);
+    float b_3 = (r_2 * dir_2.z);
+    float p_1 = (r_2 * sqrt(dot(dir_2.xy, dir_2.xy)));
+    float _e14 = excess_of(h_1, radius_5);
+    float _e16 = half_chord2_(b_3, _e14, (radius_5 - p_1), p_1);
+    if ((b_3 < 0.0)) {
+        local = (_e16 >= 0.0);
+    } else {
+        local = false;
+    }
+    bool ground = local;
+    if ((h_1 <= thickness)) {
+        float _e26 = excess_of(h_1, radius_5);
+        SunSide _e27 = sun_side_inside(dir_2, sun_2, r_2, _e26, radius_5);
+        float to_ground = (_e26 / (sqrt(max(_e16, 0.0)) - b_3));
+        float _e33 = distance_to_top(_e26, b_3, _e6);
+        float reach = (ground ? to_ground : _e33);
+        return AirRay(0.0, reach, _e26, b_3, -(_e16), _e27.sun_b, _e27.nu, _e27.cross2_, _e27.shadow_b, _e27.shadow_c, ground);
+    }
+    float above_1 = ((h_1 - thickness) * ((r_2 + radius_5) + thickness));
+    float top2_ = (((b_3 * b_3) < _e6) ? ((b_3 * b_3) - above_1) : (_e16 + _e6));
+    if (!((b_3 >= 0.0))) {
+        local_1 = (top2_ <= 0.0);
+    } else {
+        local_1 = true;
+    }
+    bool _e61 = local_1;
+    if (_e61) {
+        return AirRay(0.0, -1.0, 0.0, 0.0, -(_e16), 0.0, dot(dir_2, sun_2), 0.0, 0.0, 0.0, false);
+    }
+    float half_1 = sqrt(top2_);
+    float start = (above_1 / (half_1 - b_3));
+    SunSide _e77 = sun_side_outside(dir_2, sun_2, r_2, half_1, _e6, radius_5);
+    float reach_1 = (ground ? (_e6 / (half_1 + sqrt(max(_e16, 0.0)))) : (2.0 * half_1));
+    return AirRay(start, reach_1, _e6, -(half_1), -(_e16), _e77.sun_b, _e77.nu, _e77.cross2_, _e77.shadow_b, _e77.shadow_c, ground);
+}
+
+Low lowest(AirRay ray, float length_, float radius_6) {
+    bool local_2 = false;
+    if ((ray.b >= 0.0)) {
+        return Low(0.0, ray.x, ray.b);
+    }
+    if ((-(ray.b) <= length_)) {
+        return Low(-(ray.b), ray.x_closest, 0.0);
+    }
+    float b_4 = (ray.b + length_);
+    if (ray.ground) {
+        local_2 = (length_ >= ray.length_);
+    } else {
+        local_2 = false;
+    }
+    bool _e26 = local_2;
+    if (_e26) {
+        return Low(length_, 0.0, b_4);
+    }
+    bool far = ((-(ray.b) * length_) > (radius_6 * radius_6));
+    return Low(length_, (far ? (ray.x_closest + (b_4 * b_4)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_4);
+}
+
+bool hits_planet(vec3 dir_3, float h_2, float radius_7) {
+    bool local_3 = false;
+    float r_3 = (radius_7 + h_2);
+    float b_5 = (r_3 * dir_3.z);
+    float p_2 = (r_3 * sqrt(dot(dir_3.xy, dir_3.xy)));
+    if ((b_5 < 0.0)) {
+        float _e15 = excess_of(h_2, radius_7);
+        float _e17 = half_chord2_(b_5, _e15, (radius_7 - p_2), p_2);
+        local_3 = (_e17 >= 0.0);
+    } else {
+        local_3 = false;
+    }
+    bool _e21 = local_3;
+    return _e21;
+}
+
+vec2 shadow_stretch(AirRay ray_1) {
+    vec2 stretch = vec2(0.0);
+    vec2 none = vec2(1.0, 0.0);
+    float a = ray_1.cross2_;
+    float b_6 = ray_1.shadow_b;
+    float c_1 = ray_1.shadow_c;
+    stretch = vec2(-(1e30), 1e30);
+    float disc = ((b_6 * b_6) - (a * c_1));
+    if ((a > 1e-30)) {
+        if ((disc <= 0.0)) {
+            return none;
+        }
+        float q_2 = -((b_6 + (((b_6 >= 0.0) ? 1.0 : -1.0) * sqrt(disc))));
+        float t0_ = (q_2 / a);
+        float t1_ = ((q_2 != 0.0) ? (c_1 / q_2) : t0_);
+        stretch = vec2(min(t0_, t1_), max(t0_, t1_));
+    } else {
+        if ((c_1 >= 0.0)) {
+            return none;
+        }
+    }
+    if ((abs(ray_1.nu) < 1e-12)) {
+        if ((ray_1.sun_b >= 0.0)) {
+            return none;
+        }
+    } else {
+        float t_1 = (-(ray_1.sun_b) / ray_1.nu);
+        if ((ray_1.nu > 0.0)) {
+            float _e53 = stretch.y;
+            stretch.y = min(_e53, t_1);
+        } else {
+            float _e57 = stretch.x;
+            stretch.x = max(_e57, t_1);
+        }
+    }
+    vec2 _e59 = stretch;
+    return _e59;
+}
+
+Medium medium_of(ivec2 first) {
+    vec4 a_1 = texelFetch(_group_0_binding_1_fs, first, 0);
+    vec4 b_7 = texelFetch(_group_0_binding_1_fs, (first + ivec2(1, 0)), 0);
+    vec4 c_2 = texelFetch(_group_0_binding_1_fs, (first + ivec2(2, 0)), 0);
+    vec4 d = texelFetch(_group_0_binding_1_fs, (first + ivec2(3, 0)), 0);
+    vec4 e = texelFetch(_group_0_binding_1_fs, (first + ivec2(4, 0)), 0);
+    vec4 f = texelFetch(_group_0_binding_1_fs, (first + ivec2(5, 0)), 0);
+    return Medium(a_1.xyz, a_1.w, b_7.xyz, b_7.w, c_2.xyz, c_2.w, d.xyz, d.w, e.xyz, e.w, f.xyz, f.w);
+}
+
+void main() {
+    vec4 position = gl_FragCoord;
+    ivec2 pixel = ivec2(position.xy);
+    int number = (pixel.x / ANSWERS);
+    int answer = (pixel.x - (number * ANSWERS));
+    ivec2 first_1 = ivec2((number * CASE_TEXELS), pixel.y);
+    Medium _e14 = medium_of(first_1);
+    vec4 view = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(6, 0)), 0);
+    vec4 light = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(7, 0)), 0);
+    vec4 path = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(8, 0)), 0);
+    vec4 angle = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(9, 0)), 0);
+    AirRay _e48 = air_ray(view.xyz, view.w, _e14.radius, _e14.thickness, light.xyz);
+    if ((answer == 0)) {
+        _fs2p_location0 = vec4(_e48.start, _e48.length_, _e48.x, _e48.b);
+        return;
+    }
+    if ((answer == 1)) {
+        _fs2p_location0 = vec4(_e48.sun_b, _e48.nu, _e48.cross2_, float(_e48.ground));
+        return;
+    }
+    if ((answer == 2)) {
+        float reach_2 = max(_e48.length_, 0.0);
+        vec2 _e69 = shadow_stretch(_e48);
+        vec2 shadow = clamp(_e69, vec2(0.0), vec2(reach_2));
+        bool _e77 = hits_planet(view.xyz, view.w, _e14.radius);
+        float hits = float(_e77);
+        Low _e80 = lowest(_e48, reach_2, _e14.radius);
+        float _e88 = altitude_after(_e80.x, _e80.b, ((light.w * reach_2) - _e80.t), _e14.radius);
+        _fs2p_location0 = vec4(_e88, hits, shadow);
+        return;
+    }
+    float _e92 = excess_of(view.w, _e14.radius);
+    float _e94 = altitude_of(_e92, _e14.radius);
+    float _e99 = excess_of(_e14.thickness, _e14.radius);
+    float _e100 = distance_to_top(path.x, path.y, _e99);
+    _fs2p_location0 = vec4(_e92, _e94, _e100, 0.0);
+    return;
+}
+

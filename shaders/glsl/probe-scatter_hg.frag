@@ -1,0 +1,436 @@
+#version 300 es
+
+precision highp float;
+precision highp int;
+
+struct Medium {
+    vec3 rayleigh;
+    float rayleigh_inv_height;
+    vec3 mie_scattering;
+    float mie_inv_height;
+    vec3 mie_extinction;
+    float ozone_center;
+    vec3 mie_asymmetry;
+    float ozone_inv_half_width;
+    vec3 ozone;
+    float radius;
+    vec3 irradiance;
+    float thickness;
+};
+struct AirRay {
+    float start;
+    float length_;
+    float x;
+    float b;
+    float x_closest;
+    float sun_b;
+    float nu;
+    float cross2_;
+    float shadow_b;
+    float shadow_c;
+    bool ground;
+};
+struct SunSide {
+    float sun_b;
+    float nu;
+    float cross2_;
+    float shadow_b;
+    float shadow_c;
+};
+struct Low {
+    float t;
+    float x;
+    float b;
+};
+struct Scattered {
+    vec3 radiance;
+    vec3 transmittance;
+};
+const float INV_4PI = 0.07957747;
+const int CASE_TEXELS = 10;
+const int ANSWERS = 2;
+
+uniform highp sampler2D _group_0_binding_1_fs;
+
+layout(location = 0) out vec4 _fs2p_location0;
+
+float altitude_of(float x, float radius) {
+    return (x / (radius + sqrt(max(((radius * radius) + x), 0.0))));
+}
+
+float excess_of(float h, float radius_1) {
+    return (h * ((2.0 * radius_1) + h));
+}
+
+float altitude_after(float x_1, float b, float t, float radius_2) {
+    float _e9 = altitude_of((x_1 + (t * ((2.0 * b) + t))), radius_2);
+    return max(_e9, 0.0);
+}
+
+float distance_to_top(float x_2, float b_1, float x_top) {
+    float c = max((x_top - x_2), 0.0);
+    float root = sqrt(((b_1 * b_1) + c));
+    if ((b_1 > 0.0)) {
+        return (c / (b_1 + root));
+    }
+    return (root - b_1);
+}
+
+float half_chord2_(float b_2, float above, float depth, float p) {
+    float sphere = (depth + p);
+    if ((abs(b_2) < sphere)) {
+        return ((b_2 * b_2) - above);
+    }
+    return (depth * (sphere + p));
+}
+
+SunSide sun_side_inside(vec3 dir, vec3 sun, float r, float x_3, float radius_3) {
+    SunSide s = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
+    s.nu = dot(dir, sun);
+    float _e9 = s.nu;
+    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    s.cross2_ = dot(side, side);
+    s.sun_b = (r * sun.z);
+    s.shadow_b = (r * ((sun.x * side.y) - (sun.y * side.x)));
+    float q = (r * length(sun.xy));
+    float _e37 = s.sun_b;
+    float _e39 = half_chord2_(_e37, x_3, (radius_3 - q), q);
+    s.shadow_c = -(_e39);
+    SunSide _e41 = s;
+    return _e41;
+}
+
+SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_1, float half_, float x_top_1, float radius_4) {
+    SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
+    s_1.nu = dot(dir_1, sun_1);
+    float _e10 = s_1.nu;
+    float same = ((_e10 >= 0.0) ? 1.0 : -1.0);
+    vec3 apart = (dir_1 - (same * sun_1));
+    vec3 side_1 = cross(apart, sun_1);
+    s_1.cross2_ = dot(side_1, side_1);
+    vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_1);
+    float _e35 = s_1.nu;
+    s_1.sun_b = ((-(same) * dot(closest, apart)) - (half_ * _e35));
+    vec3 closest_side = cross(closest, sun_1);
+    float _e42 = s_1.cross2_;
+    s_1.shadow_b = (dot(closest_side, side_1) - (half_ * _e42));
+    float q_1 = length((closest_side - (half_ * side_1)));
+    float _e50 = s_1.sun_b;
+    float _e52 = half_chord2_(_e50, x_top_1, (radius_4 - q_1), q_1);
+    s_1.shadow_c = -(_e52);
+    SunSide _e54 = s_1;
+    return _e54;
+}
+
+AirRay air_ray(vec3 dir_2, float h_1, float radius_5, float thickness, vec3 sun_2) {
+    bool local = false;
+    bool local_1 = false;
+    float r_2 = (radius_5 + h_1);
+    float _e6 = excess_of(thickness, radius_5);
+    float b_4 = (r_2 * dir_2.z);
+    float p_1 = (r_2 * sqrt(dot(dir_2.xy, dir_2.xy)));
+    float _e14 = excess_of(h_1, radius_5);
+    float _e16 = half_chord2_(b_4, _e14, (radius_5 - p_1), p_1);
+    if ((b_4 < 0.0)) {
+        local = (_e16 >= 0.0);
+    } else {
+        local = false;
+    }
+    bool ground = local;
+    if ((h_1 <= thickness)) {
+        float _e26 = excess_of(h_1, radius_5);
+        SunSide _e27 = sun_side_inside(dir_2, sun_2, r_2, _e26, radius_5);
+        float to_ground = (_e26 / (sqrt(max(_e16, 0.0)) - b_4));
+        float _e33 = distance_to_top(_e26, b_4, _e6);
+        float reach = (ground ? to_ground : _e33);
+        return AirRay(0.0, reach, _e26, b_4, -(_e16), _e27.sun_b, _e27.nu, _e27.cross2_, _e27.shadow_b, _e27.shadow_c, ground);
+    }
+    float above_1 = ((h_1 - thickness) * ((r_2 + radius_5) + thickness));
+    float top2_ = (((b_4 * b_4) < _e6) ? ((b_4 * b_4) - above_1) : (_e16 + _e6));
+    if (!((b_4 >= 0.0))) {
+        local_1 = (top2_ <= 0.0);
+    } else {
+        local_1 = true;
+    }
+    bool _e61 = local_1;
+    if (_e61) {
+        return AirRay(0.0, -1.0, 0.0, 0.0, -(_e16), 0.0, dot(dir_2, sun_2), 0.0, 0.0, 0.0, false);
+    }
+    float half_1 = sqrt(top2_);
+    float start = (above_1 / (half_1 - b_4));
+    SunSide _e77 = sun_side_outside(dir_2, sun_2, r_2, half_1, _e6, radius_5);
+    float reach_1 = (ground ? (_e6 / (half_1 + sqrt(max(_e16, 0.0)))) : (2.0 * half_1));
+    return AirRay(start, reach_1, _e6, -(half_1), -(_e16), _e77.sun_b, _e77.nu, _e77.cross2_, _e77.shadow_b, _e77.shadow_c, ground);
+}
+
+Low lowest(AirRay ray, float length_, float radius_6) {
+    bool local_2 = false;
+    if ((ray.b >= 0.0)) {
+        return Low(0.0, ray.x, ray.b);
+    }
+    if ((-(ray.b) <= length_)) {
+        return Low(-(ray.b), ray.x_closest, 0.0);
+    }
+    float b_5 = (ray.b + length_);
+    if (ray.ground) {
+        local_2 = (length_ >= ray.length_);
+    } else {
+        local_2 = false;
+    }
+    bool _e26 = local_2;
+    if (_e26) {
+        return Low(length_, 0.0, b_5);
+    }
+    bool far = ((-(ray.b) * length_) > (radius_6 * radius_6));
+    return Low(length_, (far ? (ray.x_closest + (b_5 * b_5)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_5);
+}
+
+vec2 shadow_stretch(AirRay ray_1) {
+    vec2 stretch = vec2(0.0);
+    vec2 none = vec2(1.0, 0.0);
+    float a = ray_1.cross2_;
+    float b_6 = ray_1.shadow_b;
+    float c_1 = ray_1.shadow_c;
+    stretch = vec2(-(1e30), 1e30);
+    float disc = ((b_6 * b_6) - (a * c_1));
+    if ((a > 1e-30)) {
+        if ((disc <= 0.0)) {
+            return none;
+        }
+        float q_2 = -((b_6 + (((b_6 >= 0.0) ? 1.0 : -1.0) * sqrt(disc))));
+        float t0_2 = (q_2 / a);
+        float t1_ = ((q_2 != 0.0) ? (c_1 / q_2) : t0_2);
+        stretch = vec2(min(t0_2, t1_), max(t0_2, t1_));
+    } else {
+        if ((c_1 >= 0.0)) {
+            return none;
+        }
+    }
+    if ((abs(ray_1.nu) < 1e-12)) {
+        if ((ray_1.sun_b >= 0.0)) {
+            return none;
+        }
+    } else {
+        float t_2 = (-(ray_1.sun_b) / ray_1.nu);
+        if ((ray_1.nu > 0.0)) {
+            float _e53 = stretch.y;
+            stretch.y = min(_e53, t_2);
+        } else {
+            float _e57 = stretch.x;
+            stretch.x = max(_e57, t_2);
+        }
+    }
+    vec2 _e59 = stretch;
+    return _e59;
+}
+
+vec3 densities(Medium m, float h_2) {
+    vec3 d = vec3(0.0);
+    d.x = exp((-(h_2) * m.rayleigh_inv_height));
+    d.y = exp((-(h_2) * m.mie_inv_height));
+    d.z = max(0.0, (1.0 - (abs((h_2 - m.ozone_center)) * m.ozone_inv_half_width)));
+    vec3 _e25 = d;
+    return _e25;
+}
+
+vec3 extinction(Medium m_1, vec3 d_1) {
+    vec3 sum = vec3(0.0);
+    vec3 _e5 = sum;
+    sum = (_e5 + (m_1.rayleigh * d_1.x));
+    vec3 _e10 = sum;
+    sum = (_e10 + (m_1.mie_extinction * d_1.y));
+    vec3 _e15 = sum;
+    sum = (_e15 + (m_1.ozone * d_1.z));
+    vec3 _e20 = sum;
+    return _e20;
+}
+
+float warp(float low, float u) {
+    return (low + (u * abs(u)));
+}
+
+float unwarp(float low_1, float t_1) {
+    return (sign((t_1 - low_1)) * sqrt(abs((t_1 - low_1))));
+}
+
+vec3 path_densities(Medium m_2, float x_4, float b_3, float distance_, uint samples) {
+    vec3 sum_1 = vec3(0.0);
+    float t0_ = 0.0;
+    uint i = 0u;
+    float low_2 = clamp(-(b_3), 0.0, distance_);
+    float u0_ = -(sqrt(low_2));
+    float du = ((sqrt((distance_ - low_2)) - u0_) / float(samples));
+    bool loop_init = true;
+    while(true) {
+        if (!loop_init) {
+            uint _e43 = i;
+            i = (_e43 + 1u);
+        }
+        loop_init = false;
+        uint _e22 = i;
+        if ((_e22 < samples)) {
+        } else {
+            break;
+        }
+        {
+            uint _e24 = i;
+            float u_1 = (u0_ + (du * float(_e24)));
+            float _e31 = warp(low_2, (u_1 + (0.5 * du)));
+            float _e33 = warp(low_2, (u_1 + du));
+            float _e35 = altitude_after(x_4, b_3, _e31, m_2.radius);
+            vec3 _e36 = sum_1;
+            vec3 _e37 = densities(m_2, _e35);
+            float _e38 = t0_;
+            sum_1 = (_e36 + (_e37 * (_e33 - _e38)));
+            t0_ = _e33;
+        }
+    }
+    vec3 _e45 = sum_1;
+    return _e45;
+}
+
+vec3 mean_transmittance(vec3 tau) {
+    vec3 series = (vec3(1.0) - (tau * (vec3(0.5) - (tau * 0.16666667))));
+    return mix(((vec3(1.0) - exp(-(tau))) / tau), series, lessThan(tau, vec3(0.01)));
+}
+
+float rayleigh_phase(float mu) {
+    return (0.0596831 * (1.0 + (mu * mu)));
+}
+
+vec3 henyey_greenstein_phase(float away, float toward, vec3 g) {
+    vec3 rest = (vec3(1.0) - abs(g));
+    vec3 base = ((rest * rest) + ((2.0 * abs(g)) * mix(vec3(toward), vec3(away), greaterThanEqual(g, vec3(0.0)))));
+    return ((INV_4PI * (vec3(1.0) - (g * g))) / (base * sqrt(base)));
+}
+
+vec3 sun_transmittance(Medium m_3, float x_5, float sun_b, uint samples_1) {
+    float _e6 = excess_of(m_3.thickness, m_3.radius);
+    float _e7 = distance_to_top(x_5, sun_b, _e6);
+    vec3 _e8 = path_densities(m_3, x_5, sun_b, _e7, samples_1);
+    vec3 _e9 = extinction(m_3, _e8);
+    return exp(-(_e9));
+}
+
+Scattered single_scattering(Medium m_4, AirRay ray_2, float length_1, float away_1, uint view_samples, uint light_samples) {
+    Scattered out_ = Scattered(vec3(0.0), vec3(0.0));
+    float t0_1 = 0.0;
+    uint i_1 = 0u;
+    float lit_t = 0.0;
+    vec3 source = vec3(0.0);
+    out_.radiance = vec3(0.0);
+    out_.transmittance = vec3(1.0);
+    float _e16 = rayleigh_phase((1.0 - away_1));
+    vec3 rayleigh = (m_4.rayleigh * _e16);
+    float toward_1 = ((away_1 > 1.0) ? (ray_2.cross2_ / max(away_1, 1.0)) : (2.0 - away_1));
+    vec3 _e29 = henyey_greenstein_phase(away_1, toward_1, m_4.mie_asymmetry);
+    vec3 mie = (m_4.mie_scattering * _e29);
+    Low _e32 = lowest(ray_2, length_1, m_4.radius);
+    float low_3 = _e32.t;
+    float u0_1 = -(sqrt(low_3));
+    float du_1 = ((sqrt((length_1 - low_3)) - u0_1) / float(view_samples));
+    vec2 _e41 = shadow_stretch(ray_2);
+    bool loop_init_1 = true;
+    while(true) {
+        if (!loop_init_1) {
+            uint _e151 = i_1;
+            i_1 = (_e151 + 1u);
+        }
+        loop_init_1 = false;
+        uint _e46 = i_1;
+        if ((_e46 < view_samples)) {
+        } else {
+            break;
+        }
+        {
+            uint _e48 = i_1;
+            float u_2 = (u0_1 + (du_1 * float(_e48)));
+            float _e53 = warp(low_3, (u_2 + du_1));
+            float _e54 = t0_1;
+            float step_ = (_e53 - _e54);
+            float _e59 = warp(low_3, (u_2 + (0.5 * du_1)));
+            float _e64 = altitude_after(_e32.x, _e32.b, (_e59 - low_3), m_4.radius);
+            vec3 _e65 = densities(m_4, _e64);
+            vec3 _e66 = extinction(m_4, _e65);
+            vec3 tau_1 = (_e66 * step_);
+            float _e69 = t0_1;
+            float dark0_ = clamp(_e41.x, _e69, _e53);
+            float _e72 = t0_1;
+            float dark1_ = clamp(_e41.y, _e72, _e53);
+            float dark = ((_e41.y > _e41.x) ? max((dark1_ - dark0_), 0.0) : 0.0);
+            if ((dark < step_)) {
+                lit_t = _e59;
+                if ((dark > 0.0)) {
+                    float _e86 = t0_1;
+                    bool first_1 = ((dark0_ - _e86) > (_e53 - dark1_));
+                    float _e90 = t0_1;
+                    float lit0_ = (first_1 ? _e90 : dark1_);
+                    float lit1_ = (first_1 ? dark0_ : _e53);
+                    float _e93 = unwarp(low_3, lit0_);
+                    float _e94 = unwarp(low_3, lit1_);
+                    float _e98 = warp(low_3, (0.5 * (_e93 + _e94)));
+                    lit_t = _e98;
+                }
+                float _e100 = lit_t;
+                float _e105 = lit_t;
+                float x_6 = (_e32.x + ((_e100 - low_3) * ((2.0 * _e32.b) + (_e105 - low_3))));
+                float _e111 = altitude_of(x_6, m_4.radius);
+                vec3 _e114 = densities(m_4, max(_e111, 0.0));
+                source = vec3(0.0);
+                vec3 _e118 = source;
+                source = (_e118 + (rayleigh * _e114.x));
+                vec3 _e122 = source;
+                source = (_e122 + (mie * _e114.y));
+                vec3 _e126 = source;
+                float _e129 = lit_t;
+                vec3 _e132 = sun_transmittance(m_4, x_6, (ray_2.sun_b + (ray_2.nu * _e129)), light_samples);
+                source = (_e126 * _e132);
+                vec3 _e135 = out_.radiance;
+                vec3 _e137 = out_.transmittance;
+                vec3 _e138 = mean_transmittance(tau_1);
+                vec3 _e140 = source;
+                out_.radiance = (_e135 + (((_e137 * _e138) * _e140) * (step_ - dark)));
+            }
+            vec3 _e146 = out_.transmittance;
+            out_.transmittance = (_e146 * exp(-(tau_1)));
+            t0_1 = _e53;
+        }
+    }
+    Scattered _e153 = out_;
+    return _e153;
+}
+
+Medium medium_of(ivec2 first) {
+    vec4 a_1 = texelFetch(_group_0_binding_1_fs, first, 0);
+    vec4 b_7 = texelFetch(_group_0_binding_1_fs, (first + ivec2(1, 0)), 0);
+    vec4 c_2 = texelFetch(_group_0_binding_1_fs, (first + ivec2(2, 0)), 0);
+    vec4 d_2 = texelFetch(_group_0_binding_1_fs, (first + ivec2(3, 0)), 0);
+    vec4 e = texelFetch(_group_0_binding_1_fs, (first + ivec2(4, 0)), 0);
+    vec4 f = texelFetch(_group_0_binding_1_fs, (first + ivec2(5, 0)), 0);
+    return Medium(a_1.xyz, a_1.w, b_7.xyz, b_7.w, c_2.xyz, c_2.w, d_2.xyz, d_2.w, e.xyz, e.w, f.xyz, f.w);
+}
+
+void main() {
+    vec4 position = gl_FragCoord;
+    ivec2 pixel = ivec2(position.xy);
+    int number = (pixel.x / ANSWERS);
+    int answer = (pixel.x - (number * ANSWERS));
+    ivec2 first_2 = ivec2((number * CASE_TEXELS), pixel.y);
+    Medium _e14 = medium_of(first_2);
+    vec4 view = texelFetch(_group_0_binding_1_fs, (first_2 + ivec2(6, 0)), 0);
+    vec4 light = texelFetch(_group_0_binding_1_fs, (first_2 + ivec2(7, 0)), 0);
+    vec4 path = texelFetch(_group_0_binding_1_fs, (first_2 + ivec2(8, 0)), 0);
+    vec4 angle = texelFetch(_group_0_binding_1_fs, (first_2 + ivec2(9, 0)), 0);
+    AirRay _e48 = air_ray(view.xyz, view.w, _e14.radius, _e14.thickness, light.xyz);
+    vec3 offset = (view.xyz - light.xyz);
+    float away_2 = (0.5 * dot(offset, offset));
+    float length_2 = (max(_e48.length_, 0.0) * light.w);
+    Scattered _e64 = single_scattering(_e14, _e48, length_2, away_2, uint(path.w), uint(angle.y));
+    if ((answer == 0)) {
+        _fs2p_location0 = vec4(_e64.radiance, length_2);
+        return;
+    }
+    _fs2p_location0 = vec4(_e64.transmittance, float(_e48.ground));
+    return;
+}
+

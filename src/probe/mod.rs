@@ -1,0 +1,206 @@
+//! The shaders' own functions, one case at a time, against f64 (feature `probe`).
+//!
+//! Tens of thousands of [`Case`]s go into a texture, one draw runs the library's WGSL on each of them, and
+//! [`judge()`] compares what comes back with the same quantity in f64. `welkin stress` does it a million
+//! times; `tests/probe.rs` does it on both backends.
+//!
+//! Both sides start from the same f32 numbers, so what differs is what the shader's arithmetic loses.
+//! [`Promise`] says what may be lost.
+
+mod cases;
+mod judge;
+mod shrink;
+mod truth;
+
+pub use cases::{Cases, describe, grid, grid_len, random};
+pub use judge::{Finding, Quantity, Row, Tally, judge};
+pub use shrink::shrink;
+pub use truth::{Promise, RESOLUTION};
+
+use crate::atmosphere::MiePhase;
+use crate::backend::{Backend, Format, Pass, ReadId, Target, TextureDesc, TextureId, Uniform};
+use crate::error::Result;
+use crate::passes::frame::MediumUniform;
+use crate::shaders::Program;
+
+/// Which functions a probe runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Probe {
+    /// Rays, spheres, altitudes and the planet's shadow.
+    Geometry,
+    /// Densities, extinction, phase functions and the mean transmittance of a step.
+    Medium,
+    /// Columns along a path and the transmittance to the sun.
+    Path,
+    /// Single scattering, with this aerosol phase function.
+    Scatter(MiePhase),
+}
+
+impl Probe {
+    /// All of them.
+    pub const ALL: [Self; 5] = [
+        Self::Geometry,
+        Self::Medium,
+        Self::Path,
+        Self::Scatter(MiePhase::HenyeyGreenstein),
+        Self::Scatter(MiePhase::CornetteShanks),
+    ];
+
+    /// Name in lower case.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Geometry => "geometry",
+            Self::Medium => "medium",
+            Self::Path => "path",
+            Self::Scatter(MiePhase::HenyeyGreenstein) => "scatter_hg",
+            Self::Scatter(MiePhase::CornetteShanks) => "scatter_cs",
+        }
+    }
+
+    pub(crate) fn flag(self) -> &'static str {
+        match self {
+            Self::Geometry => "PROBE_GEOMETRY",
+            Self::Medium => "PROBE_MEDIUM",
+            Self::Path => "PROBE_PATH",
+            Self::Scatter(_) => "PROBE_SCATTER",
+        }
+    }
+
+    pub(crate) fn mie_phase(self) -> MiePhase {
+        if let Self::Scatter(phase) = self { phase } else { MiePhase::HenyeyGreenstein }
+    }
+
+    /// Pixels that one case fills; `ANSWERS` in `probe.wgsl`.
+    pub fn answers(self) -> usize {
+        match self {
+            Self::Geometry => 4,
+            Self::Medium => 5,
+            Self::Path | Self::Scatter(_) => 2,
+        }
+    }
+}
+
+/// What a case's functions are given: kilometres, 1/km, unit vectors of the camera's zenith frame.
+/// [`Self::medium`] is the block that pictures are drawn with.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+pub struct Case {
+    /// Planet and air.
+    pub medium: MediumUniform,
+    /// Of the ray.
+    pub direction: [f32; 3],
+    /// Of the ray's origin, never negative.
+    pub altitude: f32,
+    /// Towards the sun.
+    pub sun: [f32; 3],
+    /// Share of the ray's way through the air that is asked about, 0 to 1.
+    pub fraction: f32,
+    /// r² − R² where a path begins.
+    pub path_x: f32,
+    /// r μ where a path begins.
+    pub path_b: f32,
+    /// Length of the path.
+    pub path_distance: f32,
+    /// Steps along it.
+    pub samples: f32,
+    /// 1 − cosine of a scattering angle.
+    pub away: f32,
+    /// Steps towards the sun.
+    pub light_samples: f32,
+    /// Fills the last texel.
+    pub unused: [f32; 2],
+}
+
+/// Texels of a case; `CASE_TEXELS` in `probe.wgsl`.
+const CASE_TEXELS: usize = size_of::<Case>() / 16;
+/// Cases in a row of the texture: it is then no wider than the 2048 texels that WebGL2 promises.
+const ROW: usize = 200;
+
+/// Most cases of one draw.
+pub const BATCH: usize = ROW * 200;
+
+/// A probe that was drawn and whose answers are on their way.
+#[derive(Debug)]
+pub struct Running {
+    probe: Probe,
+    count: usize,
+    textures: [TextureId; 2],
+    read: ReadId,
+}
+
+impl Running {
+    /// Draws a probe over at most [`BATCH`] cases. Nothing stays on the backend but the compiled program.
+    ///
+    /// # Errors
+    /// What the backend reports.
+    pub fn begin(backend: &mut dyn Backend, probe: Probe, cases: &[Case]) -> Result<Self> {
+        let cases = &cases[..cases.len().min(BATCH)];
+        let rows = cases.len().div_ceil(ROW).max(1);
+        let size = |texels: usize| (ROW.min(cases.len().max(1)) * texels) as u32;
+        let desc = |label, texels| TextureDesc::new(label, size(texels), rows as u32, Format::Rgba32Float);
+        let input = backend.create_texture(&desc("probe cases", CASE_TEXELS))?;
+        let output = backend.create_texture(&desc("probe answers", probe.answers()));
+        let output = output.inspect_err(|_| backend.destroy_texture(input))?;
+        let textures = [input, output];
+        let read = Self::draw(backend, probe, cases, textures).inspect_err(|_| {
+            for texture in textures {
+                backend.destroy_texture(texture);
+            }
+        })?;
+        Ok(Self { probe, count: cases.len(), textures, read })
+    }
+
+    fn draw(
+        backend: &mut dyn Backend,
+        probe: Probe,
+        cases: &[Case],
+        [input, output]: [TextureId; 2],
+    ) -> Result<ReadId> {
+        let desc = backend.texture(input);
+        let mut texels: Vec<f32> = bytemuck::cast_slice(cases).to_vec();
+        texels.resize(desc.map_or(0, |d| d.texels() * 4), 0.0);
+        backend.write_texture(input, &texels)?;
+        let mut pass = Pass {
+            label: "probe",
+            program: Some(backend.create_program(Program::Probe(probe))?),
+            textures: Default::default(),
+            uniform: Uniform::NONE,
+            target: Target::color(output),
+            depth: Default::default(),
+        };
+        pass.textures[0] = Some(input);
+        backend.run(&[pass])?;
+        backend.begin_read(output)
+    }
+
+    /// The answers once they are there, [`Probe::answers`] pixels a case; waits natively.
+    ///
+    /// # Errors
+    /// What the backend reports.
+    pub fn poll(&self, backend: &mut dyn Backend) -> Result<Option<Vec<[f32; 4]>>> {
+        let Some(texels) = backend.poll_read(self.read)? else { return Ok(None) };
+        for texture in self.textures {
+            backend.destroy_texture(texture);
+        }
+        let mut pixels: Vec<[f32; 4]> = texels.as_chunks().0.to_vec();
+        pixels.truncate(self.count * self.probe.answers());
+        Ok(Some(pixels))
+    }
+}
+
+/// [`Running::begin`] and [`Running::poll`] in one, for any number of cases, where waiting is possible.
+///
+/// # Errors
+/// What the backend reports.
+pub fn run(backend: &mut dyn Backend, probe: Probe, cases: &[Case]) -> Result<Vec<[f32; 4]>> {
+    let mut answers = Vec::with_capacity(cases.len() * probe.answers());
+    for batch in cases.chunks(BATCH) {
+        let running = Running::begin(backend, probe, batch)?;
+        let done = running.poll(backend)?;
+        answers.extend(done.ok_or_else(|| crate::Error::Unavailable {
+            backend: backend.info().backend,
+            reason: "this platform cannot wait for the GPU: poll instead".into(),
+        })?);
+    }
+    Ok(answers)
+}

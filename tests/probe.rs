@@ -1,0 +1,168 @@
+//! The shaders' functions, term by term, against f64: on both backends, from one body.
+#![cfg(feature = "probe")]
+
+mod common;
+
+use common::on_both;
+use welkin::backend::Backend;
+use welkin::passes::frame::MediumUniform;
+use welkin::probe::{self, BATCH, Case, Cases, Probe, Tally};
+use welkin::reference::single::{RayQuery, Tolerance, transmittance};
+use welkin::{AtmosphereParams, MiePhase, phase};
+
+/// The grid of hard cases, then random ones.
+const CASES: usize = 1_000_000;
+
+fn judged(backend: &mut dyn Backend, count: usize) -> Tally {
+    let mut tally = Tally::default();
+    let mut cases = Cases::new(1);
+    for batch in 0..count.div_ceil(BATCH) {
+        let list: Vec<Case> = cases.by_ref().take(BATCH.min(count - batch * BATCH)).collect();
+        let phase = [MiePhase::HenyeyGreenstein, MiePhase::CornetteShanks][batch % 2];
+        for which in [Probe::Geometry, Probe::Medium, Probe::Path, Probe::Scatter(phase)] {
+            let answers = probe::run(backend, which, &list).unwrap();
+            tally.add(probe::judge(which, batch * BATCH, &list, &answers));
+        }
+    }
+    tally
+}
+
+#[test]
+fn a_million_cases_keep_every_promise() {
+    on_both(|backend| {
+        let live = backend.live();
+        let tally = judged(backend, CASES);
+        // Textures are freed.
+        assert_eq!((live.textures, live.bind_groups), (backend.live().textures, backend.live().bind_groups));
+        for (quantity, row) in &tally.rows {
+            println!("{:<28} {:>8} worst {:.1e} broken {}", quantity.name(), row.tried, row.worst, row.broken);
+        }
+        for f in &tally.findings {
+            println!("{}: case {} got {} expected {}", f.quantity.name(), f.index, f.got, f.expected);
+            println!("{}", probe::describe(&f.case));
+        }
+        assert_eq!(tally.rows.len(), probe::Quantity::ALL.len(), "a quantity was never judged");
+        assert_eq!(tally.broken(), 0);
+    });
+}
+
+/// Within 0.1 %, or 1e-6 of the brightest value, or less than f32 holds.
+fn same(got: f32, want: f64, brightest: f64, what: &str) {
+    let error = (f64::from(got) - want).abs();
+    assert!(error <= (1e-3 * want).max(1e-6 * brightest).max(1e-30), "{what}: got {got}, reference {want}");
+}
+
+fn presets() -> Vec<AtmosphereParams> {
+    AtmosphereParams::PRESETS.iter().map(|name| AtmosphereParams::preset(name).unwrap()).collect()
+}
+
+#[test]
+fn densities_and_phases_are_the_reference_s() {
+    let mut list = Vec::new();
+    let aways = [0.0, 1e-12, 1e-7, 1e-4, 0.02, 0.3, 1.0, 1.7, 1.99, 2.0];
+    for params in presets() {
+        for asymmetry in [params.mie_asymmetry, [0.0, 0.5, -0.5], [0.999, -0.999, 0.76]] {
+            let params = AtmosphereParams { mie_asymmetry: asymmetry, ..params.clone() };
+            for altitude in [0.0, 1e-3, 1.7, 1000.0, 10e3, 24e3, 25e3, 26e3, 39.9e3, 80e3, 1e6] {
+                for away in aways {
+                    list.push((params.clone(), altitude, away));
+                }
+            }
+        }
+    }
+    let cases: Vec<_> = list
+        .iter()
+        .map(|(params, altitude, away)| Case {
+            medium: MediumUniform::new(params),
+            altitude: (altitude / 1000.0) as f32,
+            away: *away as f32,
+            path_distance: 10.0,
+            ..Case::default()
+        })
+        .collect();
+    on_both(|backend| {
+        let answers = probe::run(backend, Probe::Medium, &cases).unwrap();
+        for ((params, altitude, away), a) in list.iter().zip(answers.chunks_exact(5)) {
+            let cos = 1.0 - f64::from(*away as f32);
+            for (c, density) in params.densities(*altitude).into_iter().enumerate() {
+                same(a[0][c], density, 1.0, "density");
+            }
+            same(a[0][3], phase::rayleigh(cos), 0.1, "Rayleigh");
+            let extinction = params.extinction(*altitude).map(|e| e * 1000.0);
+            for c in 0..3 {
+                same(a[1][c], extinction[c], extinction[2].max(extinction[0]), "extinction");
+                let g = f64::from(params.mie_asymmetry[c] as f32);
+                let (hg, cs) = (phase::henyey_greenstein(cos, g), phase::cornette_shanks(cos, g));
+                same(a[2][c], hg, hg, "Henyey-Greenstein");
+                same(a[3][c], cs, cs, "Cornette-Shanks");
+                let tau = extinction[c] * 10.0;
+                let mean = if tau > 1e-9 { -(-tau).exp_m1() / tau } else { 1.0 };
+                same(a[4][c], mean, 1.0, "mean transmittance");
+            }
+        }
+    });
+}
+
+/// With so many steps the shader's rule is the integral.
+#[test]
+fn columns_with_many_steps_are_the_reference_s() {
+    const STEPS: f32 = 2048.0;
+    let mut list = Vec::new();
+    for params in presets() {
+        for altitude in [0.0, 1.7, 5e3, 40e3, 0.9 * params.thickness()] {
+            let r = params.planet_radius + altitude;
+            let dip = (params.planet_radius / r).acos();
+            for zenith in [0.0, 0.8, 1.4, 1.55, std::f64::consts::FRAC_PI_2, std::f64::consts::FRAC_PI_2 + 0.98 * dip] {
+                list.push((params.clone(), altitude, zenith));
+            }
+        }
+    }
+    // Each constituent's column is the optical depth of a medium that holds only it.
+    let only = |p: &AtmosphereParams, which: usize| {
+        let one = |i: usize, f: f64| if i == which { [f; 3] } else { [0.0; 3] };
+        AtmosphereParams {
+            rayleigh_scattering: one(0, 1e-6),
+            mie_scattering: one(1, 1e-6),
+            mie_absorption: [0.0; 3],
+            ozone_absorption: one(2, 1e-6),
+            ..p.clone()
+        }
+    };
+    let cases: Vec<_> = list
+        .iter()
+        .map(|(params, altitude, zenith)| {
+            let (radius, h) = (params.planet_radius / 1000.0, altitude / 1000.0);
+            let top = params.thickness() / 1000.0;
+            let (x, b) = (h * (2.0 * radius + h), (radius + h) * zenith.cos());
+            let c = top * (2.0 * radius + top) - x;
+            let root = (b * b + c).sqrt();
+            Case {
+                medium: MediumUniform::new(params),
+                path_x: x as f32,
+                path_b: b as f32,
+                path_distance: if b > 0.0 { c / (b + root) } else { root - b } as f32,
+                samples: STEPS,
+                ..Case::default()
+            }
+        })
+        .collect();
+    on_both(|backend| {
+        let answers = probe::run(backend, Probe::Path, &cases).unwrap();
+        for ((params, altitude, zenith), a) in list.iter().zip(answers.chunks_exact(2)) {
+            let query = RayQuery::new(*altitude, *zenith, 0.0, 0.0);
+            let depth = |which| {
+                let p = only(params, which);
+                welkin::reference::single::optical_depth(&p, &query, Tolerance::TRUTH).unwrap()[0] * 1e3
+            };
+            let columns = [0, 1, 2].map(depth);
+            let longest = columns.into_iter().fold(0.0, f64::max);
+            for c in 0..3 {
+                same(a[0][c], columns[c], longest, &format!("column {c} at {altitude} m, {zenith} rad"));
+            }
+            let through = transmittance(params, &query, Tolerance::TRUTH).unwrap();
+            for c in 0..3 {
+                same(a[1][c], through[c], 1.0, &format!("transmittance at {altitude} m, {zenith} rad"));
+            }
+        }
+    });
+}
