@@ -85,11 +85,6 @@ struct Corner {
     ivec2 high;
     vec2 part;
 };
-struct SkyLight {
-    vec3 even;
-    vec3 aerosol;
-    float grey;
-};
 struct Uniforms {
     Frame frame;
     Tables tables;
@@ -102,7 +97,6 @@ const float SH1_ = 0.48860252;
 const float SH20_ = 0.31539157;
 const float SH21_ = 1.0925485;
 const float SH22_ = 0.54627424;
-const int SKY_HALVES = 2;
 const float SQRT_HALF = 0.70710677;
 const float INV_4PI = 0.07957747;
 const int AIR_SMOOTH = 0;
@@ -120,6 +114,8 @@ uniform highp sampler2D _group_0_binding_2_fs;
 uniform highp sampler2D _group_0_binding_3_fs;
 
 uniform highp sampler2D _group_0_binding_4_fs;
+
+uniform highp sampler2D _group_0_binding_5_fs;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
@@ -151,10 +147,10 @@ float excess_of(float h, float radius_1) {
 }
 
 float distance_to_top(float x_1, float b, float x_top) {
-    float c_3 = max((x_top - x_1), 0.0);
-    float root = sqrt(((b * b) + c_3));
+    float c_4 = max((x_top - x_1), 0.0);
+    float root = sqrt(((b * b) + c_4));
     if ((b > 0.0)) {
-        return (c_3 / (b + root));
+        return (c_4 / (b + root));
     }
     return (root - b);
 }
@@ -288,9 +284,9 @@ vec3 columns_to_top(highp sampler2D table_1, Medium m_1, float x_3, float h_2, f
     float rho_top = sqrt(_e7);
     float _e12 = distance_to_top(x_3, b_2, _e7);
     float shortest = max((m_1.thickness - h_2), 0.0);
-    ivec2 size_2 = ivec2(uvec2(textureSize(table_1, 0).xy));
+    ivec2 size_3 = ivec2(uvec2(textureSize(table_1, 0).xy));
     vec2 share_1 = vec2(((_e12 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
-    Corner _e32 = corner((share_1 * vec2((size_2 - ivec2(1)))), size_2);
+    Corner _e32 = corner((share_1 * vec2((size_3 - ivec2(1)))), size_3);
     vec4 _e35 = bilinear(table_1, _e32, ivec2(0));
     return exp2(_e35.xyz);
 }
@@ -340,31 +336,29 @@ vec3 henyey_greenstein_phase(float away, float toward, vec3 g) {
     return ((INV_4PI * (vec3(1.0) - (g * g))) / (base * sqrt(base)));
 }
 
-SkyLight sky_light(highp sampler2D sky, Medium m_3, Tables t, float h_4, vec3 dir_5, AirRay ray_2, float away_1) {
-    Corner c_1 = Corner(ivec2(0), ivec2(0), vec2(0.0));
-    SkyLight out_ = SkyLight(vec3(0.0), vec3(0.0), 0.0);
-    ivec2 dims_1 = ivec2(uvec2(textureSize(sky, 0).xy));
-    ivec2 size_3 = ivec2((dims_1.x / SKY_HALVES), dims_1.y);
-    float _e14 = zenith_share(ray_2, dir_5, h_4, m_3);
-    float _e18 = sky_row(_e14, ray_2.ground, size_3.y, t.ground_rows);
-    float _e19 = azimuth_share(dir_5);
-    Corner _e26 = corner(vec2((_e19 * float((size_3.x - 1))), _e18), size_3);
-    c_1 = _e26;
-    Corner _e28 = c_1;
-    vec4 _e31 = bilinear(sky, _e28, ivec2(0));
-    float scale = (ray_2.ground ? ray_2.length_ : 1.0);
-    vec3 root_1 = (_e31.xyz * _e31.xyz);
-    out_ = SkyLight(((root_1 * root_1) * scale), vec3(0.0), _e31.w);
-    Corner _e46 = c_1;
-    vec4 _e50 = bilinear(sky, _e46, ivec2(size_3.x, 0));
-    vec3 fourth = _e50.xyz;
-    vec3 second = (fourth * fourth);
-    vec3 aerosol = (second * second);
-    float toward_1 = ((away_1 > 1.0) ? (ray_2.cross2_ / max(away_1, 1.0)) : (2.0 - away_1));
-    vec3 _e65 = henyey_greenstein_phase(away_1, toward_1, m_3.mie_asymmetry);
-    out_.aerosol = ((aerosol * _e65) * scale);
-    SkyLight _e68 = out_;
-    return _e68;
+vec3 fourth(vec3 v) {
+    vec3 square = (v * v);
+    return (square * square);
+}
+
+vec3 aerosol_light(highp sampler2D haze, Medium m_3, Corner c_1, vec3 dir_5, vec3 sun_3) {
+    vec3 apart_1 = (dir_5 - sun_3);
+    vec3 together = (dir_5 + sun_3);
+    float away_1 = (0.5 * dot(apart_1, apart_1));
+    float toward_1 = (0.5 * dot(together, together));
+    vec4 _e15 = bilinear(haze, c_1, ivec2(0));
+    vec3 _e17 = fourth(_e15.xyz);
+    vec3 _e19 = henyey_greenstein_phase(away_1, toward_1, m_3.mie_asymmetry);
+    return (_e17 * _e19);
+}
+
+Corner sky_corner(highp sampler2D sky, Medium m_4, Tables t, float h_4, vec3 dir_6, AirRay ray_2) {
+    ivec2 size_4 = ivec2(uvec2(textureSize(sky, 0).xy));
+    float _e8 = zenith_share(ray_2, dir_6, h_4, m_4);
+    float _e12 = sky_row(_e8, ray_2.ground, size_4.y, t.ground_rows);
+    float _e13 = azimuth_share(dir_6);
+    Corner _e20 = corner(vec2((_e13 * float((size_4.x - 1))), _e12), size_4);
+    return _e20;
 }
 
 float unwarp(float low, float t_1) {
@@ -385,6 +379,23 @@ vec3 air_between(highp sampler2D air, Tables t_2, Corner c_2, float at_1, int ki
     return mix(_e25, _e30.xyz, part);
 }
 
+vec3 air_through(highp sampler2D air_1, Tables t_3, Corner c_3, float at_2, ivec2 size_2) {
+    vec3 near_1 = vec3(1.0);
+    int slice_1 = min(max(int(floor(at_2)), -1), (int(t_3.slices) - 2));
+    ivec2 first = (ivec2(slice_1, AIR_THROUGH) * size_2);
+    if ((slice_1 >= 0)) {
+        vec4 _e27 = texelFetch(air_1, (first + ivec2(0, c_3.low.y)), 0);
+        vec4 _e35 = texelFetch(air_1, (first + ivec2(0, c_3.high.y)), 0);
+        near_1 = mix(_e27.xyz, _e35.xyz, c_3.part.y);
+    }
+    ivec2 next = (first + ivec2(size_2.x, 0));
+    vec4 _e50 = texelFetch(air_1, (next + ivec2(0, c_3.low.y)), 0);
+    vec4 _e58 = texelFetch(air_1, (next + ivec2(0, c_3.high.y)), 0);
+    vec3 far = mix(_e50.xyz, _e58.xyz, c_3.part.y);
+    vec3 _e63 = near_1;
+    return mix(_e63, far, (at_2 - float(slice_1)));
+}
+
 void main() {
     vec4 position = gl_FragCoord;
     float end = 0.0;
@@ -392,19 +403,20 @@ void main() {
     bool dims = true;
     bool local = false;
     vec3 light = vec3(0.0);
+    vec3 aerosol = vec3(0.0);
     vec3 through = vec3(1.0);
     bool local_1 = false;
     Frame f_3 = _group_0_binding_0_fs.frame;
-    Tables t_3 = _group_0_binding_0_fs.tables;
-    Medium m_4 = f_3.medium;
+    Tables t_4 = _group_0_binding_0_fs.tables;
+    Medium m_5 = f_3.medium;
     ivec2 pixel_1 = ivec2(position.xy);
     vec4 behind = vec4(0.0);
     vec3 _e13 = pixel_ray(f_3, position.xy);
     float ray_length_1 = length(_e13);
     vec4 _e17 = texelFetch(_group_0_binding_1_fs, pixel_1, 0);
     float _e19 = depth_distance(f_3, _e17.x, ray_length_1);
-    vec3 dir_6 = (_e13 / vec3(ray_length_1));
-    AirRay _e26 = air_ray(dir_6, f_3.altitude, m_4.radius, m_4.thickness, f_3.sun);
+    vec3 dir_7 = (_e13 / vec3(ray_length_1));
+    AirRay _e26 = air_ray(dir_7, f_3.altitude, m_5.radius, m_5.thickness, f_3.sun);
     end = _e26.length_;
     if ((_e19 >= 0.0)) {
         float _e35 = scene_reach(f_3, _e26, _e19);
@@ -428,53 +440,61 @@ void main() {
         _fs2p_location0 = behind;
         return;
     }
-    vec3 offset = (dir_6 - f_3.sun);
-    SkyLight _e60 = sky_light(_group_0_binding_2_fs, m_4, t_3, f_3.altitude, dir_6, _e26, (0.5 * dot(offset, offset)));
-    light = (_e60.even + _e60.aerosol);
+    Corner _e55 = sky_corner(_group_0_binding_2_fs, m_5, t_4, f_3.altitude, dir_7, _e26);
+    float scale = (_e26.ground ? _e26.length_ : 1.0);
+    vec4 _e63 = bilinear(_group_0_binding_2_fs, _e55, ivec2(0));
+    vec3 _e65 = fourth(_e63.xyz);
+    light = (_e65 * scale);
+    vec3 _e70 = aerosol_light(_group_0_binding_5_fs, m_5, _e55, dir_7, f_3.sun);
+    aerosol = (_e70 * scale);
     if (!(_e26.ground)) {
-        float _e72 = end;
-        local_1 = (_e72 >= _e26.length_);
+        float _e80 = end;
+        local_1 = (_e80 >= _e26.length_);
     } else {
         local_1 = false;
     }
-    bool _e76 = local_1;
-    if (_e76) {
-        bool _e77 = dims;
-        if (_e77) {
-            float _e82 = altitude_of(_e26.x, m_4.radius);
-            vec3 _e84 = columns_to_top(_group_0_binding_4_fs, m_4, _e26.x, _e82, _e26.b);
-            vec3 _e85 = extinction(m_4, _e84);
-            through = exp(-(_e85));
+    bool _e84 = local_1;
+    if (_e84) {
+        bool _e85 = dims;
+        if (_e85) {
+            float _e90 = altitude_of(_e26.x, m_5.radius);
+            vec3 _e92 = columns_to_top(_group_0_binding_4_fs, m_5, _e26.x, _e90, _e26.b);
+            vec3 _e93 = extinction(m_5, _e92);
+            through = exp(-(_e93));
         }
     } else {
-        ivec2 size_4 = (ivec2(uvec2(textureSize(_group_0_binding_3_fs, 0).xy)) / ivec2(int(t_3.slices), AIR_KINDS));
-        float _e97 = zenith_share(_e26, dir_6, f_3.altitude, m_4);
-        float _e101 = sky_row(_e97, _e26.ground, size_4.y, t_3.air_ground_rows);
-        float _e102 = azimuth_share(dir_6);
-        Corner _e109 = corner(vec2((_e102 * float((size_4.x - 1))), _e101), size_4);
+        ivec2 size_5 = (ivec2(uvec2(textureSize(_group_0_binding_3_fs, 0).xy)) / ivec2(int(t_4.slices), AIR_KINDS));
+        float _e105 = zenith_share(_e26, dir_7, f_3.altitude, m_5);
+        float _e109 = sky_row(_e105, _e26.ground, size_5.y, t_4.air_ground_rows);
+        float _e110 = azimuth_share(dir_7);
+        Corner _e117 = corner(vec2((_e110 * float((size_5.x - 1))), _e109), size_5);
         float low_3 = clamp(-(_e26.b), 0.0, _e26.length_);
-        float _e116 = unwarp(low_3, 0.0);
-        float _e117 = end;
-        float _e118 = unwarp(low_3, _e117);
-        float _e121 = unwarp(low_3, _e26.length_);
-        float at_2 = ((((_e118 - _e116) / (_e121 - _e116)) * float(t_3.slices)) - 1.0);
-        float _e129 = end;
-        if ((_e129 < _e26.length_)) {
-            vec3 _e136 = air_between(_group_0_binding_3_fs, t_3, _e109, at_2, AIR_SMOOTH, size_4, 0.0);
-            light = (_e60.even * _e136);
-            vec3 _e138 = light;
-            vec3 _e143 = air_between(_group_0_binding_3_fs, t_3, _e109, at_2, AIR_AEROSOL, size_4, 0.0);
-            light = (_e138 + (_e60.aerosol * _e143));
+        float _e124 = unwarp(low_3, 0.0);
+        float _e125 = end;
+        float _e126 = unwarp(low_3, _e125);
+        float _e129 = unwarp(low_3, _e26.length_);
+        float at_3 = ((((_e126 - _e124) / (_e129 - _e124)) * float(t_4.slices)) - 1.0);
+        float _e137 = end;
+        if ((_e137 < _e26.length_)) {
+            vec3 _e140 = light;
+            vec3 _e144 = air_between(_group_0_binding_3_fs, t_4, _e117, at_3, AIR_SMOOTH, size_5, 0.0);
+            light = (_e140 * _e144);
+            vec3 _e146 = aerosol;
+            vec3 _e150 = air_between(_group_0_binding_3_fs, t_4, _e117, at_3, AIR_AEROSOL, size_5, 0.0);
+            aerosol = (_e146 * _e150);
         }
-        vec3 _e149 = air_between(_group_0_binding_3_fs, t_3, _e109, at_2, AIR_THROUGH, size_4, 1.0);
-        through = _e149;
+        vec3 _e153 = air_through(_group_0_binding_3_fs, t_4, _e117, at_3, size_5);
+        through = _e153;
     }
-    vec3 _e150 = light;
-    float _e152 = weight;
-    light = (_e150 * (m_4.irradiance * _e152));
-    vec3 _e155 = light;
-    vec3 _e156 = through;
-    _fs2p_location0 = vec4(_e155, (1.0 - dot(_e156, vec3(0.33333334))));
+    vec3 _e154 = light;
+    vec3 _e155 = aerosol;
+    light = (_e154 + _e155);
+    vec3 _e157 = light;
+    float _e159 = weight;
+    light = (_e157 * (m_5.irradiance * _e159));
+    vec3 _e162 = light;
+    vec3 _e163 = through;
+    _fs2p_location0 = vec4(_e162, (1.0 - dot(_e163, vec3(0.33333334))));
     return;
 }
 

@@ -85,11 +85,6 @@ struct Corner {
     ivec2 high;
     vec2 part;
 };
-struct SkyLight {
-    vec3 even;
-    vec3 aerosol;
-    float grey;
-};
 struct Uniforms {
     Frame frame;
     Tables tables;
@@ -102,7 +97,6 @@ const float SH1_ = 0.48860252;
 const float SH20_ = 0.31539157;
 const float SH21_ = 1.0925485;
 const float SH22_ = 0.54627424;
-const int SKY_HALVES = 1;
 const float SQRT_HALF = 0.70710677;
 const float INV_4PI = 0.07957747;
 const int AIR_SMOOTH = 0;
@@ -288,9 +282,9 @@ vec3 columns_to_top(highp sampler2D table_1, Medium m_1, float x_3, float h_2, f
     float rho_top = sqrt(_e7);
     float _e12 = distance_to_top(x_3, b_2, _e7);
     float shortest = max((m_1.thickness - h_2), 0.0);
-    ivec2 size_2 = ivec2(uvec2(textureSize(table_1, 0).xy));
+    ivec2 size_3 = ivec2(uvec2(textureSize(table_1, 0).xy));
     vec2 share_1 = vec2(((_e12 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
-    Corner _e32 = corner((share_1 * vec2((size_2 - ivec2(1)))), size_2);
+    Corner _e32 = corner((share_1 * vec2((size_3 - ivec2(1)))), size_3);
     vec4 _e35 = bilinear(table_1, _e32, ivec2(0));
     return exp2(_e35.xyz);
 }
@@ -334,41 +328,53 @@ float sky_row(float share, bool ground, int rows, float ground_rows) {
     return (ground ? (share * (ground_rows - 1.0)) : (ground_rows + (share * ((float(rows) - ground_rows) - 1.0))));
 }
 
-SkyLight sky_light(highp sampler2D sky, Medium m_3, Tables t, float h_4, vec3 dir_5, AirRay ray_2, float away) {
-    Corner c_1 = Corner(ivec2(0), ivec2(0), vec2(0.0));
-    SkyLight out_ = SkyLight(vec3(0.0), vec3(0.0), 0.0);
-    ivec2 dims_1 = ivec2(uvec2(textureSize(sky, 0).xy));
-    ivec2 size_3 = ivec2((dims_1.x / SKY_HALVES), dims_1.y);
-    float _e14 = zenith_share(ray_2, dir_5, h_4, m_3);
-    float _e18 = sky_row(_e14, ray_2.ground, size_3.y, t.ground_rows);
-    float _e19 = azimuth_share(dir_5);
-    Corner _e26 = corner(vec2((_e19 * float((size_3.x - 1))), _e18), size_3);
-    c_1 = _e26;
-    Corner _e28 = c_1;
-    vec4 _e31 = bilinear(sky, _e28, ivec2(0));
-    float scale = (ray_2.ground ? ray_2.length_ : 1.0);
-    vec3 root_1 = (_e31.xyz * _e31.xyz);
-    out_ = SkyLight(((root_1 * root_1) * scale), vec3(0.0), _e31.w);
-    SkyLight _e46 = out_;
-    return _e46;
+vec3 fourth(vec3 v) {
+    vec3 square = (v * v);
+    return (square * square);
+}
+
+Corner sky_corner(highp sampler2D sky, Medium m_3, Tables t, float h_4, vec3 dir_5, AirRay ray_2) {
+    ivec2 size_4 = ivec2(uvec2(textureSize(sky, 0).xy));
+    float _e8 = zenith_share(ray_2, dir_5, h_4, m_3);
+    float _e12 = sky_row(_e8, ray_2.ground, size_4.y, t.ground_rows);
+    float _e13 = azimuth_share(dir_5);
+    Corner _e20 = corner(vec2((_e13 * float((size_4.x - 1))), _e12), size_4);
+    return _e20;
 }
 
 float unwarp(float low, float t_1) {
     return (sign((t_1 - low)) * sqrt(abs((t_1 - low))));
 }
 
-vec3 air_between(highp sampler2D air, Tables t_2, Corner c_2, float at_1, int kind, ivec2 size_1, float before) {
+vec3 air_between(highp sampler2D air, Tables t_2, Corner c_1, float at_1, int kind, ivec2 size_1, float before) {
     vec3 near = vec3(0.0);
     int slice = min(max(int(floor(at_1)), -1), (int(t_2.slices) - 2));
     float part = (at_1 - float(slice));
     near = vec3(before);
     if ((slice >= 0)) {
-        vec4 _e23 = bilinear(air, c_2, (ivec2(slice, kind) * size_1));
+        vec4 _e23 = bilinear(air, c_1, (ivec2(slice, kind) * size_1));
         near = _e23.xyz;
     }
     vec3 _e25 = near;
-    vec4 _e30 = bilinear(air, c_2, (ivec2((slice + 1), kind) * size_1));
+    vec4 _e30 = bilinear(air, c_1, (ivec2((slice + 1), kind) * size_1));
     return mix(_e25, _e30.xyz, part);
+}
+
+vec3 air_through(highp sampler2D air_1, Tables t_3, Corner c_2, float at_2, ivec2 size_2) {
+    vec3 near_1 = vec3(1.0);
+    int slice_1 = min(max(int(floor(at_2)), -1), (int(t_3.slices) - 2));
+    ivec2 first = (ivec2(slice_1, AIR_THROUGH) * size_2);
+    if ((slice_1 >= 0)) {
+        vec4 _e27 = texelFetch(air_1, (first + ivec2(0, c_2.low.y)), 0);
+        vec4 _e35 = texelFetch(air_1, (first + ivec2(0, c_2.high.y)), 0);
+        near_1 = mix(_e27.xyz, _e35.xyz, c_2.part.y);
+    }
+    ivec2 next = (first + ivec2(size_2.x, 0));
+    vec4 _e50 = texelFetch(air_1, (next + ivec2(0, c_2.low.y)), 0);
+    vec4 _e58 = texelFetch(air_1, (next + ivec2(0, c_2.high.y)), 0);
+    vec3 far = mix(_e50.xyz, _e58.xyz, c_2.part.y);
+    vec3 _e63 = near_1;
+    return mix(_e63, far, (at_2 - float(slice_1)));
 }
 
 void main() {
@@ -381,7 +387,7 @@ void main() {
     vec3 through = vec3(1.0);
     bool local_1 = false;
     Frame f_3 = _group_0_binding_0_fs.frame;
-    Tables t_3 = _group_0_binding_0_fs.tables;
+    Tables t_4 = _group_0_binding_0_fs.tables;
     Medium m_4 = f_3.medium;
     ivec2 pixel_1 = ivec2(position.xy);
     vec4 behind = vec4(0.0);
@@ -414,50 +420,53 @@ void main() {
         _fs2p_location0 = behind;
         return;
     }
-    vec3 offset = (dir_6 - f_3.sun);
-    SkyLight _e60 = sky_light(_group_0_binding_2_fs, m_4, t_3, f_3.altitude, dir_6, _e26, (0.5 * dot(offset, offset)));
-    light = (_e60.even + _e60.aerosol);
+    Corner _e55 = sky_corner(_group_0_binding_2_fs, m_4, t_4, f_3.altitude, dir_6, _e26);
+    float scale = (_e26.ground ? _e26.length_ : 1.0);
+    vec4 _e63 = bilinear(_group_0_binding_2_fs, _e55, ivec2(0));
+    vec3 _e65 = fourth(_e63.xyz);
+    light = (_e65 * scale);
     if (!(_e26.ground)) {
-        float _e72 = end;
-        local_1 = (_e72 >= _e26.length_);
+        float _e75 = end;
+        local_1 = (_e75 >= _e26.length_);
     } else {
         local_1 = false;
     }
-    bool _e76 = local_1;
-    if (_e76) {
-        bool _e77 = dims;
-        if (_e77) {
-            float _e82 = altitude_of(_e26.x, m_4.radius);
-            vec3 _e84 = columns_to_top(_group_0_binding_4_fs, m_4, _e26.x, _e82, _e26.b);
-            vec3 _e85 = extinction(m_4, _e84);
-            through = exp(-(_e85));
+    bool _e79 = local_1;
+    if (_e79) {
+        bool _e80 = dims;
+        if (_e80) {
+            float _e85 = altitude_of(_e26.x, m_4.radius);
+            vec3 _e87 = columns_to_top(_group_0_binding_4_fs, m_4, _e26.x, _e85, _e26.b);
+            vec3 _e88 = extinction(m_4, _e87);
+            through = exp(-(_e88));
         }
     } else {
-        ivec2 size_4 = (ivec2(uvec2(textureSize(_group_0_binding_3_fs, 0).xy)) / ivec2(int(t_3.slices), AIR_KINDS));
-        float _e97 = zenith_share(_e26, dir_6, f_3.altitude, m_4);
-        float _e101 = sky_row(_e97, _e26.ground, size_4.y, t_3.air_ground_rows);
-        float _e102 = azimuth_share(dir_6);
-        Corner _e109 = corner(vec2((_e102 * float((size_4.x - 1))), _e101), size_4);
+        ivec2 size_5 = (ivec2(uvec2(textureSize(_group_0_binding_3_fs, 0).xy)) / ivec2(int(t_4.slices), AIR_KINDS));
+        float _e100 = zenith_share(_e26, dir_6, f_3.altitude, m_4);
+        float _e104 = sky_row(_e100, _e26.ground, size_5.y, t_4.air_ground_rows);
+        float _e105 = azimuth_share(dir_6);
+        Corner _e112 = corner(vec2((_e105 * float((size_5.x - 1))), _e104), size_5);
         float low_3 = clamp(-(_e26.b), 0.0, _e26.length_);
-        float _e116 = unwarp(low_3, 0.0);
-        float _e117 = end;
-        float _e118 = unwarp(low_3, _e117);
-        float _e121 = unwarp(low_3, _e26.length_);
-        float at_2 = ((((_e118 - _e116) / (_e121 - _e116)) * float(t_3.slices)) - 1.0);
-        float _e129 = end;
-        if ((_e129 < _e26.length_)) {
-            vec3 _e136 = air_between(_group_0_binding_3_fs, t_3, _e109, at_2, AIR_SMOOTH, size_4, 0.0);
-            light = (_e60.even * _e136);
+        float _e119 = unwarp(low_3, 0.0);
+        float _e120 = end;
+        float _e121 = unwarp(low_3, _e120);
+        float _e124 = unwarp(low_3, _e26.length_);
+        float at_3 = ((((_e121 - _e119) / (_e124 - _e119)) * float(t_4.slices)) - 1.0);
+        float _e132 = end;
+        if ((_e132 < _e26.length_)) {
+            vec3 _e135 = light;
+            vec3 _e139 = air_between(_group_0_binding_3_fs, t_4, _e112, at_3, AIR_SMOOTH, size_5, 0.0);
+            light = (_e135 * _e139);
         }
-        vec3 _e141 = air_between(_group_0_binding_3_fs, t_3, _e109, at_2, AIR_THROUGH, size_4, 1.0);
-        through = _e141;
+        vec3 _e142 = air_through(_group_0_binding_3_fs, t_4, _e112, at_3, size_5);
+        through = _e142;
     }
-    vec3 _e142 = light;
-    float _e144 = weight;
-    light = (_e142 * (m_4.irradiance * _e144));
-    vec3 _e147 = light;
-    vec3 _e148 = through;
-    _fs2p_location0 = vec4(_e147, (1.0 - dot(_e148, vec3(0.33333334))));
+    vec3 _e143 = light;
+    float _e145 = weight;
+    light = (_e143 * (m_4.irradiance * _e145));
+    vec3 _e148 = light;
+    vec3 _e149 = through;
+    _fs2p_location0 = vec4(_e148, (1.0 - dot(_e149, vec3(0.33333334))));
     return;
 }
 

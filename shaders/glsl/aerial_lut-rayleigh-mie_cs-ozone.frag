@@ -85,11 +85,6 @@ struct Corner {
     ivec2 high;
     vec2 part;
 };
-struct SkyLight {
-    vec3 even;
-    vec3 aerosol;
-    float grey;
-};
 struct Uniforms {
     Frame frame;
     Tables tables;
@@ -102,7 +97,6 @@ const float SH1_ = 0.48860252;
 const float SH20_ = 0.31539157;
 const float SH21_ = 1.0925485;
 const float SH22_ = 0.54627424;
-const int SKY_HALVES = 2;
 const float SQRT_HALF = 0.70710677;
 const float INV_4PI = 0.07957747;
 const int AIR_SMOOTH = 0;
@@ -122,6 +116,8 @@ uniform highp sampler2D _group_0_binding_3_fs;
 uniform highp sampler2D _group_0_binding_4_fs;
 
 uniform highp sampler2D _group_0_binding_5_fs;
+
+uniform highp sampler2D _group_0_binding_6_fs;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
@@ -153,10 +149,10 @@ float excess_of(float h, float radius_1) {
 }
 
 float distance_to_top(float x_1, float b, float x_top) {
-    float c_3 = max((x_top - x_1), 0.0);
-    float root = sqrt(((b * b) + c_3));
+    float c_4 = max((x_top - x_1), 0.0);
+    float root = sqrt(((b * b) + c_4));
     if ((b > 0.0)) {
-        return (c_3 / (b + root));
+        return (c_4 / (b + root));
     }
     return (root - b);
 }
@@ -294,9 +290,9 @@ vec3 columns_to_top(highp sampler2D table_1, Medium m_1, float x_3, float h_2, f
     float rho_top = sqrt(_e7);
     float _e12 = distance_to_top(x_3, b_2, _e7);
     float shortest = max((m_1.thickness - h_2), 0.0);
-    ivec2 size_2 = ivec2(uvec2(textureSize(table_1, 0).xy));
+    ivec2 size_3 = ivec2(uvec2(textureSize(table_1, 0).xy));
     vec2 share_1 = vec2(((_e12 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
-    Corner _e32 = corner((share_1 * vec2((size_2 - ivec2(1)))), size_2);
+    Corner _e32 = corner((share_1 * vec2((size_3 - ivec2(1)))), size_3);
     vec4 _e35 = bilinear(table_1, _e32, ivec2(0));
     return exp2(_e35.xyz);
 }
@@ -352,31 +348,29 @@ vec3 cornette_shanks_phase(float away_1, float toward_1, vec3 g_1) {
     return ((vec3((1.5 * (1.0 + (mu_1 * mu_1)))) / (vec3(2.0) + (g_1 * g_1))) * _e16);
 }
 
-SkyLight sky_light(highp sampler2D sky, Medium m_3, Tables t, float h_4, vec3 dir_5, AirRay ray_2, float away_2) {
-    Corner c_1 = Corner(ivec2(0), ivec2(0), vec2(0.0));
-    SkyLight out_ = SkyLight(vec3(0.0), vec3(0.0), 0.0);
-    ivec2 dims_1 = ivec2(uvec2(textureSize(sky, 0).xy));
-    ivec2 size_3 = ivec2((dims_1.x / SKY_HALVES), dims_1.y);
-    float _e14 = zenith_share(ray_2, dir_5, h_4, m_3);
-    float _e18 = sky_row(_e14, ray_2.ground, size_3.y, t.ground_rows);
-    float _e19 = azimuth_share(dir_5);
-    Corner _e26 = corner(vec2((_e19 * float((size_3.x - 1))), _e18), size_3);
-    c_1 = _e26;
-    Corner _e28 = c_1;
-    vec4 _e31 = bilinear(sky, _e28, ivec2(0));
-    float scale = (ray_2.ground ? ray_2.length_ : 1.0);
-    vec3 root_1 = (_e31.xyz * _e31.xyz);
-    out_ = SkyLight(((root_1 * root_1) * scale), vec3(0.0), _e31.w);
-    Corner _e46 = c_1;
-    vec4 _e50 = bilinear(sky, _e46, ivec2(size_3.x, 0));
-    vec3 fourth = _e50.xyz;
-    vec3 second = (fourth * fourth);
-    vec3 aerosol = (second * second);
-    float toward_2 = ((away_2 > 1.0) ? (ray_2.cross2_ / max(away_2, 1.0)) : (2.0 - away_2));
-    vec3 _e65 = cornette_shanks_phase(away_2, toward_2, m_3.mie_asymmetry);
-    out_.aerosol = ((aerosol * _e65) * scale);
-    SkyLight _e68 = out_;
-    return _e68;
+vec3 fourth(vec3 v) {
+    vec3 square = (v * v);
+    return (square * square);
+}
+
+vec3 aerosol_light(highp sampler2D haze, Medium m_3, Corner c_1, vec3 dir_5, vec3 sun_3) {
+    vec3 apart_1 = (dir_5 - sun_3);
+    vec3 together = (dir_5 + sun_3);
+    float away_2 = (0.5 * dot(apart_1, apart_1));
+    float toward_2 = (0.5 * dot(together, together));
+    vec4 _e15 = bilinear(haze, c_1, ivec2(0));
+    vec3 _e17 = fourth(_e15.xyz);
+    vec3 _e19 = cornette_shanks_phase(away_2, toward_2, m_3.mie_asymmetry);
+    return (_e17 * _e19);
+}
+
+Corner sky_corner(highp sampler2D sky, Medium m_4, Tables t, float h_4, vec3 dir_6, AirRay ray_2) {
+    ivec2 size_4 = ivec2(uvec2(textureSize(sky, 0).xy));
+    float _e8 = zenith_share(ray_2, dir_6, h_4, m_4);
+    float _e12 = sky_row(_e8, ray_2.ground, size_4.y, t.ground_rows);
+    float _e13 = azimuth_share(dir_6);
+    Corner _e20 = corner(vec2((_e13 * float((size_4.x - 1))), _e12), size_4);
+    return _e20;
 }
 
 float unwarp(float low, float t_1) {
@@ -397,6 +391,23 @@ vec3 air_between(highp sampler2D air, Tables t_2, Corner c_2, float at_1, int ki
     return mix(_e25, _e30.xyz, part);
 }
 
+vec3 air_through(highp sampler2D air_1, Tables t_3, Corner c_3, float at_2, ivec2 size_2) {
+    vec3 near_1 = vec3(1.0);
+    int slice_1 = min(max(int(floor(at_2)), -1), (int(t_3.slices) - 2));
+    ivec2 first = (ivec2(slice_1, AIR_THROUGH) * size_2);
+    if ((slice_1 >= 0)) {
+        vec4 _e27 = texelFetch(air_1, (first + ivec2(0, c_3.low.y)), 0);
+        vec4 _e35 = texelFetch(air_1, (first + ivec2(0, c_3.high.y)), 0);
+        near_1 = mix(_e27.xyz, _e35.xyz, c_3.part.y);
+    }
+    ivec2 next = (first + ivec2(size_2.x, 0));
+    vec4 _e50 = texelFetch(air_1, (next + ivec2(0, c_3.low.y)), 0);
+    vec4 _e58 = texelFetch(air_1, (next + ivec2(0, c_3.high.y)), 0);
+    vec3 far = mix(_e50.xyz, _e58.xyz, c_3.part.y);
+    vec3 _e63 = near_1;
+    return mix(_e63, far, (at_2 - float(slice_1)));
+}
+
 void main() {
     vec4 position = gl_FragCoord;
     float end = 0.0;
@@ -404,19 +415,20 @@ void main() {
     bool dims = true;
     bool local = false;
     vec3 light = vec3(0.0);
+    vec3 aerosol = vec3(0.0);
     vec3 through = vec3(1.0);
     bool local_1 = false;
     Frame f_3 = _group_0_binding_0_fs.frame;
-    Tables t_3 = _group_0_binding_0_fs.tables;
-    Medium m_4 = f_3.medium;
+    Tables t_4 = _group_0_binding_0_fs.tables;
+    Medium m_5 = f_3.medium;
     ivec2 pixel_1 = ivec2(position.xy);
     vec4 behind = texelFetch(_group_0_binding_1_fs, pixel_1, 0);
     vec3 _e14 = pixel_ray(f_3, position.xy);
     float ray_length_1 = length(_e14);
     vec4 _e18 = texelFetch(_group_0_binding_2_fs, pixel_1, 0);
     float _e20 = depth_distance(f_3, _e18.x, ray_length_1);
-    vec3 dir_6 = (_e14 / vec3(ray_length_1));
-    AirRay _e27 = air_ray(dir_6, f_3.altitude, m_4.radius, m_4.thickness, f_3.sun);
+    vec3 dir_7 = (_e14 / vec3(ray_length_1));
+    AirRay _e27 = air_ray(dir_7, f_3.altitude, m_5.radius, m_5.thickness, f_3.sun);
     end = _e27.length_;
     if ((_e20 >= 0.0)) {
         float _e36 = scene_reach(f_3, _e27, _e20);
@@ -440,53 +452,61 @@ void main() {
         _fs2p_location0 = behind;
         return;
     }
-    vec3 offset = (dir_6 - f_3.sun);
-    SkyLight _e61 = sky_light(_group_0_binding_3_fs, m_4, t_3, f_3.altitude, dir_6, _e27, (0.5 * dot(offset, offset)));
-    light = (_e61.even + _e61.aerosol);
+    Corner _e56 = sky_corner(_group_0_binding_3_fs, m_5, t_4, f_3.altitude, dir_7, _e27);
+    float scale = (_e27.ground ? _e27.length_ : 1.0);
+    vec4 _e64 = bilinear(_group_0_binding_3_fs, _e56, ivec2(0));
+    vec3 _e66 = fourth(_e64.xyz);
+    light = (_e66 * scale);
+    vec3 _e71 = aerosol_light(_group_0_binding_6_fs, m_5, _e56, dir_7, f_3.sun);
+    aerosol = (_e71 * scale);
     if (!(_e27.ground)) {
-        float _e73 = end;
-        local_1 = (_e73 >= _e27.length_);
+        float _e81 = end;
+        local_1 = (_e81 >= _e27.length_);
     } else {
         local_1 = false;
     }
-    bool _e77 = local_1;
-    if (_e77) {
-        bool _e78 = dims;
-        if (_e78) {
-            float _e83 = altitude_of(_e27.x, m_4.radius);
-            vec3 _e85 = columns_to_top(_group_0_binding_5_fs, m_4, _e27.x, _e83, _e27.b);
-            vec3 _e86 = extinction(m_4, _e85);
-            through = exp(-(_e86));
+    bool _e85 = local_1;
+    if (_e85) {
+        bool _e86 = dims;
+        if (_e86) {
+            float _e91 = altitude_of(_e27.x, m_5.radius);
+            vec3 _e93 = columns_to_top(_group_0_binding_5_fs, m_5, _e27.x, _e91, _e27.b);
+            vec3 _e94 = extinction(m_5, _e93);
+            through = exp(-(_e94));
         }
     } else {
-        ivec2 size_4 = (ivec2(uvec2(textureSize(_group_0_binding_4_fs, 0).xy)) / ivec2(int(t_3.slices), AIR_KINDS));
-        float _e98 = zenith_share(_e27, dir_6, f_3.altitude, m_4);
-        float _e102 = sky_row(_e98, _e27.ground, size_4.y, t_3.air_ground_rows);
-        float _e103 = azimuth_share(dir_6);
-        Corner _e110 = corner(vec2((_e103 * float((size_4.x - 1))), _e102), size_4);
+        ivec2 size_5 = (ivec2(uvec2(textureSize(_group_0_binding_4_fs, 0).xy)) / ivec2(int(t_4.slices), AIR_KINDS));
+        float _e106 = zenith_share(_e27, dir_7, f_3.altitude, m_5);
+        float _e110 = sky_row(_e106, _e27.ground, size_5.y, t_4.air_ground_rows);
+        float _e111 = azimuth_share(dir_7);
+        Corner _e118 = corner(vec2((_e111 * float((size_5.x - 1))), _e110), size_5);
         float low_3 = clamp(-(_e27.b), 0.0, _e27.length_);
-        float _e117 = unwarp(low_3, 0.0);
-        float _e118 = end;
-        float _e119 = unwarp(low_3, _e118);
-        float _e122 = unwarp(low_3, _e27.length_);
-        float at_2 = ((((_e119 - _e117) / (_e122 - _e117)) * float(t_3.slices)) - 1.0);
-        float _e130 = end;
-        if ((_e130 < _e27.length_)) {
-            vec3 _e137 = air_between(_group_0_binding_4_fs, t_3, _e110, at_2, AIR_SMOOTH, size_4, 0.0);
-            light = (_e61.even * _e137);
-            vec3 _e139 = light;
-            vec3 _e144 = air_between(_group_0_binding_4_fs, t_3, _e110, at_2, AIR_AEROSOL, size_4, 0.0);
-            light = (_e139 + (_e61.aerosol * _e144));
+        float _e125 = unwarp(low_3, 0.0);
+        float _e126 = end;
+        float _e127 = unwarp(low_3, _e126);
+        float _e130 = unwarp(low_3, _e27.length_);
+        float at_3 = ((((_e127 - _e125) / (_e130 - _e125)) * float(t_4.slices)) - 1.0);
+        float _e138 = end;
+        if ((_e138 < _e27.length_)) {
+            vec3 _e141 = light;
+            vec3 _e145 = air_between(_group_0_binding_4_fs, t_4, _e118, at_3, AIR_SMOOTH, size_5, 0.0);
+            light = (_e141 * _e145);
+            vec3 _e147 = aerosol;
+            vec3 _e151 = air_between(_group_0_binding_4_fs, t_4, _e118, at_3, AIR_AEROSOL, size_5, 0.0);
+            aerosol = (_e147 * _e151);
         }
-        vec3 _e150 = air_between(_group_0_binding_4_fs, t_3, _e110, at_2, AIR_THROUGH, size_4, 1.0);
-        through = _e150;
+        vec3 _e154 = air_through(_group_0_binding_4_fs, t_4, _e118, at_3, size_5);
+        through = _e154;
     }
-    vec3 _e151 = light;
-    float _e153 = weight;
-    light = (_e151 * (m_4.irradiance * _e153));
-    vec3 _e157 = through;
-    vec3 _e159 = light;
-    _fs2p_location0 = vec4(((behind.xyz * _e157) + _e159), behind.w);
+    vec3 _e155 = light;
+    vec3 _e156 = aerosol;
+    light = (_e155 + _e156);
+    vec3 _e158 = light;
+    float _e160 = weight;
+    light = (_e158 * (m_5.irradiance * _e160));
+    vec3 _e164 = through;
+    vec3 _e166 = light;
+    _fs2p_location0 = vec4(((behind.xyz * _e164) + _e166), behind.w);
     return;
 }
 

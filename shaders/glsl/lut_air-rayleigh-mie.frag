@@ -118,7 +118,6 @@ const float SH1_ = 0.48860252;
 const float SH20_ = 0.31539157;
 const float SH21_ = 1.0925485;
 const float SH22_ = 0.54627424;
-const int SKY_HALVES = 2;
 const float SQRT_HALF = 0.70710677;
 const int AIR_SMOOTH = 0;
 const int AIR_AEROSOL = 1;
@@ -238,9 +237,9 @@ vec2 shadow_stretch(AirRay ray_1) {
             return none;
         }
         float q_2 = -((b_5 + (((b_5 >= 0.0) ? 1.0 : -1.0) * sqrt(disc))));
-        float t0_1 = (q_2 / a);
-        float t1_ = ((q_2 != 0.0) ? (c_3 / q_2) : t0_1);
-        stretch = vec2(min(t0_1, t1_), max(t0_1, t1_));
+        float t0_2 = (q_2 / a);
+        float t1_1 = ((q_2 != 0.0) ? (c_3 / q_2) : t0_2);
+        stretch = vec2(min(t0_2, t1_1), max(t0_2, t1_1));
     } else {
         if ((c_3 >= 0.0)) {
             return none;
@@ -305,17 +304,17 @@ vec3 extinction(Medium m_1, vec3 d_1) {
 
 Corner corner(vec2 at, ivec2 size) {
     vec2 inside = clamp(at, vec2(0.0), vec2((size - ivec2(1))));
-    ivec2 low_2 = min(ivec2(inside), (size - ivec2(1)));
-    return Corner(low_2, min((low_2 + ivec2(1)), (size - ivec2(1))), (inside - vec2(low_2)));
+    ivec2 low_3 = min(ivec2(inside), (size - ivec2(1)));
+    return Corner(low_3, min((low_3 + ivec2(1)), (size - ivec2(1))), (inside - vec2(low_3)));
 }
 
 vec4 bilinear(highp sampler2D table, Corner c, ivec2 origin) {
-    ivec2 low_3 = (c.low + origin);
+    ivec2 low_4 = (c.low + origin);
     ivec2 high = (c.high + origin);
-    vec4 _e8 = texelFetch(table, low_3, 0);
-    vec4 _e13 = texelFetch(table, ivec2(high.x, low_3.y), 0);
+    vec4 _e8 = texelFetch(table, low_4, 0);
+    vec4 _e13 = texelFetch(table, ivec2(high.x, low_4.y), 0);
     vec4 bottom = mix(_e8, _e13, c.part.x);
-    vec4 _e21 = texelFetch(table, ivec2(low_3.x, high.y), 0);
+    vec4 _e21 = texelFetch(table, ivec2(low_4.x, high.y), 0);
     vec4 _e23 = texelFetch(table, high, 0);
     vec4 top = mix(_e21, _e23, c.part.x);
     return mix(bottom, top, c.part.y);
@@ -424,108 +423,97 @@ vec3 mean_transmittance(vec3 tau) {
     return mix(((vec3(1.0) - exp(-(tau))) / tau), series, lessThan(tau, vec3(0.01)));
 }
 
-Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium, Tables t_5, AirRay ray_2, Low lowest_1, float u_from, float u_to, vec3 gas_1, vec3 aerosol_1, bool direct, bool diffuse) {
+vec2 lit_part(vec2 shadow, float low_2, float t0_, float t1_, float mid) {
+    float dark0_ = clamp(shadow.x, t0_, t1_);
+    float dark1_ = clamp(shadow.y, t0_, t1_);
+    float dark = ((shadow.y > shadow.x) ? max((dark1_ - dark0_), 0.0) : 0.0);
+    if ((dark <= 0.0)) {
+        return vec2((t1_ - t0_), mid);
+    }
+    bool first = ((dark0_ - t0_) > (t1_ - dark1_));
+    float lit0_ = (first ? t0_ : dark1_);
+    float lit1_ = (first ? dark0_ : t1_);
+    float _e28 = unwarp(low_2, lit0_);
+    float _e29 = unwarp(low_2, lit1_);
+    float _e33 = warp(low_2, (0.5 * (_e28 + _e29)));
+    return vec2(((t1_ - t0_) - dark), _e33);
+}
+
+Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium, Tables t_5, AirRay ray_2, Low lowest_1, float u_from, float u_to, vec3 gas_1, vec3 aerosol_1, float diffuse) {
     Medium m_4 = Medium(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
     Gathered out_ = Gathered(vec3(0.0), vec3(1.0), vec3(0.0));
-    float t0_ = 0.0;
+    float t0_1 = 0.0;
     uint i = 0u;
-    bool local_2 = false;
-    float lit_t = 0.0;
     m_4 = medium;
     m_4.mie_extinction = t_5.mie_extinction;
-    vec2 _e23 = shadow_stretch(ray_2);
-    float low_4 = lowest_1.t;
+    vec2 _e22 = shadow_stretch(ray_2);
+    float low_5 = lowest_1.t;
     float du = ((u_to - u_from) / float(t_5.steps));
-    float _e29 = warp(low_4, u_from);
-    t0_ = _e29;
+    float _e28 = warp(low_5, u_from);
+    t0_1 = _e28;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e173 = i;
-            i = (_e173 + 1u);
+            uint _e143 = i;
+            i = (_e143 + 1u);
         }
         loop_init = false;
-        uint _e33 = i;
-        if ((_e33 < t_5.steps)) {
+        uint _e32 = i;
+        if ((_e32 < t_5.steps)) {
         } else {
             break;
         }
         {
-            uint _e36 = i;
-            float u_1 = (u_from + (du * float(_e36)));
-            float _e41 = warp(low_4, (u_1 + du));
-            float _e42 = t0_;
-            float step_ = (_e41 - _e42);
-            float _e47 = warp(low_4, (u_1 + (0.5 * du)));
-            float _e52 = m_4.radius;
-            float _e53 = altitude_after(lowest_1.x, lowest_1.b, (_e47 - low_4), _e52);
-            Medium _e54 = m_4;
-            vec3 _e55 = densities(_e54, _e53);
-            Medium _e56 = m_4;
-            vec3 _e57 = extinction(_e56, _e55);
-            vec3 tau_1 = (_e57 * step_);
-            vec3 _e60 = out_.transmittance;
-            vec3 _e61 = mean_transmittance(tau_1);
-            vec3 share_3 = (_e60 * _e61);
-            float _e64 = t0_;
-            float dark0_ = clamp(_e23.x, _e64, _e41);
-            float _e67 = t0_;
-            float dark1_ = clamp(_e23.y, _e67, _e41);
-            float dark = ((_e23.y > _e23.x) ? max((dark1_ - dark0_), 0.0) : 0.0);
-            if (direct) {
-                local_2 = (dark < step_);
-            } else {
-                local_2 = false;
-            }
-            bool _e81 = local_2;
-            if (_e81) {
-                lit_t = _e47;
-                if ((dark > 0.0)) {
-                    float _e85 = t0_;
-                    bool first = ((dark0_ - _e85) > (_e41 - dark1_));
-                    float _e89 = t0_;
-                    float lit0_ = (first ? _e89 : dark1_);
-                    float lit1_ = (first ? dark0_ : _e41);
-                    float _e92 = unwarp(low_4, lit0_);
-                    float _e93 = unwarp(low_4, lit1_);
-                    float _e97 = warp(low_4, (0.5 * (_e92 + _e93)));
-                    lit_t = _e97;
-                }
-                float _e98 = lit_t;
-                float past = (_e98 - low_4);
+            uint _e35 = i;
+            float u_1 = (u_from + (du * float(_e35)));
+            float _e40 = warp(low_5, (u_1 + du));
+            float _e41 = t0_1;
+            float step_ = (_e40 - _e41);
+            float _e46 = warp(low_5, (u_1 + (0.5 * du)));
+            float _e51 = m_4.radius;
+            float _e52 = altitude_after(lowest_1.x, lowest_1.b, (_e46 - low_5), _e51);
+            Medium _e53 = m_4;
+            vec3 _e54 = densities(_e53, _e52);
+            Medium _e55 = m_4;
+            vec3 _e56 = extinction(_e55, _e54);
+            vec3 tau_1 = (_e56 * step_);
+            vec3 _e59 = out_.transmittance;
+            vec3 _e60 = mean_transmittance(tau_1);
+            vec3 share_3 = (_e59 * _e60);
+            float _e62 = t0_1;
+            vec2 _e63 = lit_part(_e22, low_5, _e62, _e40, _e46);
+            if ((_e63.x > 0.0)) {
+                float past = (_e63.y - low_5);
                 float lit_x = max((lowest_1.x + (past * ((2.0 * lowest_1.b) + past))), 0.0);
-                float _e110 = m_4.radius;
-                float _e111 = altitude_of(lit_x, _e110);
-                Medium _e112 = m_4;
-                vec3 _e113 = densities(_e112, _e111);
-                Medium _e114 = m_4;
-                float _e117 = lit_t;
-                vec3 _e120 = columns_to_top(columns, _e114, lit_x, _e111, (ray_2.sun_b + (ray_2.nu * _e117)));
-                Medium _e126 = m_4;
-                vec3 _e127 = extinction(_e126, _e120);
-                vec3 source_1 = (((gas_1 * _e113.x) + (aerosol_1 * _e113.y)) * exp(-(_e127)));
-                vec3 _e132 = out_.radiance;
-                out_.radiance = (_e132 + ((share_3 * source_1) * (step_ - dark)));
+                float _e79 = m_4.radius;
+                float _e80 = altitude_of(lit_x, _e79);
+                Medium _e81 = m_4;
+                vec3 _e82 = densities(_e81, _e80);
+                Medium _e83 = m_4;
+                vec3 _e89 = columns_to_top(columns, _e83, lit_x, _e80, (ray_2.sun_b + (ray_2.nu * _e63.y)));
+                Medium _e95 = m_4;
+                vec3 _e96 = extinction(_e95, _e89);
+                vec3 source_1 = (((gas_1 * _e82.x) + (aerosol_1 * _e82.y)) * exp(-(_e96)));
+                vec3 _e101 = out_.radiance;
+                out_.radiance = (_e101 + ((share_3 * source_1) * _e63.x));
             }
-            if (diffuse) {
-                float _e138 = m_4.radius;
-                float r_3 = (_e138 + _e53);
-                float mu_5 = clamp((((lowest_1.b + _e47) - low_4) / r_3), -1.0, 1.0);
-                float mu_sun_1 = clamp(((ray_2.sun_b + (ray_2.nu * _e47)) / r_3), -1.0, 1.0);
-                vec3 _e156 = out_.radiance;
-                Medium _e158 = m_4;
-                vec3 _e160 = diffuse_source(moments, _e158, t_5, _e55, _e53, mu_5, mu_sun_1, ray_2.nu);
-                out_.radiance = (_e156 + ((share_3 * step_) * _e160));
-            }
-            vec3 _e164 = out_.transmittance;
-            out_.transmittance = (_e164 * exp(-(tau_1)));
-            vec3 _e169 = out_.columns;
-            out_.columns = (_e169 + (_e55 * step_));
-            t0_ = _e41;
+            float _e107 = m_4.radius;
+            float r_3 = (_e107 + _e52);
+            float mu_5 = clamp((((lowest_1.b + _e46) - low_5) / r_3), -1.0, 1.0);
+            float mu_sun_1 = clamp(((ray_2.sun_b + (ray_2.nu * _e46)) / r_3), -1.0, 1.0);
+            vec3 _e125 = out_.radiance;
+            Medium _e128 = m_4;
+            vec3 _e130 = diffuse_source(moments, _e128, t_5, _e54, _e52, mu_5, mu_sun_1, ray_2.nu);
+            out_.radiance = (_e125 + ((share_3 * (step_ * diffuse)) * _e130));
+            vec3 _e134 = out_.transmittance;
+            out_.transmittance = (_e134 * exp(-(tau_1)));
+            vec3 _e139 = out_.columns;
+            out_.columns = (_e139 + (_e54 * step_));
+            t0_1 = _e40;
         }
     }
-    Gathered _e175 = out_;
-    return _e175;
+    Gathered _e145 = out_;
+    return _e145;
 }
 
 vec2 share_azimuth(float share) {
@@ -535,7 +523,7 @@ vec2 share_azimuth(float share) {
 }
 
 TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_6, Medium m_5, vec3 sun_3) {
-    bool local_3 = false;
+    bool local_2 = false;
     float c2_ = 0.0;
     float mu_3 = 0.0;
     SunSide s_2 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
@@ -546,11 +534,11 @@ TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_6, Mediu
     vec2 _e13 = share_azimuth(azimuth);
     bool outside = (h_6 > m_5.thickness);
     if (!(outside)) {
-        local_3 = !(ground_1);
+        local_2 = !(ground_1);
     } else {
-        local_3 = false;
+        local_2 = false;
     }
-    bool _e21 = local_3;
+    bool _e21 = local_2;
     if (_e21) {
         float horizon = (sqrt(_e9) / r_4);
         float s_max = sqrt((0.5 + (0.5 * horizon)));
@@ -643,7 +631,7 @@ void main() {
     }
     vec3 _e83 = gas;
     vec3 _e84 = aerosol;
-    Gathered _e91 = gather(_group_0_binding_1_fs, _group_0_binding_2_fs, m_6, t_8, ray_4, _e51, from, (from + du_1), _e83, _e84, (_e9.kind < AIR_BEAM), (_e9.kind == AIR_SMOOTH));
+    Gathered _e91 = gather(_group_0_binding_1_fs, _group_0_binding_2_fs, m_6, t_8, ray_4, _e51, from, (from + du_1), _e83, _e84, ((_e9.kind == AIR_SMOOTH) ? 1.0 : 0.0));
     switch(_e9.kind) {
         case 2: {
             _fs2p_location0 = vec4(_e91.transmittance, 0.0);

@@ -79,7 +79,6 @@ const float SH1_ = 0.48860252;
 const float SH20_ = 0.31539157;
 const float SH21_ = 1.0925485;
 const float SH22_ = 0.54627424;
-const int SKY_HALVES = 1;
 const float SQRT_HALF = 0.70710677;
 const int AIR_SMOOTH = 0;
 const int AIR_AEROSOL = 1;

@@ -85,11 +85,6 @@ struct Corner {
     ivec2 high;
     vec2 part;
 };
-struct SkyLight {
-    vec3 even;
-    vec3 aerosol;
-    float grey;
-};
 struct Uniforms {
     Frame frame;
     Tables tables;
@@ -102,13 +97,14 @@ const float SH1_ = 0.48860252;
 const float SH20_ = 0.31539157;
 const float SH21_ = 1.0925485;
 const float SH22_ = 0.54627424;
-const int SKY_HALVES = 2;
 const float SQRT_HALF = 0.70710677;
 const float INV_4PI = 0.07957747;
 
 layout(std140) uniform Uniforms_block_0Fragment { Uniforms _group_0_binding_0_fs; };
 
 uniform highp sampler2D _group_0_binding_1_fs;
+
+uniform highp sampler2D _group_0_binding_3_fs;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
@@ -280,31 +276,29 @@ vec3 henyey_greenstein_phase(float away, float toward, vec3 g) {
     return ((INV_4PI * (vec3(1.0) - (g * g))) / (base * sqrt(base)));
 }
 
-SkyLight sky_light(highp sampler2D sky, Medium m_1, Tables t, float h_3, vec3 dir_5, AirRay ray_1, float away_1) {
-    Corner c_1 = Corner(ivec2(0), ivec2(0), vec2(0.0));
-    SkyLight out_ = SkyLight(vec3(0.0), vec3(0.0), 0.0);
-    ivec2 dims = ivec2(uvec2(textureSize(sky, 0).xy));
-    ivec2 size_1 = ivec2((dims.x / SKY_HALVES), dims.y);
-    float _e14 = zenith_share(ray_1, dir_5, h_3, m_1);
-    float _e18 = sky_row(_e14, ray_1.ground, size_1.y, t.ground_rows);
-    float _e19 = azimuth_share(dir_5);
-    Corner _e26 = corner(vec2((_e19 * float((size_1.x - 1))), _e18), size_1);
-    c_1 = _e26;
-    Corner _e28 = c_1;
-    vec4 _e31 = bilinear(sky, _e28, ivec2(0));
-    float scale = (ray_1.ground ? ray_1.length_ : 1.0);
-    vec3 root_1 = (_e31.xyz * _e31.xyz);
-    out_ = SkyLight(((root_1 * root_1) * scale), vec3(0.0), _e31.w);
-    Corner _e46 = c_1;
-    vec4 _e50 = bilinear(sky, _e46, ivec2(size_1.x, 0));
-    vec3 fourth = _e50.xyz;
-    vec3 second = (fourth * fourth);
-    vec3 aerosol = (second * second);
-    float toward_1 = ((away_1 > 1.0) ? (ray_1.cross2_ / max(away_1, 1.0)) : (2.0 - away_1));
-    vec3 _e65 = henyey_greenstein_phase(away_1, toward_1, m_1.mie_asymmetry);
-    out_.aerosol = ((aerosol * _e65) * scale);
-    SkyLight _e68 = out_;
-    return _e68;
+vec3 fourth(vec3 v) {
+    vec3 square = (v * v);
+    return (square * square);
+}
+
+vec3 aerosol_light(highp sampler2D haze, Medium m_1, Corner c_1, vec3 dir_5, vec3 sun_3) {
+    vec3 apart_1 = (dir_5 - sun_3);
+    vec3 together = (dir_5 + sun_3);
+    float away_1 = (0.5 * dot(apart_1, apart_1));
+    float toward_1 = (0.5 * dot(together, together));
+    vec4 _e15 = bilinear(haze, c_1, ivec2(0));
+    vec3 _e17 = fourth(_e15.xyz);
+    vec3 _e19 = henyey_greenstein_phase(away_1, toward_1, m_1.mie_asymmetry);
+    return (_e17 * _e19);
+}
+
+Corner sky_corner(highp sampler2D sky, Medium m_2, Tables t, float h_3, vec3 dir_6, AirRay ray_1) {
+    ivec2 size_1 = ivec2(uvec2(textureSize(sky, 0).xy));
+    float _e8 = zenith_share(ray_1, dir_6, h_3, m_2);
+    float _e12 = sky_row(_e8, ray_1.ground, size_1.y, t.ground_rows);
+    float _e13 = azimuth_share(dir_6);
+    Corner _e20 = corner(vec2((_e13 * float((size_1.x - 1))), _e12), size_1);
+    return _e20;
 }
 
 void main() {
@@ -312,10 +306,10 @@ void main() {
     vec3 light = vec3(0.0);
     float grey = 1.0;
     Frame f_1 = _group_0_binding_0_fs.frame;
-    Medium m_2 = f_1.medium;
+    Medium m_3 = f_1.medium;
     vec3 _e6 = pixel_ray(f_1, position.xy);
-    vec3 dir_6 = normalize(_e6);
-    AirRay _e12 = air_ray(dir_6, f_1.altitude, m_2.radius, m_2.thickness, f_1.sun);
+    vec3 dir_7 = normalize(_e6);
+    AirRay _e12 = air_ray(dir_7, f_1.altitude, m_3.radius, m_3.thickness, f_1.sun);
     if (_e12.ground) {
         if ((f_1.low_resolution == 0u)) {
             discard;
@@ -323,16 +317,22 @@ void main() {
         _fs2p_location0 = vec4(0.0, 0.0, 0.0, -1.0);
         return;
     }
-    vec3 offset = (dir_6 - f_1.sun);
     if ((_e12.length_ > 0.0)) {
-        Tables _e35 = _group_0_binding_0_fs.tables;
-        SkyLight _e40 = sky_light(_group_0_binding_1_fs, m_2, _e35, f_1.altitude, dir_6, _e12, (0.5 * dot(offset, offset)));
-        light = ((_e40.even + _e40.aerosol) * f_1.sky_weight);
-        grey = _e40.grey;
+        Tables _e33 = _group_0_binding_0_fs.tables;
+        Corner _e35 = sky_corner(_group_0_binding_1_fs, m_3, _e33, f_1.altitude, dir_7, _e12);
+        vec4 _e39 = bilinear(_group_0_binding_1_fs, _e35, ivec2(0));
+        vec3 _e41 = fourth(_e39.xyz);
+        light = _e41;
+        vec3 _e42 = light;
+        vec3 _e45 = aerosol_light(_group_0_binding_3_fs, m_3, _e35, dir_7, f_1.sun);
+        light = (_e42 + _e45);
+        vec3 _e47 = light;
+        light = (_e47 * f_1.sky_weight);
+        grey = _e39.w;
     }
-    vec3 _e47 = light;
-    float _e53 = grey;
-    _fs2p_location0 = vec4(min((_e47 * m_2.irradiance), vec3(65000.0)), (1.0 - _e53));
+    vec3 _e51 = light;
+    float _e57 = grey;
+    _fs2p_location0 = vec4(min((_e51 * m_3.irradiance), vec3(65000.0)), (1.0 - _e57));
     return;
 }
 

@@ -85,11 +85,6 @@ struct Corner {
     ivec2 high;
     vec2 part;
 };
-struct SkyLight {
-    vec3 even;
-    vec3 aerosol;
-    float grey;
-};
 struct Uniforms {
     Frame frame;
     Tables tables;
@@ -102,7 +97,6 @@ const float SH1_ = 0.48860252;
 const float SH20_ = 0.31539157;
 const float SH21_ = 1.0925485;
 const float SH22_ = 0.54627424;
-const int SKY_HALVES = 1;
 const float SQRT_HALF = 0.70710677;
 const float INV_4PI = 0.07957747;
 
@@ -122,10 +116,10 @@ float excess_of(float h, float radius) {
 }
 
 float distance_to_top(float x, float b, float x_top) {
-    float c_2 = max((x_top - x), 0.0);
-    float root = sqrt(((b * b) + c_2));
+    float c_1 = max((x_top - x), 0.0);
+    float root = sqrt(((b * b) + c_1));
     if ((b > 0.0)) {
-        return (c_2 / (b + root));
+        return (c_1 / (b + root));
     }
     return (root - b);
 }
@@ -274,23 +268,18 @@ float sky_row(float share, bool ground, int rows, float ground_rows) {
     return (ground ? (share * (ground_rows - 1.0)) : (ground_rows + (share * ((float(rows) - ground_rows) - 1.0))));
 }
 
-SkyLight sky_light(highp sampler2D sky, Medium m_1, Tables t, float h_3, vec3 dir_5, AirRay ray_1, float away) {
-    Corner c_1 = Corner(ivec2(0), ivec2(0), vec2(0.0));
-    SkyLight out_ = SkyLight(vec3(0.0), vec3(0.0), 0.0);
-    ivec2 dims = ivec2(uvec2(textureSize(sky, 0).xy));
-    ivec2 size_1 = ivec2((dims.x / SKY_HALVES), dims.y);
-    float _e14 = zenith_share(ray_1, dir_5, h_3, m_1);
-    float _e18 = sky_row(_e14, ray_1.ground, size_1.y, t.ground_rows);
-    float _e19 = azimuth_share(dir_5);
-    Corner _e26 = corner(vec2((_e19 * float((size_1.x - 1))), _e18), size_1);
-    c_1 = _e26;
-    Corner _e28 = c_1;
-    vec4 _e31 = bilinear(sky, _e28, ivec2(0));
-    float scale = (ray_1.ground ? ray_1.length_ : 1.0);
-    vec3 root_1 = (_e31.xyz * _e31.xyz);
-    out_ = SkyLight(((root_1 * root_1) * scale), vec3(0.0), _e31.w);
-    SkyLight _e46 = out_;
-    return _e46;
+vec3 fourth(vec3 v) {
+    vec3 square = (v * v);
+    return (square * square);
+}
+
+Corner sky_corner(highp sampler2D sky, Medium m_1, Tables t, float h_3, vec3 dir_5, AirRay ray_1) {
+    ivec2 size_1 = ivec2(uvec2(textureSize(sky, 0).xy));
+    float _e8 = zenith_share(ray_1, dir_5, h_3, m_1);
+    float _e12 = sky_row(_e8, ray_1.ground, size_1.y, t.ground_rows);
+    float _e13 = azimuth_share(dir_5);
+    Corner _e20 = corner(vec2((_e13 * float((size_1.x - 1))), _e12), size_1);
+    return _e20;
 }
 
 void main() {
@@ -309,16 +298,19 @@ void main() {
         _fs2p_location0 = vec4(0.0, 0.0, 0.0, -1.0);
         return;
     }
-    vec3 offset = (dir_6 - f_1.sun);
     if ((_e12.length_ > 0.0)) {
-        Tables _e35 = _group_0_binding_0_fs.tables;
-        SkyLight _e40 = sky_light(_group_0_binding_1_fs, m_2, _e35, f_1.altitude, dir_6, _e12, (0.5 * dot(offset, offset)));
-        light = ((_e40.even + _e40.aerosol) * f_1.sky_weight);
-        grey = _e40.grey;
+        Tables _e33 = _group_0_binding_0_fs.tables;
+        Corner _e35 = sky_corner(_group_0_binding_1_fs, m_2, _e33, f_1.altitude, dir_6, _e12);
+        vec4 _e39 = bilinear(_group_0_binding_1_fs, _e35, ivec2(0));
+        vec3 _e41 = fourth(_e39.xyz);
+        light = _e41;
+        vec3 _e42 = light;
+        light = (_e42 * f_1.sky_weight);
+        grey = _e39.w;
     }
-    vec3 _e47 = light;
-    float _e53 = grey;
-    _fs2p_location0 = vec4(min((_e47 * m_2.irradiance), vec3(65000.0)), (1.0 - _e53));
+    vec3 _e46 = light;
+    float _e52 = grey;
+    _fs2p_location0 = vec4(min((_e46 * m_2.irradiance), vec3(65000.0)), (1.0 - _e52));
     return;
 }
 

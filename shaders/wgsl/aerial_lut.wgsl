@@ -16,6 +16,9 @@ struct Uniforms {
 @group(0) @binding(2) var sky: texture_2d<f32>;
 @group(0) @binding(3) var table_air: texture_2d<f32>;
 @group(0) @binding(4) var columns: texture_2d<f32>;
+//#if MIE
+@group(0) @binding(5) var haze: texture_2d<f32>;
+//#endif
 //#endif
 //#if READ
 @group(0) @binding(1) var scene: texture_2d<f32>;
@@ -23,6 +26,9 @@ struct Uniforms {
 @group(0) @binding(3) var sky: texture_2d<f32>;
 @group(0) @binding(4) var table_air: texture_2d<f32>;
 @group(0) @binding(5) var columns: texture_2d<f32>;
+//#if MIE
+@group(0) @binding(6) var haze: texture_2d<f32>;
+//#endif
 //#endif
 
 // Between two slices of a kind; `at` counts slices, the first ends at 0. before: the value at the camera.
@@ -34,6 +40,21 @@ fn air_between(air: texture_2d<f32>, t: Tables, c: Corner, at: f32, kind: i32, s
         near = bilinear(air, c, vec2i(slice, kind) * size).xyz;
     }
     return mix(near, bilinear(air, c, vec2i(slice + 1, kind) * size).xyz, part);
+}
+
+// The transmittance, which is the same for every azimuth.
+fn air_through(air: texture_2d<f32>, t: Tables, c: Corner, at: f32, size: vec2i) -> vec3f {
+    let slice = clamp(i32(floor(at)), -1, i32(t.slices) - 2);
+    let first = vec2i(slice, AIR_THROUGH) * size;
+    var near = vec3f(1.0);
+    if slice >= 0 {
+        near = mix(
+            textureLoad(air, first + vec2i(0, c.low.y), 0).xyz, textureLoad(air, first + vec2i(0, c.high.y), 0).xyz, c.part.y);
+    }
+    let next = first + vec2i(size.x, 0);
+    let far = mix(
+        textureLoad(air, next + vec2i(0, c.low.y), 0).xyz, textureLoad(air, next + vec2i(0, c.high.y), 0).xyz, c.part.y);
+    return mix(near, far, at - f32(slice));
 }
 
 @fragment
@@ -66,9 +87,13 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     if end <= 0.0 || weight <= 0.0 {
         return behind;
     }
-    let offset = dir - f.sun;
-    let s = sky_light(sky, m, t, f.altitude, dir, ray, 0.5 * dot(offset, offset));
-    var light = s.even + s.aerosol;
+    let at_sky = sky_corner(sky, m, t, f.altitude, dir, ray);
+    // Over its whole length; where it ends on the ground the tables hold the mean over that.
+    let scale = select(1.0, ray.length, ray.ground);
+    var light = fourth(bilinear(sky, at_sky, vec2i(0)).rgb) * scale;
+    //#if MIE
+    var aerosol = aerosol_light(haze, m, at_sky, dir, f.sun) * scale;
+    //#endif
     var through = vec3f(1.0);
     if !ray.ground && end >= ray.length {
         if dims {
@@ -82,13 +107,16 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
         let u0 = unwarp(low, 0.0);
         let at = (unwarp(low, end) - u0) / (unwarp(low, ray.length) - u0) * f32(t.slices) - 1.0;
         if end < ray.length {
-            light = s.even * air_between(table_air, t, c, at, AIR_SMOOTH, size, 0.0);
+            light *= air_between(table_air, t, c, at, AIR_SMOOTH, size, 0.0);
             //#if MIE
-            light += s.aerosol * air_between(table_air, t, c, at, AIR_AEROSOL, size, 0.0);
+            aerosol *= air_between(table_air, t, c, at, AIR_AEROSOL, size, 0.0);
             //#endif
         }
-        through = air_between(table_air, t, c, at, AIR_THROUGH, size, 1.0);
+        through = air_through(table_air, t, c, at, size);
     }
+    //#if MIE
+    light += aerosol;
+    //#endif
     light *= m.irradiance * weight;
     //#if BLEND
     return vec4f(light, 1.0 - dot(through, vec3f(1.0 / 3.0)));

@@ -35,7 +35,7 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let gas = m.rayleigh * rayleigh_phase(nu);
     let aerosol = m.mie_scattering * t.mie_moment0 * henyey_greenstein_phase(1.0 - nu, 1.0 + nu, t.mie_asymmetry);
     let low = lowest(ray, ray.length, m.radius);
-    let g = gather(columns, moments, m, t, ray, low, unwarp(low.t, 0.0), unwarp(low.t, ray.length), gas, aerosol, true, true);
+    let g = gather(columns, moments, m, t, ray, low, unwarp(low.t, 0.0), unwarp(low.t, ray.length), gas, aerosol, 1.0);
     var radiance = g.radiance;
     if ray.ground {
         let sun_b = ray.sun_b + ray.nu * ray.length;

@@ -1,9 +1,9 @@
 //#include march
 //#include skyview
 //#include phase
-// The light of the whole sky around the camera, see `skyview` for the layout. Left half: light scattered by the gas, and
-// all that was scattered before; alpha: grey transmittance. Right half: sunlight scattered once by the aerosol, without
-// its phase function, which changes too fast near the sun for any table. Over the ray's length where it ends on the ground.
+// The light of the whole sky around the camera, see `skyview` for the layout. SMOOTH: light scattered by the gas, and
+// all that was scattered before; alpha: grey transmittance. AEROSOL: sunlight scattered once by the aerosol, without its
+// phase function, which changes too fast near the sun for any table. Over the ray's length where it ends on the ground.
 // Fourth roots: between texels light then changes almost exponentially, as it does with altitude.
 
 struct Uniforms {
@@ -13,7 +13,9 @@ struct Uniforms {
 
 @group(0) @binding(0) var<uniform> uniforms: Uniforms;
 @group(0) @binding(1) var columns: texture_2d<f32>;
+//#if SMOOTH
 @group(0) @binding(2) var moments: texture_2d<f32>;
+//#endif
 
 @fragment
 fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
@@ -22,9 +24,7 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let m = f.medium;
     let at = vec2i(position.xy);
     let size = vec2i(t.size);
-    let half = size.x / SKY_HALVES;
-    let aerosol_half = at.x >= half;
-    let azimuth = f32(at.x % half) / f32(half - 1);
+    let azimuth = f32(at.x) / f32(size.x - 1);
     let ground_rows = i32(t.ground_rows);
     let ground = at.y < ground_rows;
     let first = select(ground_rows, 0, ground);
@@ -35,16 +35,16 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     if ray.length <= 0.0 {
         return vec4f(0.0, 0.0, 0.0, 1.0);
     }
-    var gas = vec3f(0.0);
-    var aerosol = vec3f(0.0);
-    if aerosol_half {
-        aerosol = m.mie_scattering;
-    } else {
-        gas = m.rayleigh * rayleigh_phase(ray.nu);
-    }
     let low = lowest(ray, ray.length, m.radius);
-    let u_end = unwarp(low.t, ray.length);
-    let g = gather(columns, moments, m, t, ray, low, unwarp(low.t, 0.0), u_end, gas, aerosol, true, !aerosol_half);
+    let u_from = unwarp(low.t, 0.0);
+    let u_to = unwarp(low.t, ray.length);
+    //#if SMOOTH
+    let gas = m.rayleigh * rayleigh_phase(ray.nu);
+    let g = gather(columns, moments, m, t, ray, low, u_from, u_to, gas, vec3f(0.0), 1.0);
+    //#endif
+    //#if AEROSOL
+    let g = gather_direct(columns, m, t, ray, low, u_from, u_to, vec3f(0.0), m.mie_scattering);
+    //#endif
     let grey = dot(exp(-extinction(m, g.columns)), vec3f(1.0 / 3.0));
     let scale = select(1.0, 1.0 / ray.length, ground);
     return vec4f(sqrt(sqrt(max(g.radiance, vec3f(0.0)) * scale)), grey);

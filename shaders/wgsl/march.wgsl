@@ -8,13 +8,36 @@ struct Gathered {
     columns: vec3f,        // densities integrated, km
 }
 
-// From distance `from` to `to` (km from the entry) in even steps of u. gas, aerosol: scattering coefficient at
-// altitude 0 times phase function for direct sunlight, 1/(km sr). direct, diffuse: which light
-// is scattered: the sun's, and what was scattered before.
+// The part of a step that the sun reaches: its length (km), and the distance of a point in its middle.
+fn lit_part(shadow: vec2f, low: f32, t0: f32, t1: f32, mid: f32) -> vec2f {
+    let dark0 = clamp(shadow.x, t0, t1);
+    let dark1 = clamp(shadow.y, t0, t1);
+    let dark = select(0.0, max(dark1 - dark0, 0.0), shadow.y > shadow.x);
+    if dark <= 0.0 {
+        return vec2f(t1 - t0, mid);
+    }
+    let first = dark0 - t0 > t1 - dark1;
+    let lit0 = select(dark1, t0, first);
+    let lit1 = select(t1, dark0, first);
+    return vec2f(t1 - t0 - dark, warp(low, 0.5 * (unwarp(low, lit0) + unwarp(low, lit1))));
+}
+
+// From u_from to u_to in even steps of u. gas, aerosol: scattering coefficient at altitude 0 times phase function for
+// direct sunlight, 1/(km sr).
+//#if DIFFUSE
+// All light: the sun's and, times `diffuse`, what was scattered before.
 fn gather(
     columns: texture_2d<f32>, moments: texture_2d<f32>, medium: Medium, t: Tables, ray: AirRay,
-    lowest: Low, u_from: f32, u_to: f32, gas: vec3f, aerosol: vec3f, direct: bool, diffuse: bool,
+    lowest: Low, u_from: f32, u_to: f32, gas: vec3f, aerosol: vec3f, diffuse: f32,
 ) -> Gathered {
+//#endif
+//#if DIRECT
+// The sun's light alone.
+fn gather_direct(
+    columns: texture_2d<f32>, medium: Medium, t: Tables, ray: AirRay,
+    lowest: Low, u_from: f32, u_to: f32, gas: vec3f, aerosol: vec3f,
+) -> Gathered {
+//#endif
     var m = medium;
     m.mie_extinction = t.mie_extinction;
     var out = Gathered(vec3f(0.0), vec3f(1.0), vec3f(0.0));
@@ -31,31 +54,22 @@ fn gather(
         let d = densities(m, h);
         let tau = extinction(m, d) * step;
         let share = out.transmittance * mean_transmittance(tau);
-        let dark0 = clamp(shadow.x, t0, t1);
-        let dark1 = clamp(shadow.y, t0, t1);
-        let dark = select(0.0, max(dark1 - dark0, 0.0), shadow.y > shadow.x);
-        if direct && dark < step {
-            var lit_t = mid;
-            if dark > 0.0 {
-                let first = dark0 - t0 > t1 - dark1;
-                let lit0 = select(dark1, t0, first);
-                let lit1 = select(t1, dark0, first);
-                lit_t = warp(low, 0.5 * (unwarp(low, lit0) + unwarp(low, lit1)));
-            }
-            let past = lit_t - low;
+        let lit = lit_part(shadow, low, t0, t1, mid);
+        if lit.x > 0.0 {
+            let past = lit.y - low;
             let lit_x = max(lowest.x + past * (2.0 * lowest.b + past), 0.0);
             let lit_h = altitude_of(lit_x, m.radius);
             let lit_d = densities(m, lit_h);
-            let path = columns_to_top(columns, m, lit_x, lit_h, ray.sun_b + ray.nu * lit_t);
+            let path = columns_to_top(columns, m, lit_x, lit_h, ray.sun_b + ray.nu * lit.y);
             let source = (gas * lit_d.x + aerosol * lit_d.y) * exp(-extinction(m, path));
-            out.radiance += share * source * (step - dark);
+            out.radiance += share * source * lit.x;
         }
-        if diffuse {
-            let r = m.radius + h;
-            let mu = clamp((lowest.b + mid - low) / r, -1.0, 1.0);
-            let mu_sun = clamp((ray.sun_b + ray.nu * mid) / r, -1.0, 1.0);
-            out.radiance += share * step * diffuse_source(moments, m, t, d, h, mu, mu_sun, ray.nu);
-        }
+        //#if DIFFUSE
+        let r = m.radius + h;
+        let mu = clamp((lowest.b + mid - low) / r, -1.0, 1.0);
+        let mu_sun = clamp((ray.sun_b + ray.nu * mid) / r, -1.0, 1.0);
+        out.radiance += share * (step * diffuse) * diffuse_source(moments, m, t, d, h, mu, mu_sun, ray.nu);
+        //#endif
         out.transmittance *= exp(-tau);
         out.columns += d * step;
         t0 = t1;

@@ -10,8 +10,9 @@ struct Uniforms {
 
 @group(0) @binding(0) var<uniform> uniforms: Uniforms;
 @group(0) @binding(1) var sky: texture_2d<f32>;
-//#if SUN
 @group(0) @binding(2) var columns: texture_2d<f32>;
+//#if MIE
+@group(0) @binding(3) var haze: texture_2d<f32>;
 //#endif
 
 @fragment
@@ -26,16 +27,20 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
         }
         return vec4f(0.0, 0.0, 0.0, -1.0);
     }
-    let offset = dir - f.sun;
     var light = vec3f(0.0);
     var grey = 1.0;
     if ray.length > 0.0 {
-        let s = sky_light(sky, m, uniforms.tables, f.altitude, dir, ray, 0.5 * dot(offset, offset));
-        light = (s.even + s.aerosol) * f.sky_weight;
-        grey = s.grey;
+        let c = sky_corner(sky, m, uniforms.tables, f.altitude, dir, ray);
+        let texel = bilinear(sky, c, vec2i(0));
+        light = fourth(texel.rgb);
+        //#if MIE
+        light += aerosol_light(haze, m, c, dir, f.sun);
+        //#endif
+        light *= f.sky_weight;
+        grey = texel.a;
     }
     //#if SUN
-    let disk = disk_coverage(offset, f.sun_chord, f.pixel_angle);
+    let disk = disk_coverage(dir - f.sun, f.sun_chord, f.pixel_angle);
     if disk > 0.0 {
         var through = vec3f(1.0);
         if ray.length > 0.0 {

@@ -6,12 +6,6 @@
 // by their angle above the horizon or, from outside, by the altitude that they pass. Both begin at the horizon,
 // where the light changes most, and no texel straddles it. No coordinate needs an arc function.
 
-//#if MIE
-const SKY_HALVES: i32 = 2; // the right one for the aerosol
-//#endif
-//#if NO_MIE
-const SKY_HALVES: i32 = 1;
-//#endif
 const SQRT_HALF: f32 = 0.7071067811865476;
 
 // Half an angle's sine s to a share: 0 where s = s_max, 1 at s = 0; square root at the first end, linear at the other.

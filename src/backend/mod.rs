@@ -137,7 +137,7 @@ impl Target {
 }
 
 /// Most textures that a pass reads.
-pub const TEXTURES_MAX: usize = 5;
+pub const TEXTURES_MAX: usize = 6;
 
 /// What a pass reads, at bindings 1, 2, …
 pub type Textures = [Option<TextureId>; TEXTURES_MAX];

@@ -262,7 +262,24 @@ struct Textures {
     radiance: TextureId,
     moments: [TextureId; 2],
     sky: TextureId,
+    haze: Option<TextureId>,
     air: Option<[TextureId; 2]>,
+}
+
+impl Textures {
+    /// What only some scenes call for.
+    fn add(&mut self, backend: &mut dyn Backend, settings: &LutSettings, mie: bool, with_air: bool) -> Result<()> {
+        if mie && self.haze.is_none() {
+            let [haze] = create(backend, [("sky table", settings.sky)])?;
+            self.haze = Some(haze);
+        }
+        if with_air && self.air.is_none() {
+            let [azimuths, zeniths, slices] = settings.air;
+            let size = [azimuths * slices, zeniths * AIR_KINDS];
+            self.air = Some(create(backend, [("air table", size); 2])?);
+        }
+        Ok(())
+    }
 }
 
 /// The tables as a pass reads them.
@@ -270,6 +287,8 @@ struct Textures {
 pub(crate) struct Ready {
     pub columns: TextureId,
     pub sky: TextureId,
+    /// Where there is an aerosol.
+    pub haze: Option<TextureId>,
     /// The columns' again where no air table was asked for.
     pub air: TextureId,
 }
@@ -313,23 +332,23 @@ impl Luts {
         let view = [frame.altitude, frame.sun[0], frame.sun[1], frame.sun[2]];
         let block = |tables: TablesUniform| Uniform::new(&FrameTables { frame: *frame, tables });
         if self.sky != Some(view) {
-            let size = size_of(backend, t.sky)?;
-            passes.push(Pass {
-                label: "sky table",
-                program: Some(backend.create_program(Program::LutSky { air: constituents })?),
-                textures: reads([t.columns, last_moments]),
-                uniform: block(TablesUniform { size, steps: settings.sky_steps, ..tables }),
-                target: Target::color(t.sky),
-                depth: DepthUse::Always,
-            });
+            let uniform = block(TablesUniform { size: settings.sky, steps: settings.sky_steps, ..tables });
+            let even = (t.sky, false, reads([t.columns, last_moments]));
+            let haze = t.haze.map(|haze| (haze, true, reads([t.columns])));
+            for (target, aerosol, textures) in [Some(even), haze].into_iter().flatten() {
+                let program = Some(backend.create_program(Program::LutSky { air: constituents, aerosol })?);
+                let (label, target, depth) = ("sky table", Target::color(target), DepthUse::Always);
+                passes.push(Pass { label, program, textures, uniform, target, depth });
+            }
             self.sky = Some(view);
         }
-        let mut ready = Ready { columns: t.columns, sky: t.sky, air: t.columns };
+        let mut ready = Ready { columns: t.columns, sky: t.sky, haze: t.haze, air: t.columns };
         if let (true, Some(air)) = (with_air, t.air) {
             let scans = settings.air[2].next_power_of_two().trailing_zeros();
             let at = |step: u32| air[(step % 2) as usize];
             if self.air != Some(view) {
-                let size = size_of(backend, at(0))?;
+                let [azimuths, zeniths, slices] = settings.air;
+                let size = [azimuths * slices, zeniths * AIR_KINDS];
                 let [_, ground_rows] = settings.ground_rows();
                 let own = TablesUniform { size, steps: settings.air_steps, ground_rows: ground_rows as f32, ..tables };
                 passes.push(Pass {
@@ -401,7 +420,8 @@ impl Luts {
     pub fn destroy(&mut self, backend: &mut dyn Backend) {
         self.forget();
         if let Some((.., t)) = self.textures.take() {
-            for id in [t.columns, t.radiance, t.sky].into_iter().chain(t.moments).chain(t.air.into_iter().flatten()) {
+            let air = t.air.into_iter().flatten();
+            for id in [t.columns, t.radiance, t.sky].into_iter().chain(t.moments).chain(t.haze).chain(air) {
                 backend.destroy_texture(id);
             }
         }
@@ -424,31 +444,20 @@ impl Luts {
                 let [suns, altitudes] = settings.moments;
                 let moments = [suns, altitudes * MOMENTS + 1];
                 let radiance = [suns * NODE_DIRECTIONS[0], altitudes * NODE_DIRECTIONS[1]];
-                let sky = [settings.sky[0] * (1 + u32::from(mie)), settings.sky[1]];
                 let sizes = [
                     ("columns table", settings.columns),
                     ("gathered radiance", radiance),
                     ("moments table", moments),
                     ("moments table", moments),
-                    ("sky table", sky),
+                    ("sky table", settings.sky),
                 ];
                 let [columns, radiance, even, odd, sky] = create(backend, sizes)?;
-                Textures { columns, radiance, moments: [even, odd], sky, air: None }
+                Textures { columns, radiance, moments: [even, odd], sky, haze: None, air: None }
             }
         };
-        if with_air && t.air.is_none() {
-            let [azimuths, zeniths, slices] = settings.air;
-            let size = [azimuths * slices, zeniths * AIR_KINDS];
-            match create(backend, [("air table", size); 2]) {
-                Ok(air) => t.air = Some(air),
-                Err(e) => {
-                    self.textures = Some((*settings, mie, t));
-                    return Err(e);
-                }
-            }
-        }
+        let more = t.add(backend, settings, mie, with_air);
         self.textures = Some((*settings, mie, t));
-        Ok(t)
+        more.map(|()| t)
     }
 }
 
@@ -468,9 +477,4 @@ fn create<const N: usize>(backend: &mut dyn Backend, sizes: [(&'static str, [u32
         }
     }
     Ok(made)
-}
-
-fn size_of(backend: &dyn Backend, id: TextureId) -> Result<[u32; 2]> {
-    let desc = super::sky::texture(backend, id)?;
-    Ok([desc.width, desc.height])
 }

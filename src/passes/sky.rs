@@ -253,7 +253,7 @@ impl SkyRenderer {
         let desc = texture(backend, target.color)?;
         let mut options = self.options(&desc, &view);
         let air = if options.sky_weight > 0.0 { Constituents::of(&scene.atmosphere) } else { Constituents::default() };
-        let sun = self.settings.sun_disk && scene.atmosphere.sun_intensity > 0.0;
+        let sun = self.settings.sun_disk && scene.atmosphere.sun_intensity > 0.0 && sun_in_view(scene, &view);
         if !self.settings.enabled || !(air.any() || sun) {
             self.free_low(backend);
             return Ok(&self.passes);
@@ -270,7 +270,7 @@ impl SkyRenderer {
             Method::Lut(lut) if air.any() => {
                 let passes = &mut self.passes;
                 let (t, tables) = self.luts.update(backend, &scene.atmosphere, lut, &frame, false, passes)?;
-                let textures = if sun { reads([t.sky, t.columns]) } else { reads([t.sky]) };
+                let textures = t.haze.map_or(reads([t.sky, t.columns]), |haze| reads([t.sky, t.columns, haze]));
                 (Program::SkyLut { air, sun }, textures, Uniform::new(&FrameTables { frame: drawn, tables }))
             }
             _ => (Program::Sky { air, sun }, reads([]), Uniform::new(&drawn)),
@@ -364,9 +364,11 @@ impl SkyRenderer {
                 Method::Lut(lut) => {
                     let passes = &mut self.passes;
                     let (t, tables) = self.luts.update(backend, &scene.atmosphere, lut, &frame, true, passes)?;
-                    let textures = match color {
-                        Some(color) => reads([color, depth, t.sky, t.air, t.columns]),
-                        None => reads([depth, t.sky, t.air, t.columns]),
+                    let textures = match (color, t.haze) {
+                        (Some(color), Some(haze)) => reads([color, depth, t.sky, t.air, t.columns, haze]),
+                        (Some(color), None) => reads([color, depth, t.sky, t.air, t.columns]),
+                        (None, Some(haze)) => reads([depth, t.sky, t.air, t.columns, haze]),
+                        (None, None) => reads([depth, t.sky, t.air, t.columns]),
                     };
                     (Program::AerialLut { air, blend }, textures, Uniform::new(&FrameTables { frame, tables }))
                 }
@@ -406,6 +408,20 @@ impl SkyRenderer {
         self.low = Some(low);
         Ok(low)
     }
+}
+
+/// Whether the sun's disk can touch the picture: its middle is within the disk's radius and two pixels of a thousand
+/// of the cone around the axis that holds the picture's corners.
+fn sun_in_view(scene: &Scene, view: &ZenithView) -> bool {
+    let b = &view.basis;
+    let corners = [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)];
+    let axis = b.forward.normalize_or_zero();
+    let widest = corners
+        .map(|(x, y)| (b.forward + b.right * x + b.up * y).normalize_or_zero().dot(axis).clamp(-1.0, 1.0).acos())
+        .into_iter()
+        .fold(0.0, f64::max);
+    let pixel = b.up.length().max(b.right.length()) * 4e-3;
+    axis.dot(view.sun).clamp(-1.0, 1.0).acos() <= widest + scene.atmosphere.sun_angular_radius + pixel
 }
 
 /// Checks that a texture covers the same pixels as the target.

@@ -22,9 +22,9 @@ pub(super) static PARTS: &[&str] = &[
 ];
 
 pub(super) static GLSL: &[Glsl] = &[
-    Glsl { name: "probe-geometry", vertex: &[0, 1], fragment: &[3, 34, 35, 36, 236, 13, 14, 15, 42, 43, 90, 91, 92, 93, 237, 238, 239, 1], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-medium", vertex: &[0, 1], fragment: &[3, 240, 17, 59, 215, 62, 208, 241, 242, 1], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-path", vertex: &[0, 1], fragment: &[3, 243, 13, 14, 15, 16, 17, 18, 19, 20, 244, 245, 1], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-scatter_hg", vertex: &[0, 1], fragment: &[3, 34, 35, 36, 88, 243, 13, 14, 15, 42, 43, 90, 167, 168, 186, 47, 17, 18, 173, 174, 59, 215, 62, 175, 246, 247, 248, 1], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-scatter_cs", vertex: &[0, 1], fragment: &[3, 34, 35, 36, 88, 243, 13, 14, 15, 42, 43, 90, 167, 168, 186, 47, 17, 18, 173, 174, 59, 215, 62, 208, 175, 249, 247, 250, 1], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-geometry", vertex: &[0, 1], fragment: &[3, 34, 35, 36, 251, 13, 14, 15, 42, 43, 91, 92, 93, 94, 252, 253, 254, 1], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-medium", vertex: &[0, 1], fragment: &[3, 255, 17, 59, 230, 63, 224, 256, 257, 1], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-path", vertex: &[0, 1], fragment: &[3, 258, 13, 14, 15, 16, 17, 18, 19, 20, 259, 260, 1], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-scatter_hg", vertex: &[0, 1], fragment: &[3, 34, 35, 36, 89, 258, 13, 14, 15, 42, 43, 91, 170, 171, 195, 47, 17, 18, 176, 177, 59, 230, 63, 178, 261, 262, 263, 1], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-scatter_cs", vertex: &[0, 1], fragment: &[3, 34, 35, 36, 89, 258, 13, 14, 15, 42, 43, 91, 170, 171, 195, 47, 17, 18, 176, 177, 59, 230, 63, 224, 178, 264, 262, 265, 1], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
 ];

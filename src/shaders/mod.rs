@@ -72,7 +72,6 @@ impl Constituents {
         add(self.mie == Some(MiePhase::HenyeyGreenstein), &["MIE", "MIE_HG"]);
         add(self.mie == Some(MiePhase::CornetteShanks), &["MIE", "MIE_CS"]);
         add(self.ozone, &["OZONE"]);
-        add(self.mie.is_none(), &["NO_MIE"]);
     }
 }
 
@@ -151,6 +150,8 @@ pub enum Program {
     LutSky {
         /// What the air holds.
         air: Constituents,
+        /// The table of what the aerosol scatters straight from the sun; otherwise of all other light.
+        aerosol: bool,
     },
     /// Fills the slices of the air table, `lut_air.wgsl`; any aerosol stands for both phase functions.
     LutAir {
@@ -194,7 +195,9 @@ impl Program {
                 all.extend([false, true].map(|blend| Self::AerialLut { air, blend }));
             }
             if air.any() && air == air.without_phase() {
-                all.extend([Self::LutSky { air }, Self::LutAir { air }]);
+                all.push(Self::LutSky { air, aerosol: false });
+                all.extend(air.mie.map(|_| Self::LutSky { air, aerosol: true }));
+                all.push(Self::LutAir { air });
             }
             all.push(Self::Sky { air, sun: true });
         }
@@ -216,9 +219,14 @@ impl Program {
             Self::ToneMap(t) => format!("tonemap-{}", t.name()),
             #[cfg(feature = "probe")]
             Self::Probe(p) => format!("probe-{}", p.name()),
-            Self::LutSky { .. } | Self::LutAir { .. } => {
-                [self.module(), part("RAYLEIGH", "-rayleigh"), part("MIE", "-mie"), part("OZONE", "-ozone")].concat()
-            }
+            Self::LutSky { .. } | Self::LutAir { .. } => [
+                self.module(),
+                part("RAYLEIGH", "-rayleigh"),
+                part("MIE", "-mie"),
+                part("OZONE", "-ozone"),
+                part("AEROSOL", "-haze"),
+            ]
+            .concat(),
             Self::Sky { .. } | Self::Aerial { .. } | Self::SkyLut { .. } | Self::AerialLut { .. } => [
                 self.module(),
                 part("RAYLEIGH", "-rayleigh"),
@@ -267,15 +275,23 @@ impl Program {
                 air.flags(&mut flags);
                 flags.push(if blend { "BLEND" } else { "READ" });
             }
-            Self::LutSky { air } | Self::LutAir { air } => air.flags(&mut flags),
-            Self::LutScan { finish } => flags.extend(["NO_MIE", if finish { "FINISH" } else { "ADD" }]),
+            Self::LutSky { air, aerosol } => {
+                air.flags(&mut flags);
+                flags.extend(if aerosol { ["AEROSOL", "DIRECT"] } else { ["SMOOTH", "DIFFUSE"] });
+            }
+            Self::LutAir { air } => {
+                air.flags(&mut flags);
+                flags.push("DIFFUSE");
+            }
+            Self::LutScan { finish } => flags.push(if finish { "FINISH" } else { "ADD" }),
             Self::ToneMap(t) => flags.push(match t {
                 ToneMap::Aces => "ACES",
                 ToneMap::AgX => "AGX",
                 ToneMap::Neutral => "NEUTRAL",
             }),
             Self::Terrain | Self::LutColumns | Self::LutRadiance | Self::LutMoments => {
-                Constituents { rayleigh: true, mie: Some(MiePhase::HenyeyGreenstein), ozone: true }.flags(&mut flags)
+                Constituents { rayleigh: true, mie: Some(MiePhase::HenyeyGreenstein), ozone: true }.flags(&mut flags);
+                flags.push("DIFFUSE");
             }
             Self::Upsample | Self::Copy => {}
             #[cfg(feature = "probe")]
@@ -303,10 +319,11 @@ impl Program {
         match self {
             Self::Sky { .. } | Self::Terrain | Self::LutColumns => 0,
             Self::Upsample | Self::ToneMap(_) | Self::Copy | Self::LutMoments | Self::LutScan { .. } => 1,
-            Self::SkyLut { sun, .. } => 1 + usize::from(sun),
-            Self::LutRadiance | Self::LutSky { .. } | Self::LutAir { .. } => 2,
+            Self::SkyLut { air, .. } => 2 + usize::from(air.mie.is_some()),
+            Self::LutRadiance | Self::LutAir { .. } => 2,
+            Self::LutSky { aerosol, .. } => 2 - usize::from(aerosol),
             Self::Aerial { blend, .. } => 2 - usize::from(blend),
-            Self::AerialLut { blend, .. } => 5 - usize::from(blend),
+            Self::AerialLut { air, blend } => 5 - usize::from(blend) + usize::from(air.mie.is_some()),
             #[cfg(feature = "probe")]
             Self::Probe(_) => 1,
         }
