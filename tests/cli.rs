@@ -322,3 +322,15 @@ fn a_reader_that_leaves_is_no_error() {
         assert!(out.status.success() && !message.contains("error"), "{args:?}: {:?} {message}", out.status);
     }
 }
+
+/// A sheet opens every backend: the one that draws has to stay in charge of its context.
+#[test]
+fn either_backend_draws_the_contact_sheet() {
+    let folder = folder("either");
+    for backend in ["webgpu", "webgl2"] {
+        let file = format!("{backend}.png");
+        let out = welkin(&folder, &["render", "--backend", backend, "--quality", "low", "--output", &file]);
+        assert!(out.status.success(), "{backend}: {}", String::from_utf8_lossy(&out.stderr));
+        assert!(String::from_utf8_lossy(&out.stdout).contains(&format!("drawn by {backend}")));
+    }
+}

@@ -19,7 +19,7 @@ type Egl = egl::DynamicInstance<egl::EGL1_5>;
 pub struct Headless {
     /// Draws; dropped before the context.
     pub backend: GlowBackend,
-    _context: Context,
+    context: Context,
 }
 
 struct Context {
@@ -31,12 +31,35 @@ struct Context {
 impl Drop for Context {
     fn drop(&mut self) {
         // The display is shared by every context of the process: it is not terminated.
-        let _ = self.egl.make_current(self.display, None, None, None);
+        if self.egl.get_current_context() == Some(self.context) {
+            let _ = self.egl.make_current(self.display, None, None, None);
+        }
         let _ = self.egl.destroy_context(self.display, self.context);
     }
 }
 
+impl Drop for Headless {
+    fn drop(&mut self) {
+        // The backend deletes its objects in its own context.
+        let _ = self.make_current();
+    }
+}
+
 impl Headless {
+    /// Makes this context the thread's current one, as [`Self::new`] leaves it: to be called before drawing
+    /// wherever a thread has several.
+    ///
+    /// # Errors
+    /// [`Error::Driver`] with what EGL answers.
+    pub fn make_current(&self) -> Result<()> {
+        let Context { egl, display, context } = &self.context;
+        egl.make_current(*display, None, None, Some(*context)).map_err(|e| Error::Driver {
+            backend: "webgl2",
+            what: "make current".into(),
+            reason: e.to_string(),
+        })
+    }
+
     /// Opens a surfaceless context: on the first EGL device that has ES 3 (a GPU, if its driver is
     /// installed), else through Mesa's surfaceless platform.
     ///
@@ -78,7 +101,7 @@ impl Headless {
             })
         };
         let backend = GlowBackend::own(Rc::new(gl)).map_err(|e| e.to_string())?;
-        Ok(Self { backend, _context: holder })
+        Ok(Self { backend, context: holder })
     }
 }
 

@@ -166,6 +166,9 @@ impl LutSettings {
     }
 }
 
+/// Labels of the passes whose tables depend on the medium alone: a scene pays for them once.
+pub const MEDIUM_LABELS: [&str; 2] = ["columns table", "moments table"];
+
 /// Directions per node, see `directions.wgsl`.
 const NODE_DIRECTIONS: [u32; 2] = [8, 16];
 /// Moments per node, see `tables.wgsl`.
@@ -395,16 +398,17 @@ impl Luts {
             Ok::<_, Error>(())
         };
         let columns = uniform(settings.columns, COLUMN_STEPS);
-        pass("columns table", Some(Program::LutColumns), reads([]), columns, Target::color(t.columns))?;
+        let [columns_label, moments_label] = MEDIUM_LABELS;
+        pass(columns_label, Some(Program::LutColumns), reads([]), columns, Target::color(t.columns))?;
         // Darkness: logarithms of next to nothing.
         let dark = Target { clear: Some([-100.0; 4]), ..Target::color(t.moments[0]) };
-        pass("moments table", None, reads([]), Uniform::NONE, dark)?;
+        pass(moments_label, None, reads([]), Uniform::NONE, dark)?;
         for order in 0..rounds {
             let (from, to) = (t.moments[order % 2], t.moments[(order + 1) % 2]);
             let block = uniform(settings.moments, settings.moment_steps);
             let gather = Some(Program::LutRadiance);
-            pass("moments table", gather, reads([t.columns, from]), block, Target::color(t.radiance))?;
-            pass("moments table", Some(Program::LutMoments), reads([t.radiance]), block, Target::color(to))?;
+            pass(moments_label, gather, reads([t.columns, from]), block, Target::color(t.radiance))?;
+            pass(moments_label, Some(Program::LutMoments), reads([t.radiance]), block, Target::color(to))?;
         }
         Ok(())
     }

@@ -410,8 +410,8 @@ impl SkyRenderer {
     }
 }
 
-/// Whether the sun's disk can touch the picture: its middle is within the disk's radius and two pixels of a thousand
-/// of the cone around the axis that holds the picture's corners.
+/// Whether the sun's disk can touch the picture: whether it lies within the cone around the axis that holds the
+/// picture's corners, widened by the disk's radius and a few pixels.
 fn sun_in_view(scene: &Scene, view: &ZenithView) -> bool {
     let b = &view.basis;
     let corners = [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)];

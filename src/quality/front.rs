@@ -10,6 +10,7 @@ use super::Quality;
 use crate::atmosphere::AtmosphereParams;
 use crate::backend::{Backend, DepthUse, Pass, Target, TextureDesc, TextureId, Uniform, reads};
 use crate::error::{Error, Result};
+use crate::passes::lut::MEDIUM_LABELS;
 use crate::passes::picture::{PictureRenderer, PictureSettings};
 use crate::passes::sky::SkySettings;
 use crate::shaders::Program;
@@ -331,7 +332,8 @@ fn time(
             let times = backend.times(&passes)?;
             // The first round makes pipelines and warms caches.
             if let Some((copy, sky)) = times.split_last().filter(|_| round > 0) {
-                *best = best.min(sky.iter().map(|t| t.nanoseconds).sum());
+                let of_frame = sky.iter().filter(|t| !MEDIUM_LABELS.contains(&t.label));
+                *best = best.min(of_frame.map(|t| t.nanoseconds).sum());
                 best_copy = best_copy.min(copy.nanoseconds);
             }
         }
@@ -351,7 +353,7 @@ fn milliseconds(time: Duration) -> String {
 const HEAD: &str = "\
 # What every quality costs and misses, as measured: one part for each backend.
 # Written by `welkin accuracy --write-front FILE`; change nothing by hand.
-# ms: the sky's passes of a frame of `size`, mean over three Earth scenes; copy_ms: a full-screen copy beside them.
+# ms: the sky's passes of a frame of `size`, tables of altitude and sun made anew, mean over three Earth scenes; copy_ms: a full-screen copy beside them.
 # Errors: mean relative error of radiance in the worst channel over the report's scenes of a medium,
 # against all orders of scattering, and against single scattering for methods that compute only that.
 ";

@@ -88,7 +88,11 @@ impl Machine {
     fn backend(&mut self) -> Option<&mut dyn Backend> {
         match self {
             Self::WebGpu(b) => Some(&mut **b),
-            Self::WebGl2(h) => Some(&mut h.backend),
+            Self::WebGl2(h) => {
+                // Another drawer may have been opened since; if it fails, so does the first call.
+                let _ = h.make_current();
+                Some(&mut h.backend)
+            }
             Self::Cpu => None,
         }
     }

@@ -125,6 +125,8 @@ impl Entry {
 pub struct Findings {
     pub quick: bool,
     pub frame: Frame,
+    /// Frames that are timed.
+    pub timed: Frame,
     pub scenes: Vec<Setup>,
     pub runs: u32,
     /// One line for each backend that was measured.
@@ -222,7 +224,9 @@ pub fn run(args: &AccuracyArgs) -> anyhow::Result<()> {
 fn investigate(quick: bool, front_size: Option<[u32; 2]>, cache: &mut Cache) -> anyhow::Result<(Findings, Front)> {
     let start = Instant::now();
     let (frame, runs, tables) =
-        if quick { (Frame::QUICK, 3, Settings::QUICK) } else { (Frame::WHOLE, 6, Settings::FINE) };
+        if quick { (Frame::QUICK, 2, Settings::QUICK) } else { (Frame::WHOLE, 3, Settings::FINE) };
+    // Errors need few pixels. Times need as many as people draw, or the tables would weigh too much in them.
+    let timed = Frame { size: if quick { [320, 180] } else { [640, 360] }, ..frame };
     let scenes: Vec<_> = SETUPS.into_iter().filter(|s| s.quick || !quick).collect();
     let mut missing = Vec::new();
     let mut drawers = Vec::new();
@@ -261,13 +265,14 @@ fn investigate(quick: bool, front_size: Option<[u32; 2]>, cache: &mut Cache) -> 
     for (name, drawer) in &mut drawers {
         adapters.push(drawer.describe());
         let Some(backend) = drawer.backend() else { continue };
-        let mut renderer = PictureRenderer::default();
-        let [width, height] = frame.size;
+        let mut renderers = Renderers::default();
+        let [width, height] = timed.size;
         let copy_to = backend.create_texture(&TextureDesc::new("copy", width, height, Format::Rgba32Float))?;
         let first = entries.len();
         for candidate in &candidates {
             let tell = progress.step(&format!("{name}, {}", candidate.method));
-            let measured = by_scene(name, backend, &mut renderer, &truths, &frame, candidate, runs, copy_to, &tell);
+            let measured =
+                by_scene(name, backend, &mut renderers, &truths, [&frame, &timed], candidate, runs, copy_to, &tell);
             // A setting that fails is told, the others are still worth having.
             match measured {
                 Ok(found) => entries.extend(found),
@@ -280,14 +285,14 @@ fn investigate(quick: bool, front_size: Option<[u32; 2]>, cache: &mut Cache) -> 
             front.measured.extend(timed.with_context(|| format!("{name}: the front"))?.measured);
         }
         backend.destroy_texture(copy_to);
-        renderer.destroy(backend);
+        renderers.destroy(backend);
         let of_backend: &mut [Entry] = &mut entries[first..];
         let copy = of_backend.iter().map(|e| e.times.copy).fold(f64::INFINITY, f64::min);
         of_backend.iter_mut().for_each(|e| e.times.copy = copy);
     }
     anyhow::ensure!(!entries.is_empty(), "nothing could be measured: {}", missing.join("; "));
     let seconds = start.elapsed().as_secs_f64();
-    Ok((Findings { quick, frame, scenes, runs, adapters, entries, missing, seconds }, front))
+    Ok((Findings { quick, frame, timed, scenes, runs, adapters, entries, missing, seconds }, front))
 }
 
 /// The presets with the errors that were found, timed anew at a size that people draw at.
@@ -315,6 +320,19 @@ fn front_of(
     Front::measure_with(backend, Quality::ALL, size, &errors, &from)
 }
 
+/// One for each medium, so that what is made once for it is made once.
+#[derive(Default)]
+struct Renderers {
+    judged: [PictureRenderer; MEDIA.len()],
+    timed: [PictureRenderer; MEDIA.len()],
+}
+
+impl Renderers {
+    fn destroy(&mut self, backend: &mut dyn Backend) {
+        self.judged.iter_mut().chain(&mut self.timed).for_each(|r| r.destroy(backend));
+    }
+}
+
 /// A scene and the truth about it.
 struct Judged {
     setup: Setup,
@@ -327,9 +345,9 @@ struct Judged {
 fn by_scene(
     name: &str,
     backend: &mut dyn Backend,
-    renderer: &mut PictureRenderer,
+    renderers: &mut Renderers,
     judged: &[Judged],
-    frame: &Frame,
+    [frame, timed]: [&Frame; 2],
     candidate: &Candidate,
     runs: u32,
     copy_to: TextureId,
@@ -338,14 +356,15 @@ fn by_scene(
     let sky = candidate.settings();
     let mut errors = Vec::new();
     for j in judged {
-        let drawn = measure::draw(backend, renderer, &j.scene, frame, sky).with_context(|| j.setup.name)?;
+        let drawn = measure::draw(backend, &mut renderers.judged[j.setup.medium], &j.scene, frame, sky)
+            .with_context(|| j.setup.name)?;
         errors.push(Against::BOTH.map(|against| j.truth.errors(&drawn, against)));
     }
     let mut times = vec![Times::NEVER; judged.len()];
     // Round after round, so that a disturbance of a moment does not hit every run of a scene.
     for run in 0..runs {
         for (j, best) in judged.iter().zip(&mut times) {
-            let took = measure::time(backend, renderer, &j.scene, frame, sky, copy_to);
+            let took = measure::time(backend, &mut renderers.timed[j.setup.medium], &j.scene, timed, sky, copy_to);
             *best = best.best(took.with_context(|| j.setup.name)?);
         }
         tell((run + 1) as f32 / runs as f32);
@@ -366,7 +385,8 @@ fn by_scene(
         }
         let sky = members.iter().map(|&i| times[i].sky).sum::<f64>() / members.len() as f64;
         let copy = members.iter().map(|&i| times[i].copy).fold(f64::INFINITY, f64::min);
-        entries.push(entry(Over::Medium(medium), &all, Times { sky, copy }));
+        let once = members.iter().map(|&i| times[i].once).fold(0.0, f64::max);
+        entries.push(entry(Over::Medium(medium), &all, Times { sky, copy, once }));
     }
     for ((j, errors), times) in judged.iter().zip(&errors).zip(times) {
         entries.push(entry(Over::Scene(j.setup.name), errors, times));
@@ -393,7 +413,7 @@ mod tests {
             assert_eq!(shown.count(), 1, "{q}");
         }
         assert_eq!(all[1].numbers(), "4 × 8");
-        assert_eq!(all[4].numbers(), "8 × 8 (low)");
+        assert_eq!(all[4].numbers(), "8 × 8 (single-low)");
     }
 
     #[test]

@@ -74,7 +74,7 @@ pub fn short(f: &Findings) -> Result<String, std::fmt::Error> {
 /// The whole report.
 pub fn markdown(f: &Findings) -> Result<String, std::fmt::Error> {
     let mut t = String::new();
-    let [w, h] = f.frame.size;
+    let ([w, h], [tw, th]) = (f.frame.size, f.timed.size);
     let command = if f.quick { "welkin accuracy --quick" } else { "welkin accuracy" };
     writeln!(t, "# Accuracy and time\n\nWritten by `{command}`, welkin {}.\n", env!("CARGO_PKG_VERSION"))?;
     writeln!(
@@ -82,9 +82,10 @@ pub fn markdown(f: &Findings) -> Result<String, std::fmt::Error> {
         "{} scenes, {w} × {h} pixels in 32-bit floats, {} pixels of each judged. An error is the difference from \
          the reference over the reference's radiance, or over {FLOOR} of the picture's brightest where that is \
          more. ΔE is CIEDE2000 after ACES tone mapping, exposed so that the 95th percentile of the all-orders \
-         luminance comes out at 0.5. Time is that of the sky's passes, and beside it that of a full-screen copy of \
-         the same target, timed in the same submissions: the best of {} for each scene, then the mean over the scenes; \
-         for the copy, the best of all.\n\n\
+         luminance comes out at 0.5. Time is that of the sky's passes in frames of {tw} × {th} pixels, and beside it \
+         that of a full-screen copy of the same target, timed in the same submissions: the best of {} for each scene, \
+         then the mean over the scenes; for the copy, the best of all. Every frame makes the tables of its altitude \
+         and sun anew; those of the medium are made once and stand apart (`once_ms` in accuracy.csv).\n\n\
          ![Error against time](accuracy.svg)\n",
         f.scenes.len(),
         f.frame.pixels().len(),
@@ -164,7 +165,7 @@ pub fn csv(f: &Findings, file: &mut dyn std::io::Write) -> anyhow::Result<()> {
     for channel in ["R", "G", "B", "delta_e"] {
         header.extend(["mean", "p95", "max"].map(|s| format!("{s}_{channel}")));
     }
-    header.extend(["time_ms", "copy_ms", "time_over_copy"].map(str::to_owned));
+    header.extend(["time_ms", "copy_ms", "time_over_copy", "once_ms"].map(str::to_owned));
     writer.write_record(&header)?;
     for e in &f.entries {
         let c = &e.candidate;
@@ -182,7 +183,7 @@ pub fn csv(f: &Findings, file: &mut dyn std::io::Write) -> anyhow::Result<()> {
             for s in s.relative.iter().chain([&s.delta_e]) {
                 line.extend([s.mean, s.p95, s.max].map(|v| format!("{v:.4e}")));
             }
-            line.extend([e.times.sky, e.times.copy, e.ratio()].map(|v| format!("{v:.4}")));
+            line.extend([e.times.sky, e.times.copy, e.ratio(), e.times.once].map(|v| format!("{v:.4}")));
             writer.write_record(&line)?;
         }
     }
