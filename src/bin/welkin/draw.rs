@@ -84,15 +84,19 @@ impl Machine {
         Ok(Self::WebGl2(Box::new(Headless::new()?)))
     }
 
+    /// Makes a context the current one: another drawer may have been opened since.
+    fn take_over(&self) -> welkin::Result<()> {
+        match self {
+            Self::WebGl2(h) => h.make_current(),
+            Self::WebGpu(_) | Self::Cpu => Ok(()),
+        }
+    }
+
     /// The GPU backend, if it is one.
     fn backend(&mut self) -> Option<&mut dyn Backend> {
         match self {
             Self::WebGpu(b) => Some(&mut **b),
-            Self::WebGl2(h) => {
-                // Another drawer may have been opened since; if it fails, so does the first call.
-                let _ = h.make_current();
-                Some(&mut h.backend)
-            }
+            Self::WebGl2(h) => Some(&mut h.backend),
             Self::Cpu => None,
         }
     }
@@ -147,6 +151,7 @@ impl Drawer {
     pub fn draw(&mut self, shot: &Shot, progress: &dyn Fn(f32)) -> anyhow::Result<Picture> {
         let (width, height) = (shot.width, shot.height);
         let settings = shot.settings();
+        self.machine.take_over()?;
         let Some(backend) = self.machine.backend() else {
             let p = welkin::reference::picture::render(&shot.scene, &settings, [width, height], progress)?;
             return Ok(Picture { width, height, hdr: p.radiance, display: p.display });
@@ -169,6 +174,7 @@ impl Drawer {
     /// The best of `repeat` times of each pass of a picture, and last of a plain full-screen copy of its
     /// radiance, all in the same run. `None` on the CPU, which has no passes.
     pub fn times(&mut self, shot: &Shot, repeat: u32) -> anyhow::Result<Option<Vec<PassTime>>> {
+        self.machine.take_over()?;
         let Some(backend) = self.machine.backend() else { return Ok(None) };
         let size = [shot.width, shot.height];
         let (passes, drawn) = self.renderer.passes(backend, &shot.scene, &shot.settings(), size)?;
@@ -203,6 +209,10 @@ impl Drawer {
 
 impl Drop for Drawer {
     fn drop(&mut self) {
+        // A context that cannot be taken over frees what it holds when it goes.
+        if self.machine.take_over().is_err() {
+            return;
+        }
         if let Some(backend) = self.machine.backend() {
             self.renderer.destroy(backend);
         }
