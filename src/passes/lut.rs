@@ -281,7 +281,8 @@ type ViewKey = [f32; 4];
 #[derive(Debug, Default)]
 pub(crate) struct Luts {
     textures: Option<(LutSettings, bool, Textures)>,
-    medium: Option<MediumTables>,
+    /// With the rounds of scattering, which may change where the block's 32-bit numbers do not.
+    medium: Option<(MediumTables, usize)>,
     sky: Option<ViewKey>,
     air: Option<ViewKey>,
 }
@@ -305,10 +306,10 @@ impl Luts {
         let key = MediumTables { medium, tables };
         let rounds = settings.rounds(params) as usize;
         let last_moments = t.moments[rounds % 2];
-        if self.medium != Some(key) {
+        if self.medium != Some((key, rounds)) {
             self.forget();
             self.medium_passes(backend, settings, key, rounds, &t, passes)?;
-            self.medium = Some(key);
+            self.medium = Some((key, rounds));
         }
         let view = [frame.altitude, frame.sun[0], frame.sun[1], frame.sun[2]];
         let block = |tables: TablesUniform| Uniform::new(&FrameTables { frame: *frame, tables });
