@@ -265,6 +265,25 @@ struct Textures {
     air: Option<[TextureId; 2]>,
 }
 
+impl Textures {
+    /// All of them, with their labels.
+    fn named(&self) -> impl Iterator<Item = (TextureId, &'static str)> {
+        let air = self.air.into_iter().flatten().map(|id| (id, AIR));
+        let moments = self.moments.map(|id| (id, "moments table"));
+        [(self.columns, "columns table"), (self.radiance, "gathered radiance"), (self.sky, "sky table")]
+            .into_iter()
+            .chain(moments)
+            .chain(air)
+    }
+}
+
+const AIR: &str = "air table";
+
+/// Whether a texture is still there, and not another's: the ids of a new device begin where a lost one's did.
+fn is_ours(backend: &dyn Backend, id: TextureId, label: &str) -> bool {
+    backend.texture(id).is_some_and(|desc| desc.label == label)
+}
+
 /// The tables as a pass reads them.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Ready {
@@ -402,7 +421,7 @@ impl Luts {
     pub fn destroy(&mut self, backend: &mut dyn Backend) {
         self.forget();
         if let Some((.., t)) = self.textures.take() {
-            for id in [t.columns, t.radiance, t.sky].into_iter().chain(t.moments).chain(t.air.into_iter().flatten()) {
+            for (id, _) in t.named().filter(|&(id, label)| is_ours(backend, id, label)).collect::<Vec<_>>() {
                 backend.destroy_texture(id);
             }
         }
@@ -416,7 +435,7 @@ impl Luts {
         with_air: bool,
     ) -> Result<Textures> {
         let known = self.textures.filter(|(made_for, made_mie, t)| {
-            (made_for, *made_mie) == (settings, mie) && backend.texture(t.columns).is_some()
+            (made_for, *made_mie) == (settings, mie) && t.named().all(|(id, label)| is_ours(backend, id, label))
         });
         let mut t = match known {
             Some((.., t)) => t,
@@ -440,7 +459,7 @@ impl Luts {
         if with_air && t.air.is_none() {
             let [azimuths, zeniths, slices] = settings.air;
             let size = [azimuths * slices, zeniths * AIR_KINDS];
-            match create(backend, [("air table", size); 2]) {
+            match create(backend, [(AIR, size); 2]) {
                 Ok(air) => t.air = Some(air),
                 Err(e) => {
                     self.textures = Some((*settings, mie, t));
