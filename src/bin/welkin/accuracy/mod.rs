@@ -393,7 +393,7 @@ mod tests {
             assert_eq!(shown.count(), 1, "{q}");
         }
         assert_eq!(all[1].numbers(), "4 × 8");
-        assert_eq!(all[4].numbers(), "8 × 8 (low)");
+        assert_eq!(all[4].numbers(), "8 × 8 (single-low)");
     }
 
     #[test]
