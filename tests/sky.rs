@@ -11,16 +11,23 @@ use welkin::passes::sky::background_weight;
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
 use welkin::shaders::Program;
 use welkin::{
-    AtmosphereParams, DepthConvention, Method, MiePhase, PictureRenderer, PictureSettings, Scene, SkyRenderer,
-    SkySettings,
+    AtmosphereParams, Composition, DepthConvention, LutSettings, Method, MiePhase, PictureRenderer, PictureSettings,
+    Scene, SkyRenderer, SkySettings,
 };
 
 const FINE: SkySettings = SkySettings {
     enabled: true,
+    composition: Composition::Full,
     method: Method::Single { view_samples: 256, light_samples: 64 },
     render_scale: 1.0,
     sun_disk: false,
 };
+
+/// Light scattered once, and of all orders: what holds of any sky holds of both. No sun's disk.
+const ANY: [SkySettings; 2] = [
+    SkySettings { method: Method::Single { view_samples: 24, light_samples: 8 }, ..FINE },
+    SkySettings { method: Method::Lut(LutSettings::MEDIUM), ..FINE },
+];
 
 /// The background alone, 32-bit floats, over `clear`.
 fn background(
@@ -88,6 +95,11 @@ fn query(scene: &Scene, [w, h]: [u32; 2], x: u32, y: u32) -> RayQuery {
     }
 }
 
+/// Runs the body on both backends with either method.
+fn on_each(mut body: impl FnMut(&mut dyn Backend, SkySettings)) {
+    on_both(|b| ANY.into_iter().for_each(|settings| body(b, settings)));
+}
+
 fn assert_finite(pixels: &[f32], what: &str) {
     assert!(pixels.iter().all(|v| v.is_finite()), "{what}: a pixel is not finite");
     assert!(pixels.chunks_exact(4).all(|p| p[..3].iter().all(|v| *v >= 0.0)), "{what}: negative radiance");
@@ -139,8 +151,7 @@ fn radiance_is_the_references() {
 
 #[test]
 fn looks_are_those_of_the_documents() {
-    on_both(|b| {
-        let settings = SkySettings { sun_disk: false, ..SkySettings::default() };
+    on_each(|b, settings| {
         let mut see = |view: View| {
             let p = whole_sky(b, &view.scene(), settings, [16, 16]);
             assert_finite(&p, "look");
@@ -161,11 +172,12 @@ fn looks_are_those_of_the_documents() {
             c[0] / c[2]
         });
         assert!(ratios.windows(2).all(|w| w[1] > w[0]), "{ratios:?}");
-        // Dusk is dark, night is black: single scattering has no light to give behind the planet's shadow.
+        // Dusk is dark, night is black: nothing is scattered once behind the planet's shadow, and next to nothing often.
         let dusk = see(View { pitch: 90.0, sun_elevation: -5.0, ..narrow.clone() });
         let night = see(View { pitch: 90.0, sun_elevation: -30.0, ..narrow.clone() });
         assert!(sum(dusk) > 0.0 && sum(dusk) < 2e-2 * sum(zenith), "{dusk:?}");
-        assert!(sum(night) == 0.0, "{night:?}");
+        let single = settings.method.is_single_scattering();
+        assert!(sum(night) <= if single { 0.0 } else { 1e-6 * sum(zenith) }, "{night:?}");
         // The zenith darkens with altitude.
         let up = [100.0, 5e3, 15e3, 40e3].map(|altitude| sum(see(View { pitch: 90.0, altitude, ..narrow.clone() })));
         assert!(up.windows(2).all(|w| w[1] < 0.8 * w[0]), "{up:?}");
@@ -185,10 +197,9 @@ fn looks_are_those_of_the_documents() {
 
 #[test]
 fn planet_rays_draw_nothing_and_depth_is_left_alone() {
-    on_both(|b| {
+    on_each(|b, settings| {
         let scene = View { pitch: 0.0, ..View::default() }.scene();
         let sentinel = [0.125, 0.25, 0.5, 1.0];
-        let settings = SkySettings { sun_disk: false, ..SkySettings::default() };
         let p = background(b, &scene, settings, [16, 16], sentinel);
         assert_eq!(pixel(&p, 16, 8, 15), [0.125, 0.25, 0.5], "a ray that meets the planet drew");
         assert_ne!(pixel(&p, 16, 8, 0), [0.125, 0.25, 0.5], "the sky drew nothing");
@@ -219,9 +230,9 @@ fn planet_rays_draw_nothing_and_depth_is_left_alone() {
 
 #[test]
 fn terrain_occludes_the_sky() {
-    on_both(|b| {
+    on_each(|b, sky| {
         let scene = View { altitude: 2000.0, pitch: -10.0, ..View::default() }.scene();
-        let with = PictureSettings { sky: SkySettings { sun_disk: false, ..Default::default() }, ..Default::default() };
+        let with = PictureSettings { sky, ..Default::default() };
         let without = PictureSettings { terrain: None, ..with };
         let (a, n) = (picture(b, &scene, &with, [32, 32]), picture(b, &scene, &without, [32, 32]));
         assert_finite(&a, "terrain");
@@ -269,7 +280,7 @@ fn both_backends_draw_the_same() {
 }
 
 /// Synthetic scene: a plane `z` metres away along the camera's axis, in a depth convention.
-fn air_before(b: &mut dyn Backend, scene: &Scene, z: f64, behind: f32) -> Vec<f32> {
+fn air_before(b: &mut dyn Backend, settings: SkySettings, scene: &Scene, z: f64, behind: f32) -> Vec<f32> {
     let (w, h) = (8, 8);
     let desc = |label, f| TextureDesc::new(label, w, h, f);
     let color = b.create_texture(&desc("color", Format::Rgba32Float)).unwrap();
@@ -278,10 +289,11 @@ fn air_before(b: &mut dyn Backend, scene: &Scene, z: f64, behind: f32) -> Vec<f3
     b.write_texture(color, &[behind; 256]).unwrap();
     let stored = if z.is_finite() { scene.depth.encode(z) } else { scene.depth.background() };
     b.write_texture(depth, &[stored as f32; 64]).unwrap();
-    let mut sky = SkyRenderer::new(FINE).unwrap();
+    let mut sky = SkyRenderer::new(settings).unwrap();
     let passes = sky.aerial(b, scene, color, depth, out).unwrap().to_vec();
     b.run(&passes).unwrap();
     let pixels = b.read(out).unwrap();
+    sky.destroy(b);
     [color, depth, out].into_iter().for_each(|t| b.destroy_texture(t));
     pixels
 }
@@ -291,7 +303,7 @@ fn air_dims_the_scene_and_adds_light_as_the_reference_does() {
     on_both(|b| {
         for (altitude, z) in [(100.0, 10.0), (100.0, 1e3), (100.0, 50e3), (9e3, 200e3), (4e5, 3e6)] {
             let scene = View { altitude, pitch: 1.0, fov: 1.0, ..View::default() }.scene();
-            let (dark, bright) = (air_before(b, &scene, z, 0.0), air_before(b, &scene, z, 1.0));
+            let (dark, bright) = (air_before(b, FINE, &scene, z, 0.0), air_before(b, FINE, &scene, z, 1.0));
             let q = query(&scene, [8, 8], 3, 4);
             let ndc = DVec2::new(3.5 / 4.0 - 1.0, 1.0 - 4.5 / 4.0);
             let length = z * scene.camera.basis().unwrap().ray(ndc).length();
@@ -314,7 +326,7 @@ fn air_dims_the_scene_and_adds_light_as_the_reference_does() {
 
 #[test]
 fn every_depth_convention_gives_the_same_air() {
-    on_both(|b| {
+    on_each(|b, settings| {
         let conventions = [
             DepthConvention::ReversedInfinite { near: 0.1 },
             DepthConvention::ZeroToOne { near: 10.0, far: 1e6 },
@@ -328,7 +340,7 @@ fn every_depth_convention_gives_the_same_air() {
                 .map(|&depth| {
                     let scene =
                         Scene { depth, ..View { altitude: 20e3, pitch: -5.0, fov: 30.0, ..View::default() }.scene() };
-                    air_before(b, &scene, z, 0.5)
+                    air_before(b, settings, &scene, z, 0.5)
                 })
                 .collect();
             for (depth, r) in conventions.iter().zip(&results) {
@@ -342,7 +354,7 @@ fn every_depth_convention_gives_the_same_air() {
         }
         // A plane a metre away and one at the background are not the same, or nothing was tested.
         let scene = View { altitude: 20e3, ..View::default() }.scene();
-        assert_ne!(air_before(b, &scene, 1e4, 0.0), air_before(b, &scene, f64::INFINITY, 0.0));
+        assert_ne!(air_before(b, settings, &scene, 1e4, 0.0), air_before(b, settings, &scene, f64::INFINITY, 0.0));
     });
 }
 
@@ -352,13 +364,13 @@ fn hand_over_keeps_the_sum() {
         (background_weight(-5.0), background_weight(15e3), background_weight(50e3), background_weight(1e9)),
         (1.0, 1.0, 0.0, 0.0)
     );
-    on_both(|b| {
+    on_each(|b, settings| {
         let mut last: Option<[f64; 3]> = None;
         for altitude in [14_999.0, 15_001.0, 24e3, 32.5e3, 41e3, 49_999.0, 50_001.0] {
             let scene = View { altitude, pitch: -2.0, fov: 3.0, ..View::default() }.scene();
-            let total = mean(&whole_sky(b, &scene, FINE, [8, 8]));
+            let total = mean(&whole_sky(b, &scene, settings, [8, 8]));
             // The two passes alone: their weights add up to one.
-            let first = mean(&background(b, &scene, FINE, [8, 8], [0.0; 4]));
+            let first = mean(&background(b, &scene, settings, [8, 8], [0.0; 4]));
             let weight = background_weight(altitude);
             assert!((first[1] - weight * total[1]).abs() < 2e-3 * total[1], "{altitude}: {first:?} {total:?}");
             if let Some(last) = last.filter(|_| (altitude % 1000.0) == 1.0) {
@@ -371,10 +383,9 @@ fn hand_over_keeps_the_sum() {
 
 #[test]
 fn half_resolution_looks_like_full_resolution() {
-    on_both(|b| {
+    on_each(|b, full| {
         for size in [[64, 48], [65, 47], [7, 5]] {
             let scene = View { pitch: 5.0, aspect: f64::from(size[0]) / f64::from(size[1]), ..View::default() }.scene();
-            let full = SkySettings { sun_disk: false, ..SkySettings::default() };
             let half = SkySettings { render_scale: 0.5, ..full };
             let clear = [0.0, 0.0, 0.0, 1.0];
             let (f, h) = (background(b, &scene, full, size, clear), background(b, &scene, half, size, clear));
@@ -408,9 +419,10 @@ fn extreme_viewports_are_drawn() {
 
 #[test]
 fn moving_and_turning_the_world_changes_nothing() {
-    on_both(|b| {
+    on_each(|b, settings| {
+        let settings = SkySettings { sun_disk: true, ..settings };
         let base = View { altitude: 500.0, pitch: 10.0, sun_elevation: 5.0, ..View::default() }.scene();
-        let want = whole_sky(b, &base, SkySettings::default(), [12, 12]);
+        let want = whole_sky(b, &base, settings, [12, 12]);
         for center in [DVec3::ZERO, DVec3::splat(1e9), DVec3::new(0.0, -1e12, 1e12)] {
             let turn = DQuat::from_euler(glam::EulerRot::XYZ, 0.3, 1.1, -2.0);
             let mut scene = base.clone();
@@ -419,7 +431,7 @@ fn moving_and_turning_the_world_changes_nothing() {
             scene.camera.forward = turn * base.camera.forward;
             scene.camera.up = turn * base.camera.up;
             scene.sun_direction = turn * base.sun_direction * 3.0;
-            let got = whole_sky(b, &scene, SkySettings::default(), [12, 12]);
+            let got = whole_sky(b, &scene, settings, [12, 12]);
             // At 1e12 m an f64 metre has 1e-4 m left.
             let worst = got.iter().zip(&want).map(|(a, b)| (a - b).abs() / b.max(1e-2)).fold(0.0, f32::max);
             assert!(worst < 1e-4, "{center}: {worst}");

@@ -279,10 +279,28 @@ impl Textures {
         if with_air && self.air.is_none() {
             let [azimuths, zeniths, slices] = settings.air;
             let size = [azimuths * slices, zeniths * AIR_KINDS];
-            self.air = Some(create(backend, [("air table", size); 2])?);
+            self.air = Some(create(backend, [(AIR, size); 2])?);
         }
         Ok(())
     }
+
+    /// All of them, with their labels.
+    fn named(&self) -> impl Iterator<Item = (TextureId, &'static str)> {
+        let air = self.air.into_iter().flatten().map(|id| (id, AIR));
+        let moments = self.moments.map(|id| (id, "moments table"));
+        [(self.columns, "columns table"), (self.radiance, "gathered radiance"), (self.sky, "sky table")]
+            .into_iter()
+            .chain(moments)
+            .chain(self.haze.map(|id| (id, "sky table")))
+            .chain(air)
+    }
+}
+
+const AIR: &str = "air table";
+
+/// Whether a texture is still there, and not another's: the ids of a new device begin where a lost one's did.
+fn is_ours(backend: &dyn Backend, id: TextureId, label: &str) -> bool {
+    backend.texture(id).is_some_and(|desc| desc.label == label)
 }
 
 /// The tables as a pass reads them.
@@ -303,7 +321,8 @@ type ViewKey = [f32; 4];
 #[derive(Debug, Default)]
 pub(crate) struct Luts {
     textures: Option<(LutSettings, bool, Textures)>,
-    medium: Option<MediumTables>,
+    /// With the rounds of scattering, which may change where the block's 32-bit numbers do not.
+    medium: Option<(MediumTables, usize)>,
     sky: Option<ViewKey>,
     air: Option<ViewKey>,
 }
@@ -327,10 +346,10 @@ impl Luts {
         let key = MediumTables { medium, tables };
         let rounds = settings.rounds(params) as usize;
         let last_moments = t.moments[rounds % 2];
-        if self.medium != Some(key) {
+        if self.medium != Some((key, rounds)) {
             self.forget();
             self.medium_passes(backend, settings, key, rounds, &t, passes)?;
-            self.medium = Some(key);
+            self.medium = Some((key, rounds));
         }
         let view = [frame.altitude, frame.sun[0], frame.sun[1], frame.sun[2]];
         let block = |tables: TablesUniform| Uniform::new(&FrameTables { frame: *frame, tables });
@@ -424,8 +443,7 @@ impl Luts {
     pub fn destroy(&mut self, backend: &mut dyn Backend) {
         self.forget();
         if let Some((.., t)) = self.textures.take() {
-            let air = t.air.into_iter().flatten();
-            for id in [t.columns, t.radiance, t.sky].into_iter().chain(t.moments).chain(t.haze).chain(air) {
+            for (id, _) in t.named().filter(|&(id, label)| is_ours(backend, id, label)).collect::<Vec<_>>() {
                 backend.destroy_texture(id);
             }
         }
@@ -439,7 +457,7 @@ impl Luts {
         with_air: bool,
     ) -> Result<Textures> {
         let known = self.textures.filter(|(made_for, made_mie, t)| {
-            (made_for, *made_mie) == (settings, mie) && backend.texture(t.columns).is_some()
+            (made_for, *made_mie) == (settings, mie) && t.named().all(|(id, label)| is_ours(backend, id, label))
         });
         let mut t = match known {
             Some((.., t)) => t,

@@ -127,6 +127,11 @@ impl PictureRenderer {
     /// Frees every texture that it made.
     pub fn destroy(&mut self, backend: &mut dyn Backend) {
         self.sky.destroy(backend);
+        self.free(backend);
+    }
+
+    /// Frees the picture's own textures; the sky's tables do not depend on its size.
+    fn free(&mut self, backend: &mut dyn Backend) {
         if let Some(t) = self.textures.take() {
             for id in [t.scene, t.depth, t.aerial, t.display] {
                 backend.destroy_texture(id);
@@ -141,7 +146,7 @@ impl PictureRenderer {
         let [width, height] = size;
         // Sizes are checked before the old textures go.
         TextureDesc::new("picture", width, height, radiance).validate(backend.info().max_texture_size)?;
-        self.destroy(backend);
+        self.free(backend);
         let mut made = Vec::with_capacity(4);
         for (label, format) in
             [("scene", radiance), ("depth", Format::Depth32Float), ("aerial", radiance), ("display", Format::Rgba8)]

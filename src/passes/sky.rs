@@ -391,24 +391,27 @@ impl SkyRenderer {
     }
 
     fn free_low(&mut self, backend: &mut dyn Backend) {
-        if let Some(low) = self.low.take() {
+        if let Some(low) = self.low.take()
+            && backend.texture(low).is_some_and(|d| d.label == LOW)
+        {
             backend.destroy_texture(low);
         }
     }
 
     fn low_texture(&mut self, backend: &mut dyn Backend, [width, height]: [u32; 2]) -> Result<TextureId> {
-        if let Some(low) = self.low {
-            if backend.texture(low).is_some_and(|d| (d.width, d.height) == (width, height)) {
-                return Ok(low);
-            }
-            self.free_low(backend);
+        let desc = TextureDesc::new(LOW, width, height, Format::Rgba16Float);
+        if let Some(low) = self.low.filter(|&low| backend.texture(low) == Some(desc)) {
+            return Ok(low);
         }
-        let low =
-            backend.create_texture(&TextureDesc::new("low-resolution sky", width, height, Format::Rgba16Float))?;
+        self.free_low(backend);
+        let low = backend.create_texture(&desc)?;
         self.low = Some(low);
         Ok(low)
     }
 }
+
+/// Label of the sky in low resolution.
+const LOW: &str = "low-resolution sky";
 
 /// Whether the sun's disk can touch the picture: whether it lies within the cone around the axis that holds the
 /// picture's corners, widened by the disk's radius and a few pixels.
