@@ -353,8 +353,8 @@ for (const backend of ['webgl2', 'webgpu']) {
 
     it('keeps the view in the address', async (t) => {
       const page = await use(t, { backend });
-      await page.evaluate(async () => { Object.assign(welkin.state, { alt: 42000, planet: 'venus' }); await welkin.redraw(); });
-      await page.waitForFunction(() => location.hash === '#planet=venus&alt=42000');
+      await page.evaluate(async () => { Object.assign(welkin.state, { alt: 42000, planet: 'mars' }); await welkin.redraw(); });
+      await page.waitForFunction(() => location.hash === '#planet=mars&alt=42000');
       const picture = await pixels(page);
       await page.reload();
       await page.waitForFunction(() => window.welkin?.viewer);
