@@ -13,7 +13,8 @@ use crate::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, Textu
 use crate::passes::picture::{Drawn, PictureRenderer, PictureSettings};
 use crate::shaders::{Program, ToneMap};
 use crate::{
-    AtmosphereParams, Camera, DepthConvention, Error, Method, Pose, Quality, Result, Scene, SkySettings, TerrainStyle,
+    AtmosphereParams, Camera, DepthConvention, Error, Method, Mode, Pose, Quality, Result, Scene, SkySettings,
+    TerrainStyle,
 };
 
 impl From<Error> for JsValue {
@@ -282,6 +283,23 @@ impl Viewer {
             light_samples: whole("light_samples", light, 256)?,
         };
         self.set_sky(|s| s.method = method)
+    }
+
+    /// The modes' names.
+    pub fn modes() -> Vec<String> {
+        Mode::ALL.map(|mode| mode.name().to_owned()).into()
+    }
+
+    /// Which passes draw, as in a mode, by its name. The method stays: see `set_quality` and `set_samples`.
+    pub fn set_mode(&mut self, name: &str) -> std::result::Result<(), JsValue> {
+        let composition = Mode::from_name(name)?.settings().composition;
+        self.set_sky(|s| s.composition = composition)
+    }
+
+    /// The method in use and its numbers: `lut 100 × 100 × 32`.
+    #[wasm_bindgen(getter)]
+    pub fn method(&self) -> String {
+        self.settings.sky.method.to_string()
     }
 
     /// The presets' names, the cheapest of a method first.

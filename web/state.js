@@ -3,6 +3,9 @@
 
 export const ALTITUDE = { min: 2, max: 30_000_000 };
 
+/** The quality in which a mode draws by itself: a preset, or '' for by the usual samples. */
+export const modeQuality = (mode) => (['sky-dome', 'atmosphere-post', 'planet'].includes(mode) ? '' : 'medium');
+
 export const defaults = Object.freeze({
   planet: 'earth',
   alt: 100, // metres
@@ -13,7 +16,8 @@ export const defaults = Object.freeze({
   sunAzimuth: 40, // degrees
   exposure: 1,
   toneMap: 'aces',
-  quality: '', // a preset's name, or by samples
+  mode: 'lut', // which passes draw
+  quality: 'medium', // a preset's name, or '' for single scattering by samples
   samples: 24,
   lightSamples: 8,
   sky: true,
@@ -38,12 +42,20 @@ export function altitudeText(metres) {
 
 const short = (x) => String(Number(x.toPrecision(6)));
 
-/** The part of the address after `#`: only what differs from the defaults. */
+const SAMPLES = ['samples', 'lightSamples'];
+
+/**
+ * The part of the address after `#`: only what differs from the defaults. The quality is there if it is
+ * not the mode's own; samples are there, if they count, and say that they do.
+ */
 export function formatHash(state) {
   const out = new URLSearchParams();
+  const bySamples = state.quality === '';
+  const own = modeQuality(state.mode);
   for (const [key, usual] of Object.entries(defaults)) {
     const value = state[key];
-    if (value === usual) continue;
+    if (key === 'quality' ? bySamples || value === own : SAMPLES.includes(key) && !bySamples) continue;
+    if (value === usual && key !== 'quality' && !(key === 'samples' && own)) continue;
     out.set(key, typeof usual === 'boolean' ? (value ? 'on' : 'off') : typeof usual === 'number' ? short(value) : value);
   }
   return out.toString();
@@ -58,7 +70,8 @@ export function formatHash(state) {
 export function parseHash(text) {
   const state = { ...defaults };
   const problems = [];
-  for (const [key, value] of new URLSearchParams(text.replace(/^#/, ''))) {
+  const given = new URLSearchParams(text.replace(/^#/, ''));
+  for (const [key, value] of given) {
     const usual = Object.hasOwn(defaults, key) ? defaults[key] : undefined;
     const refuse = (allowed) => problems.push(`${key} = ${value} is not allowed: must be ${allowed}`);
     if (usual === undefined) {
@@ -74,6 +87,11 @@ export function parseHash(text) {
     } else {
       state[key] = value;
     }
+  }
+  // A mode by itself stands for its own quality, samples for drawing by them.
+  if (!given.has('quality')) {
+    if (SAMPLES.some((key) => given.has(key))) state.quality = '';
+    else if (given.has('mode')) state.quality = modeQuality(state.mode);
   }
   return { state, problems };
 }

@@ -5,7 +5,7 @@
 //         ?width=320&height=200    a canvas of exactly that many pixels
 // Hash:   the view (see state.js)
 import init, { Viewer } from './pkg/welkin.js';
-import { ALTITUDE, altitudeText, clamp, climb, defaults, formatHash, parseHash, queryNumber, wrapDegrees } from './state.js';
+import { ALTITUDE, altitudeText, clamp, climb, defaults, formatHash, modeQuality, parseHash, queryNumber, wrapDegrees } from './state.js';
 
 const BACKENDS = ['webgpu', 'webgl2']; // best first
 const $ = (id) => document.getElementById(id);
@@ -73,6 +73,7 @@ const GROUPS = [
   { keys: ['planet'], set: (v, s) => v.set_planet(s.planet) },
   { keys: ['alt', 'pitch', 'heading', 'fov'], set: (v, s) => v.set_camera(s.alt, s.pitch, s.heading, s.fov) },
   { keys: ['sunElevation', 'sunAzimuth'], set: (v, s) => v.set_sun(s.sunElevation, s.sunAzimuth) },
+  { keys: ['mode'], set: (v, s) => v.set_mode(s.mode) },
   {
     keys: ['quality', 'samples', 'lightSamples', 'half'],
     set: (v, s) => {
@@ -266,6 +267,8 @@ function showState() {
   }
   $('read-altitude').textContent =
     `${altitudeText(state.alt)}, pitch ${state.pitch.toFixed(1)}°, heading ${state.heading.toFixed(1)}°`;
+  $('read-sky').textContent =
+    `${state.mode}, ${state.quality || 'by samples'} (${viewer.method}${state.half ? ', half resolution' : ''})${state.sky ? '' : ', off'}`;
   rememberSoon();
 }
 
@@ -276,6 +279,7 @@ controls.addEventListener('input', ({ target }) => {
   if (target.type === 'checkbox') state[key] = target.checked;
   else if (target.type === 'range') state[key] = scale ? scales[scale].from(target.valueAsNumber) : target.valueAsNumber;
   else state[key] = target.value;
+  if (key === 'mode') state.quality = modeQuality(state.mode);
   if (key === 'samples' || key === 'lightSamples') state.quality = '';
   redraw();
 });
@@ -434,6 +438,15 @@ window.setSkyQuality = (quality) => {
   redraw();
 };
 
+/** Draw as a mode does, in its own quality, by its name. Throws what the renderer says to a bad one. */
+window.setSkyMode = (mode) => {
+  need().set_mode(String(mode));
+  const { samples, lightSamples } = defaults;
+  Object.assign(state, { mode: String(mode), quality: modeQuality(mode), samples, lightSamples });
+  console.log(`Sky mode: ${mode}`);
+  redraw();
+};
+
 window.welkin = {
   state,
   redraw,
@@ -467,6 +480,7 @@ async function main() {
   }
   stage.classList.toggle('fixed', options.width !== undefined);
   $('backend').value = options.backend ?? '';
+  for (const name of Viewer.modes()) $('mode').add(new Option(name, name));
   for (const name of Viewer.qualities()) $('quality').add(new Option(name, name));
   if (matchMedia('(max-width: 640px)').matches) $('panel').open = false;
   takeHash();

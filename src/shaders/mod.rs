@@ -416,11 +416,60 @@ fn part(index: u16) -> &'static str {
 
 macro_rules! modules {
     ($($(#[$on:meta])? $name:literal),* $(,)?) => {
-        &[$($(#[$on])? ($name, include_str!(concat!("../../shaders/wgsl/", $name, ".wgsl")))),*]
+        &[$($(#[$on])? ($name, {
+            const WHOLE: &[u8] = include_bytes!(concat!("../../shaders/wgsl/", $name, ".wgsl"));
+            const LENGTH: usize = bare::<0>(WHOLE).1;
+            const BARE: [u8; LENGTH] = bare(WHOLE).0;
+            match std::str::from_utf8(&BARE) {
+                Ok(text) => text,
+                Err(_) => panic!(),
+            }
+        })),*]
     };
 }
 
-/// Name and text of every WGSL module.
+/// A text less comments, blank lines and what ends lines, and its length. Lines that begin with `//#` stay. The
+/// compiler does this: comments stay in the source, drivers and the wasm module need none.
+const fn bare<const LENGTH: usize>(text: &[u8]) -> ([u8; LENGTH], usize) {
+    let mut out = [0; LENGTH];
+    let (mut length, mut at) = (0, 0);
+    while at < text.len() {
+        let start = at;
+        // Behind the last character that stays, and where the line's first word begins.
+        let (mut end, mut word) = (start, start);
+        let mut comment = false;
+        while at < text.len() && text[at] != b'\n' {
+            if word == at && text[at] == b' ' {
+                word += 1;
+            }
+            let slashes = text[at] == b'/' && at + 1 < text.len() && text[at + 1] == b'/';
+            comment |= slashes && !(at == word && at + 2 < text.len() && text[at + 2] == b'#');
+            // The second slash of `//#` starts no comment either: `/#` are not two slashes.
+            if !comment && text[at] != b' ' {
+                end = at + 1;
+            }
+            at += 1;
+        }
+        at += 1;
+        if end > start {
+            let mut from = start;
+            while from < end {
+                if LENGTH > 0 {
+                    out[length] = text[from];
+                }
+                length += 1;
+                from += 1;
+            }
+            if LENGTH > 0 {
+                out[length] = b'\n';
+            }
+            length += 1;
+        }
+    }
+    (out, length)
+}
+
+/// Name and text of every WGSL module, without its comments.
 pub const MODULES: &[(&str, &str)] = modules![
     "aerial",
     "aerial_lut",
@@ -480,9 +529,8 @@ fn link(name: &'static str, flags: &[&str], seen: &mut Vec<&'static str>, out: &
             // Left out of this variant.
         } else if let Some(include) = word.strip_prefix("//#include ") {
             link(include.trim(), flags, seen, out);
-        } else if !word.starts_with("//") {
-            // Comments stay in the source: drivers and the wasm module need none.
-            *out += line.split("//").next().unwrap_or_default().trim_end();
+        } else {
+            *out += line;
             *out += "\n";
         }
     }
@@ -491,6 +539,33 @@ fn link(name: &'static str, flags: &[&str], seen: &mut Vec<&'static str>, out: &
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn modules_are_bare() {
+        let text = b"// a\n\n  //#if X // why\nlet a = b / c;  // d\n   \n    f();//\n  //#endif\n/ 2";
+        const BARE: &str = "  //#if X\nlet a = b / c;\n    f();\n  //#endif\n/ 2\n";
+        let (out, length) = bare::<{ BARE.len() }>(text);
+        assert_eq!((std::str::from_utf8(&out), length), (Ok(BARE), BARE.len()));
+        for (name, text) in MODULES {
+            for line in text.lines() {
+                let code = line.trim_start().strip_prefix("//#").unwrap_or(line);
+                assert!(!code.is_empty() && !code.contains("//") && code.trim_end() == code, "{name}: {line:?}");
+            }
+        }
+    }
+
+    #[test]
+    #[cfg(feature = "glow")]
+    fn glsl_parts_are_stored_once_and_all_used() {
+        let mut used = vec![false; generated::PARTS.len()];
+        for &part in generated::GLSL.iter().flat_map(|g| g.vertex.iter().chain(g.fragment)) {
+            used[usize::from(part)] = true;
+        }
+        assert!(used.iter().all(|u| *u), "{used:?}");
+        let unique: std::collections::BTreeSet<_> = generated::PARTS.iter().collect();
+        assert_eq!(unique.len(), generated::PARTS.len());
+        assert!(generated::PARTS.iter().all(|p| !p.contains("\n ") && !p.contains("\n\n")));
+    }
 
     #[test]
     fn names_are_unique_and_variants_hold_only_their_effects() {

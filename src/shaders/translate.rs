@@ -78,18 +78,13 @@ fn stage(program: Program, stage: naga::ShaderStage, entry: &str) -> Result<(Str
 }
 
 /// File name (below `shaders/glsl/`) and text of everything generated, and the Rust tables last, whose names
-/// are `generated.rs` and, with what only the probe needs, `generated_probe.rs` (below `src/shaders/`). Equal vertex shaders share a file. The table holds each
-/// function once: variants differ in few of them, and all of them travel in the wasm module.
+/// are `generated.rs` and, with what only the probe needs, `generated_probe.rs` (below `src/shaders/`). Equal
+/// vertex shaders share a file. All variants travel in the wasm module and differ in few functions: the table
+/// holds each function once, terse, and variants of a function next to each other, where they compress well.
 pub fn generate() -> Result<Vec<(String, String)>> {
     let mut files: Vec<(String, String)> = Vec::new();
-    let mut parts: Vec<String> = Vec::new();
-    let mut rows = String::new();
-    // Where the probe's parts and rows begin.
-    let mut pictures = None;
+    let mut programs = Vec::new();
     for program in Program::all() {
-        if matches!(program, Program::Probe(_)) {
-            pictures.get_or_insert((parts.len(), rows.len()));
-        }
         let t = translate(program)?;
         let own = format!("{}.vert", program.module());
         let vertex_file = if program == Program::Terrain { own } else { "fullscreen.vert".to_owned() };
@@ -101,30 +96,78 @@ pub fn generate() -> Result<Vec<(String, String)>> {
                 Some(_) => return Err(driver_error("two different texts for", program, file)),
             }
         }
-        let mut list = |text: &str| {
-            let indices = split(text).map(|part| {
-                let known = parts.iter().position(|p| p == part);
-                known.unwrap_or_else(|| {
-                    parts.push(part.to_owned());
-                    parts.len() - 1
-                })
-            });
+        let parts = [&t.vertex, &t.fragment].map(|text| split(text).map(terse).collect::<Vec<_>>());
+        programs.push((matches!(program, Program::Probe(_)), t, parts));
+    }
+    // The probe's parts follow those of the pictures.
+    let mut parts: Vec<&String> = Vec::new();
+    let mut ends = [0; 2];
+    for (table, end) in ends.iter_mut().enumerate() {
+        let start = parts.len();
+        for part in
+            programs.iter().filter(|(probe, ..)| usize::from(*probe) == table).flat_map(|p| p.2.iter().flatten())
+        {
+            if !parts.contains(&part) {
+                parts.push(part);
+            }
+        }
+        parts[start..].sort_by_key(|part| (function(part), *part));
+        *end = parts.len();
+    }
+    let mut rows = [String::new(), String::new()];
+    for (probe, t, own) in &programs {
+        let [vertex, fragment] = own.each_ref().map(|list| {
+            let indices = list.iter().filter_map(|part| parts.iter().position(|p| *p == part));
             indices.map(|i| i.to_string()).collect::<Vec<_>>().join(", ")
-        };
-        let (vertex, fragment) = (list(&t.vertex), list(&t.fragment));
-        rows += &format!(
+        });
+        rows[usize::from(*probe)] += &format!(
             "    Glsl {{ name: {:?}, vertex: &[{vertex}], fragment: &[{fragment}], blocks: {:?}, textures: &{:?} }},\n",
             t.name, t.blocks, t.textures,
         );
     }
-    let (part, row) = pictures.unwrap_or((parts.len(), rows.len()));
-    files.push(("generated.rs".to_owned(), table(&parts[..part], &rows[..row])));
-    files.push(("generated_probe.rs".to_owned(), table(&parts[part..], &rows[row..])));
+    files.push(("generated.rs".to_owned(), table(&parts[..ends[0]], &rows[0])));
+    files.push(("generated_probe.rs".to_owned(), table(&parts[ends[0]..], &rows[1])));
     Ok(files)
 }
 
+/// A part without indentation and blank lines, its temporaries `_e17` counted from 0: naga counts expressions
+/// that leave no trace, so that functions with the same text get different names for them.
+fn terse(part: &str) -> String {
+    let mut out = String::new();
+    let mut temporaries: Vec<&str> = Vec::new();
+    for line in part.lines().map(str::trim).filter(|line| !line.is_empty()) {
+        let mut rest = line;
+        while let Some(start) = rest.find("_e") {
+            let (before, tail) = rest.split_at(start);
+            let digits = tail[2..].find(|c: char| !c.is_ascii_digit()).unwrap_or(tail.len() - 2);
+            let (name, tail) = tail.split_at(2 + digits);
+            out += before;
+            let inside = |c: char| c.is_ascii_alphanumeric() || c == '_';
+            if digits == 0 || before.ends_with(inside) || tail.starts_with(inside) {
+                out += name;
+            } else {
+                let index = temporaries.iter().position(|t| *t == name).unwrap_or_else(|| {
+                    temporaries.push(name);
+                    temporaries.len() - 1
+                });
+                out += &format!("_e{index}");
+            }
+            rest = tail;
+        }
+        out += rest;
+        out += "\n";
+    }
+    out
+}
+
+/// The name of the function that a part holds; empty for other parts.
+fn function(part: &str) -> &str {
+    let header = part.lines().find(|line| line.ends_with(") {") && !line.starts_with(['}', '#']));
+    header.and_then(|line| line.split_once('(')).and_then(|(head, _)| head.split(' ').nth(1)).unwrap_or_default()
+}
+
 /// The Rust text of a table of parts and of the programs made of them.
-fn table(parts: &[String], rows: &str) -> String {
+fn table(parts: &[&String], rows: &str) -> String {
     let mut table = String::from(
         "// Made by `cargo run --features cli -- shaders` from shaders/wgsl/; do not edit.\n// Readable whole shaders are in shaders/glsl/.\n\n\
          use super::Glsl;\n\npub(super) static PARTS: &[&str] = &[\n",

@@ -53,7 +53,7 @@ const FLAGS = [
   '--enable-features=Vulkan', '--use-vulkan=swiftshader', '--use-angle=swiftshader',
 ];
 
-/** A running browser, with `open` for pages of the viewer. Call `close` at the end. */
+/** A running browser, its `version`, with `open` for pages of the viewer. Call `close` at the end. */
 export async function launch() {
   if (!existsSync(join(web, 'pkg', 'welkin_bg.wasm'))) throw new Error('web/pkg is not built: run scripts/build-web');
   const server = await serve();
@@ -90,7 +90,7 @@ export async function launch() {
     await browser.close();
     await new Promise((closed) => server.close(closed));
   }
-  return { open, close };
+  return { open, close, version: browser.version() };
 }
 
 /** Wait until the page has written a console line that is, or matches, `wanted`. */

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { ALTITUDE, altitudeText, climb, defaults, formatHash, parseHash, queryNumber, wrapDegrees } from '../state.js';
+import { ALTITUDE, altitudeText, climb, defaults, formatHash, modeQuality, parseHash, queryNumber, wrapDegrees } from '../state.js';
 
 test('the default view has an empty hash', () => {
   assert.equal(formatHash(defaults), '');
@@ -12,6 +12,26 @@ test('a view survives the address', () => {
     ...defaults, planet: 'mars', alt: 123456, pitch: -12.5, heading: 359.5, sunElevation: -3.25, exposure: 0.125, sky: false, terrain: false,
   };
   assert.deepEqual(parseHash(`#${formatHash(view)}`), { state: view, problems: [] });
+});
+
+test('modes, qualities and samples survive the address, each in its shortest form', () => {
+  for (const [changes, hash] of [
+    [{ mode: 'planet', quality: '' }, 'mode=planet'],
+    [{ mode: 'planet', quality: '', lightSamples: 4 }, 'mode=planet&lightSamples=4'],
+    [{ mode: 'sky-dome', quality: 'medium' }, 'mode=sky-dome&quality=medium'],
+    [{ quality: 'high' }, 'quality=high'],
+    [{ quality: '' }, 'samples=24'],
+    [{ quality: '', samples: 9, lightSamples: 7 }, 'samples=9&lightSamples=7'],
+  ]) {
+    const view = { ...defaults, ...changes };
+    assert.equal(formatHash(view), hash);
+    assert.deepEqual(parseHash(`#${hash}`), { state: view, problems: [] });
+  }
+  assert.equal(defaults.quality, modeQuality(defaults.mode));
+  assert.equal(formatHash({ ...defaults, samples: 9 }), '', 'samples that do not count stay out');
+  assert.equal(parseHash('#lightSamples=4').state.quality, '', 'samples count where no quality is given');
+  assert.equal(parseHash('#mode=planet&quality=low&samples=9').state.quality, 'low');
+  assert.equal(parseHash('#mode=nonsense').state.quality, 'medium', 'which the renderer refuses, and its quality goes unharmed');
 });
 
 test('what the hash may not hold is named with field, value and range', () => {

@@ -130,22 +130,77 @@ for (const backend of ['webgl2', 'webgpu']) {
       const set = (q) => page.evaluate(async (q) => { setSkyQuality(q); await welkin.redraw(); return welkin.state.quality; }, q);
       assert.equal(await set(16), '');
       const bySamples = await pixels(page);
-      assert.equal(await set('medium'), 'medium');
-      await waitForLine(page, 'Sky quality: medium');
-      assert.equal(difference(bySamples, await pixels(page)).max, 0, 'medium is 16 × 8 samples');
-      assert.equal(await set('low'), 'low');
+      assert.equal(await set('single-medium'), 'single-medium');
+      await waitForLine(page, 'Sky quality: single-medium');
+      assert.equal(difference(bySamples, await pixels(page)).max, 0, 'single-medium is 16 × 8 samples');
+      assert.equal(await set('single-low'), 'single-low');
       const low = await pixels(page);
       assert.ok(difference(bySamples, low).mean > 0, 'another preset gives another picture');
+      const tables = {};
+      for (const name of ['low', 'medium', 'high']) {
+        assert.equal(await set(name), name);
+        tables[name] = luminance(mean(await pixels(page)));
+        assert.match(await page.textContent('#read-sky'), new RegExp(`^lut, ${name} \\(lut \\d+ × \\d+ × \\d+\\)$`));
+        assert.ok(tables[name] > luminance(mean(bySamples)), `${name} holds light that was scattered more than once`);
+      }
+      assert.ok(Math.abs(tables.medium / tables.high - 1) < 0.02, `medium is near high: ${tables.medium} and ${tables.high}`);
       const message = await page.evaluate(() => { try { setSkyQuality('best'); } catch (e) { return e.message; } });
       assert.match(message ?? 'nothing was thrown', /quality = "best" is not allowed: must be one of low, medium/);
-      assert.equal(await page.evaluate(() => welkin.state.quality), 'low', 'a refused name changes nothing');
+      assert.equal(await page.evaluate(() => welkin.state.quality), 'high', 'a refused name changes nothing');
       const names = await page.evaluate(() => [...document.querySelectorAll('#quality option')].map((o) => o.value));
       assert.deepEqual(names.slice(0, 4), ['', 'low', 'medium', 'high']);
-      await page.selectOption('#quality', 'medium');
+      await page.selectOption('#quality', 'single-medium');
       await page.evaluate(() => welkin.redraw());
       assert.equal(difference(bySamples, await pixels(page)).max, 0);
       await page.locator('#samples').fill('24');
       assert.equal(await page.evaluate(() => welkin.state.quality), '', 'moving the samples leaves the preset');
+    });
+
+    it('draws from tables by default, and says so', async (t) => {
+      const page = await use(t, { backend, hash: 'pitch=10' });
+      assert.equal(await page.textContent('#read-sky'), 'lut, medium (lut 100 × 100 × 32)');
+      assert.deepEqual(await page.evaluate(() => [welkin.state.mode, welkin.state.quality]), ['lut', 'medium']);
+      assert.deepEqual(await page.evaluate(() => [...document.querySelectorAll('#mode, #quality')].map((c) => c.value)), ['lut', 'medium']);
+      const byDefault = await pixels(page);
+      await page.evaluate(() => { setSkyQuality('single-ultra'); });
+      assert.ok(luminance(mean(await pixels(page))) < luminance(mean(byDefault)), 'single scattering is darker');
+      await page.evaluate(() => { setSkyQuality('medium'); });
+      assert.equal(difference(byDefault, await pixels(page)).max, 0);
+    });
+
+    it('setSkyMode takes the four modes, as the list on the page and the address do', async (t) => {
+      const page = await use(t, { backend, hash: 'pitch=10&sunElevation=20' });
+      const modes = ['sky-dome', 'atmosphere-post', 'planet', 'lut'];
+      assert.deepEqual(await page.evaluate(() => [...document.querySelectorAll('#mode option')].map((o) => o.value)), modes);
+      const said = { lut: 'lut, medium (lut 100 × 100 × 32)' };
+      const seen = {};
+      for (const mode of modes) {
+        await page.evaluate(async (mode) => { setSkyMode(mode); await welkin.redraw(); }, mode);
+        await waitForLine(page, `Sky mode: ${mode}`);
+        assert.equal(await page.textContent('#read-sky'), said[mode] ?? `${mode}, by samples (single 24 × 8)`);
+        assert.equal(await page.inputValue('#mode'), mode);
+        seen[mode] = await pixels(page);
+        assert.ok(finite(seen[mode]) && luminance(mean(seen[mode])) > 0, mode);
+        for (const other of modes.slice(0, modes.indexOf(mode))) {
+          assert.ok(difference(seen[mode], seen[other]).mean > 0, `${mode} draws otherwise than ${other}`);
+        }
+      }
+      for (const mode of modes) {
+        await page.selectOption('#mode', mode);
+        assert.equal(difference(seen[mode], await pixels(page)).max, 0, `${mode} from the list`);
+      }
+      await page.evaluate(() => { location.hash = '#pitch=10&sunElevation=20&mode=planet'; });
+      await page.waitForFunction(() => welkin.state.mode === 'planet');
+      assert.equal(difference(seen.planet, await pixels(page)).max, 0, 'from the address');
+      for (const bad of ['Planet', '', 'toString', 7, null]) {
+        const message = await page.evaluate((bad) => { try { setSkyMode(bad); } catch (e) { return e.message; } }, bad);
+        assert.equal(message ?? 'nothing was thrown', `mode = "${bad}" is not allowed: must be one of ${modes.join(', ')}`);
+      }
+      assert.deepEqual(await page.evaluate(() => [welkin.state.mode, welkin.state.quality]), ['planet', '']);
+      assert.equal(difference(seen.planet, await pixels(page)).max, 0, 'a refused name changes nothing');
+      await page.evaluate(() => { location.hash = '#pitch=10&sunElevation=20&mode=dome'; });
+      await page.waitForFunction(() => /mode = "dome" is not allowed: must be one of sky-dome/.test(document.querySelector('#messages').textContent));
+      assert.ok(finite(await pixels(page)));
     });
 
     it('draws the sky behind the terrain', async (t) => {
@@ -298,8 +353,8 @@ for (const backend of ['webgl2', 'webgpu']) {
 
     it('keeps the view in the address', async (t) => {
       const page = await use(t, { backend });
-      await page.evaluate(async () => { Object.assign(welkin.state, { alt: 42000, planet: 'venus' }); await welkin.redraw(); });
-      await page.waitForFunction(() => location.hash === '#planet=venus&alt=42000');
+      await page.evaluate(async () => { Object.assign(welkin.state, { alt: 42000, planet: 'mars' }); await welkin.redraw(); });
+      await page.waitForFunction(() => location.hash === '#planet=mars&alt=42000');
       const picture = await pixels(page);
       await page.reload();
       await page.waitForFunction(() => window.welkin?.viewer);
@@ -334,7 +389,7 @@ describe('both backends', () => {
 });
 
 describe('the browser draws what the native program draws', () => {
-  const program = join(web, '..', 'target', 'debug', 'welkin');
+  const program = join(process.env.CARGO_TARGET_DIR ?? join(web, '..', 'target'), 'debug', 'welkin');
   const views = {
     'noon': { alt: 100, pitch: 15, heading: 180, sunElevation: 50, sunAzimuth: 150 },
     'sunset': { alt: 100, pitch: 8, heading: 270, sunElevation: 2, sunAzimuth: 265 },
@@ -342,11 +397,16 @@ describe('the browser draws what the native program draws', () => {
     'limb': { alt: 4e5, pitch: -18, heading: 0, sunElevation: 25, sunAzimuth: 60 },
     'planet': { alt: 1.5e7, pitch: -90, heading: 0, sunElevation: 45, sunAzimuth: 60 },
   };
+  const draws = [
+    { how: 'by default', options: [] },
+    { how: 'single scattering', changes: { quality: '', samples: 24, lightSamples: 8 }, options: ['--samples', '24', '--light-samples', '8'] },
+    ...['sky-dome', 'atmosphere-post', 'planet'].map((mode) => ({ how: mode, changes: { mode, quality: '' }, options: ['--mode', mode] })),
+  ];
   for (const backend of ['webgl2', 'webgpu']) {
-    it(`on ${backend}`, async (t) => {
+    for (const { how, changes = {}, options } of draws) it(`on ${backend}, ${how}`, async (t) => {
       const page = await use(t, { backend });
       for (const [name, view] of Object.entries(views)) {
-        const fixed = { planet: 'earth', fov: 60, exposure: 1, toneMap: 'aces', samples: 24, lightSamples: 8, terrain: true };
+        const fixed = { planet: 'earth', fov: 60, exposure: 1, toneMap: 'aces', terrain: true, ...changes };
         await pixels(page, { ...fixed, ...view });
         const here = await shown(page);
         const file = join(artifacts, `native-${backend}.png`);
@@ -354,7 +414,7 @@ describe('the browser draws what the native program draws', () => {
         execFileSync(program, [
           'render', '--backend', backend, '--size', `${SIZE.width}x${SIZE.height}`, '--altitude', `${alt}`, '--pitch', `${pitch}`,
           '--heading', `${heading}`, '--fov', '60', '--sun-elevation', `${sunElevation}`, '--sun-azimuth', `${sunAzimuth}`,
-          '--exposure', '1', '--samples', '24', '--light-samples', '8', '-o', file,
+          '--exposure', '1', ...options, '-o', file,
         ], { stdio: 'pipe' });
         const native = await decode(page, readFileSync(file));
         assert.deepEqual([here.width, here.height], [native.width, native.height]);
@@ -429,10 +489,11 @@ describe('controls', () => {
     await page.uncheck('#sky');
     await page.check('#half');
     await page.selectOption('#toneMap', 'agx');
+    await page.selectOption('#mode', 'planet');
     const state = await page.evaluate(async () => { await welkin.redraw(); return welkin.state; });
     assert.deepEqual(
-      [state.planet, state.sunElevation, state.terrain, state.sky, state.half, state.toneMap],
-      ['mars', 12.5, true, false, true, 'agx'],
+      [state.planet, state.sunElevation, state.terrain, state.sky, state.half, state.toneMap, state.mode],
+      ['mars', 12.5, true, false, true, 'agx', 'planet'],
     );
     assert.equal(await page.evaluate(() => document.querySelector('output[for=sunElevation]').textContent), '12.5°');
   });
