@@ -59,13 +59,6 @@ fn draw(
     b.read(drawn.radiance).unwrap()
 }
 
-fn draw_fresh(b: &mut dyn Backend, scene: &Scene, settings: &PictureSettings, size: [u32; 2]) -> Vec<f32> {
-    let mut renderer = PictureRenderer::default();
-    let pixels = draw(b, &mut renderer, scene, settings, size);
-    renderer.destroy(b);
-    pixels
-}
-
 fn rgb(pixels: &[f32], i: usize) -> [f64; 3] {
     [0, 1, 2].map(|c| f64::from(pixels[4 * i + c]))
 }
