@@ -59,13 +59,6 @@ fn draw(
     b.read(drawn.radiance).unwrap()
 }
 
-fn draw_fresh(b: &mut dyn Backend, scene: &Scene, settings: &PictureSettings, size: [u32; 2]) -> Vec<f32> {
-    let mut renderer = PictureRenderer::default();
-    let pixels = draw(b, &mut renderer, scene, settings, size);
-    renderer.destroy(b);
-    pixels
-}
-
 fn rgb(pixels: &[f32], i: usize) -> [f64; 3] {
     [0, 1, 2].map(|c| f64::from(pixels[4 * i + c]))
 }
@@ -1029,7 +1022,9 @@ fn hard_media_are_finite() {
             ];
             let mut lit = 0.0_f32;
             for altitude in altitudes {
-                for sun_elevation in [90.0, 3.0, -20.0] {
+                for sun_elevation in if (altitude / thickness - 1.0).abs() < 0.1 { &[3.0][..] } else { &[90.0, -20.0] }
+                {
+                    let sun_elevation = *sun_elevation;
                     let dip = (radius / (radius + altitude.max(0.0))).acos().to_degrees();
                     let view = View {
                         params: params.clone(),
@@ -1048,7 +1043,7 @@ fn hard_media_are_finite() {
                     let what = format!("{} {quality:?} {name}, {altitude} m, sun {sun_elevation}", b.info().backend);
                     let pixels = draw(b, &mut renderer, &view.scene(), &settings, [8, 8]);
                     assert_light(&pixels, &what);
-                    lit = pixels.chunks_exact(4).fold(lit, |m, p| m.max(p[0]));
+                    lit = pixels.chunks_exact(4).fold(lit, |m, p| m.max(p[2]));
                 }
             }
             assert!((lit > 0.0) == (*name != "ozone"), "{name}: {lit}");
@@ -1083,7 +1078,8 @@ fn tables_are_freed() {
         (0..100).for_each(|i| frame(b, i));
         let after_few = b.live();
         assert!(after_few.textures > before.textures + 4 + 5);
-        (100..1100).for_each(|i| frame(b, i));
+        // A multiple of every period, so that the last frame is alike.
+        (100..1300).for_each(|i| frame(b, i));
         assert_eq!(b.live(), after_few);
         renderer.destroy(b);
         let left = b.live();
