@@ -6,8 +6,8 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
+use welkin::Quality;
 use welkin::quality::{Front, MEDIA};
-use welkin::{Method, Quality};
 
 fn welkin(folder: &Path, args: &[&str]) -> std::process::Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_welkin"));
@@ -25,7 +25,7 @@ fn the_quick_report_is_whole_and_makes_sense() {
     );
     let stderr = String::from_utf8_lossy(&out.stderr);
     assert!(out.status.success(), "{stderr}");
-    assert!(stderr.contains("measuring 36/36"), "no progress: {stderr}");
+    assert!(stderr.contains("measuring 42/42"), "no progress: {stderr}");
     let read = |name: &str| std::fs::read_to_string(folder.join("report/new").join(name)).unwrap();
     let (markdown, svg) = (read("accuracy.md"), read("accuracy.svg"));
     for part in [
@@ -35,12 +35,13 @@ fn the_quick_report_is_whole_and_makes_sense() {
         "## Not measured",
         "accuracy.svg",
         "| single | 64 × 16 |",
-        "| single | 16 × 8 (medium) |",
+        "| single | 16 × 8 (single-medium) |",
+        "| lut | 100 × 100 × 32 (medium) |",
     ] {
         assert!(markdown.contains(part), "no {part:?}");
     }
     assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"));
-    for part in ["front of webgpu", "front of webgl2", "method single"] {
+    for part in ["front of webgpu", "front of webgl2", "method single", "method lut"] {
         assert!(svg.contains(part), "no {part:?}");
     }
     let front: Front = std::fs::read_to_string(folder.join("front.txt")).unwrap().parse().unwrap();
@@ -54,11 +55,9 @@ fn the_quick_report_is_whole_and_makes_sense() {
             assert!(number(name).is_finite() && number(name) >= 0.0, "{name}: {row:?}");
         }
         assert!(number("mean_G") <= number("max_G") && number("p95_G") <= number("max_G"));
-        assert_eq!((&*row["method"], &*row["render_scale"]), ("single", "1"));
-        let (view, light) = row["settings"].split_once(" × ").unwrap();
-        let samples: [u32; 2] = [view.parse().unwrap(), light.parse().unwrap()];
-        let method = Method::Single { view_samples: samples[0], light_samples: samples[1] };
-        let preset = Quality::ALL.iter().find(|q| q.method == method).map_or("", |q| q.name);
+        assert_eq!(&*row["render_scale"], "1");
+        let settings = format!("{} {}", row["method"], row["settings"]);
+        let preset = Quality::ALL.iter().find(|q| q.method.to_string() == settings).map_or("", |q| q.name);
         assert_eq!(row["quality"], preset);
         if let (Some(medium), false) = (MEDIA.iter().position(|m| *m == row["scene"]), preset.is_empty()) {
             // The front says the same as the table.
@@ -70,14 +69,18 @@ fn the_quick_report_is_whole_and_makes_sense() {
             assert!((held / worst - 1.0).abs() < 5e-3, "{held} {worst}: {row:?}");
             assert!(front.measured[0].size == [64, 36] && point.time > Duration::ZERO);
         }
-        let key = (row["backend"].clone(), samples, row["scene"].clone(), row["against"].clone());
+        let key = (row["backend"].clone(), settings, row["scene"].clone(), row["against"].clone());
         assert!(found.insert(key, [number("mean_G"), number("time_over_copy"), number("mean_delta_e")]).is_none());
     }
-    // 2 backends × 15 qualities × (3 media + 8 scenes) × 2 references.
-    assert_eq!(found.len(), 2 * 15 * 11 * 2);
+    // 2 backends × (3 media + 8 scenes) × (15 qualities × 2 references + 3 of tables × 1).
+    assert_eq!(found.len(), 2 * 11 * (15 * 2 + 3));
     for backend in ["webgpu", "webgl2"] {
-        let at = |samples, scenes: &str, against: &str| {
-            found[&(backend.to_owned(), samples, scenes.to_owned(), against.to_owned())]
+        let lut = |settings: &str, scenes: &str| {
+            found[&(backend.to_owned(), format!("lut {settings}"), scenes.to_owned(), "all-orders".to_owned())]
+        };
+        let at = |[view, light]: [u32; 2], scenes: &str, against: &str| {
+            let settings = format!("single {view} × {light}");
+            found[&(backend.to_owned(), settings, scenes.to_owned(), against.to_owned())]
         };
         for medium in ["earth", "mars", "haze"] {
             let (rough, fine) = (at([4, 4], medium, "single"), at([64, 16], medium, "single"));
@@ -86,12 +89,15 @@ fn the_quick_report_is_whole_and_makes_sense() {
             // What single scattering lacks, no samples bring.
             let model = at([64, 16], medium, "all-orders");
             assert!(model[0] > 0.1 && model[2] > 2.0, "{backend} {medium}: {model:?}");
+            // The tables hold it.
+            let tables = lut("100 × 100 × 32", medium);
+            assert!(tables[0] < 0.25 * model[0] && tables[2] < model[2], "{backend} {medium}: {tables:?} {model:?}");
         }
         assert!(at([64, 16], "earth", "single")[0] < 5e-3);
     }
     // Both backends run the same shader.
     for ((backend, samples, scenes, against), [mean, ..]) in &found {
-        let other = found[&("webgl2".to_owned(), *samples, scenes.clone(), against.clone())][0];
+        let other = found[&("webgl2".to_owned(), samples.clone(), scenes.clone(), against.clone())][0];
         assert!((mean - other).abs() < 1e-3 + 0.02 * mean, "{backend} {samples:?} {scenes}: {mean} {other}");
     }
 }

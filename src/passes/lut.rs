@@ -74,7 +74,7 @@ pub struct LutSettings {
     /// Steps along the rays that fill the table of moments, 4 to 256.
     pub moment_steps: u32,
     /// How often light is scattered again before the rest is left out, 1 to 64, in thin air; times 1 + the
-    /// optical depth of scattering in thick (never more than 64).
+    /// optical depth of scattering in thick, up to 24.
     pub orders: u32,
     /// Azimuths in half a turn (the other half is the mirror image) and zenith angles of the sky table, 8 to 1024 each.
     pub sky: [u32; 2],
@@ -97,7 +97,7 @@ impl LutSettings {
     /// Rounds of scattering for a medium: thick ones need more than `orders`.
     fn rounds(&self, p: &AtmosphereParams) -> u32 {
         let depth = scattering_depths(p).iter().sum::<f64>();
-        (f64::from(self.orders) * (1.0 + depth)).round().clamp(1.0, 64.0) as u32
+        (f64::from(self.orders) * (1.0 + depth)).round().clamp(1.0, f64::from(self.orders.max(24))) as u32
     }
 
     /// The least that keeps the sky within about a percent of [`Self::HIGH`] by day; coarse at the limb.
@@ -115,9 +115,9 @@ impl LutSettings {
     /// For ordinary use. The sky table has 200 × 100 texels over the whole turn, half of which are mirrored.
     pub const MEDIUM: Self = Self {
         columns: [128, 64],
-        moments: [48, 16],
+        moments: [40, 14],
         moment_steps: 12,
-        orders: 8,
+        orders: 6,
         sky: [100, 100],
         sky_steps: 32,
         air: [16, 32, 16],
@@ -127,7 +127,7 @@ impl LutSettings {
     /// Next to no sampling error: what is left is the model's.
     pub const HIGH: Self = Self {
         columns: [256, 64],
-        moments: [64, 24],
+        moments: [56, 20],
         moment_steps: 16,
         orders: 10,
         sky: [200, 400],

@@ -224,9 +224,9 @@ pub fn run(args: &AccuracyArgs) -> anyhow::Result<()> {
 fn investigate(quick: bool, front_size: Option<[u32; 2]>, cache: &mut Cache) -> anyhow::Result<(Findings, Front)> {
     let start = Instant::now();
     let (frame, runs, tables) =
-        if quick { (Frame::QUICK, 2, Settings::QUICK) } else { (Frame::WHOLE, 3, Settings::FINE) };
+        if quick { (Frame::QUICK, 2, Settings::QUICK) } else { (Frame::WHOLE, 2, Settings::FINE) };
     // Errors need few pixels. Times need as many as people draw, or the tables would weigh too much in them.
-    let timed = Frame { size: if quick { [320, 180] } else { [640, 360] }, ..frame };
+    let timed = Frame { size: if quick { [320, 180] } else { [480, 270] }, ..frame };
     let scenes: Vec<_> = SETUPS.into_iter().filter(|s| s.quick || !quick).collect();
     let mut missing = Vec::new();
     let mut drawers = Vec::new();
