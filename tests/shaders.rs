@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use welkin::passes::frame::{FrameUniform, MediumUniform};
+use welkin::passes::frame::{DepthUniform, FrameUniform, MediumUniform};
 use welkin::passes::terrain::TerrainUniform;
 use welkin::passes::tone::ToneUniform;
 use welkin::shaders::{Program, translate};
@@ -40,6 +40,7 @@ fn rust_layout(name: &str) -> (Vec<(String, u32)>, u32) {
     };
     let medium = own(MediumUniform::offsets());
     let frame = nest(own(FrameUniform::offsets()), "medium", medium);
+    let frame = nest(frame, "depth", own(DepthUniform::offsets()));
     match name {
         "Frame" => (frame, size_of::<FrameUniform>() as u32),
         "Terrain" => (nest(own(TerrainUniform::offsets()), "frame", frame), size_of::<TerrainUniform>() as u32),

@@ -1,9 +1,10 @@
 // How long a frame takes in a browser, from the first call to the last pixel: prints Markdown tables.
 //
-// Usage: node web/bench.mjs [--backend webgl2|webgpu] [--rounds N] [--seconds S]
+// Usage: node web/bench.mjs [--backend webgl2|webgpu] [--only TEXT] [--rounds N] [--seconds S]
 //
 //   --backend NAME   only this one
 //   --rounds N       how often all is timed, in turn; the best frame of all rounds counts (default 3)
+//   --only TEXT      only the cases whose name begins with it: --only 'sky alone'
 //   --seconds S      at most so long for each measurement in a round, but two frames at least (default 1)
 //
 // Headless Chromium draws with its software GPU, 1280 × 720, Earth, the sun 20° high. Run scripts/build-web before.
@@ -256,7 +257,7 @@ async function timeTriangle({ backend, size: { width, height }, vertex, fragment
 // ---------------------------------------------------------------- all of it
 
 function options() {
-  const { values } = parseArgs({ options: { backend: { type: 'string' }, rounds: { type: 'string' }, seconds: { type: 'string' } } });
+  const { values } = parseArgs({ options: { backend: { type: 'string' }, only: { type: 'string' }, rounds: { type: 'string' }, seconds: { type: 'string' } } });
   const number = (key, usual, min, max) => {
     const value = values[key] === undefined ? usual : Number(values[key] || NaN);
     if (!(value >= min && value <= max)) throw new Error(`--${key} ${values[key]} is not allowed: must be from ${min} to ${max}`);
@@ -265,8 +266,13 @@ function options() {
   if (values.backend !== undefined && !BACKENDS.includes(values.backend)) {
     throw new Error(`--backend ${values.backend} is not allowed: must be webgl2 or webgpu`);
   }
+  const cases = CASES.filter(({ name }) => name.startsWith(values.only ?? ''));
+  if (!cases.length) {
+    throw new Error(`--only ${values.only} is not allowed: must begin one of ${CASES.map((c) => c.name).join('; ')}`);
+  }
   return {
     backends: values.backend ? [values.backend] : BACKENDS,
+    cases,
     rounds: number('rounds', 3, 1, 100),
     seconds: number('seconds', 1, 0, 600),
   };
@@ -275,7 +281,7 @@ function options() {
 const ms = (x) => (x < 100 ? x.toFixed(1) : x.toFixed(0));
 
 async function main() {
-  const { backends, rounds, seconds } = options();
+  const { backends, cases, rounds, seconds } = options();
   const browser = await launch();
   try {
     const k = preetham(2.2, (70 * Math.PI) / 180);
@@ -296,7 +302,7 @@ async function main() {
           take(`${backend} ${name}`, time);
         }
         for (const view of VIEWS) {
-          for (const one of CASES) {
+          for (const one of cases) {
             take(`${backend} ${view.name} ${one.name}`, await page.evaluate(timeViewer, { view, one, seconds }));
           }
           console.error(`round ${round}, ${backend}, ${view.name}`);
@@ -314,7 +320,7 @@ async function main() {
     }
     for (const backend of backends) {
       console.log(`\n| ${backend} | ${VIEWS.map((v) => `from ${v.name}`).join(' | ')} |\n|---|${VIEWS.map(() => '---:|').join('')}`);
-      for (const { name } of CASES) {
+      for (const { name } of cases) {
         const cells = VIEWS.map((view) => {
           const time = best.get(`${backend} ${view.name} ${name}`);
           return `${ms(time)} (${(time / sky(backend)).toFixed(1)}×)`;

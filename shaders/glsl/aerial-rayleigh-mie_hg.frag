@@ -17,6 +17,12 @@ struct Medium {
     vec3 irradiance;
     float thickness;
 };
+struct DepthCode {
+    float scale;
+    float bias;
+    float log_;
+    float background;
+};
 struct Frame {
     Medium medium;
     vec3 ray_forward;
@@ -30,14 +36,14 @@ struct Frame {
     vec2 size;
     float sun_disk;
     float pixel_angle;
-    float depth_scale;
-    float depth_bias;
-    float depth_log;
-    float depth_background;
+    DepthCode depth;
     uint view_samples;
     uint light_samples;
     uint low_resolution;
     float camera_altitude;
+    vec2 limb;
+    float pad0_;
+    float pad1_;
 };
 struct AirRay {
     float start;
@@ -59,6 +65,18 @@ struct SunSide {
     float shadow_b;
     float shadow_c;
 };
+struct Line {
+    float b;
+    float p;
+    float x_closest;
+    bool ground;
+};
+struct AirPath {
+    float start;
+    float length_;
+    float x;
+    float b;
+};
 struct Low {
     float t;
     float x;
@@ -79,56 +97,66 @@ uniform highp sampler2D _group_0_binding_2_fs;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
-vec3 pixel_ray(Frame f, vec2 pixel) {
-    vec2 ndc = (((pixel / f.size) * vec2(2.0, -2.0)) + vec2(-1.0, 1.0));
-    return ((f.ray_forward + (f.ray_right * ndc.x)) + (f.ray_up * ndc.y));
+vec3 pixel_ray(vec2 pixel, vec2 size, vec3 forward, vec3 right, vec3 up) {
+    vec2 ndc = (((pixel / size) * vec2(2.0, -2.0)) + vec2(-1.0, 1.0));
+    return ((forward + (right * ndc.x)) + (up * ndc.y));
 }
 
-float depth_distance(Frame f_1, float depth, float ray_length) {
-    if ((depth == f_1.depth_background)) {
+float depth_distance(DepthCode c, float depth, float ray_length) {
+    if ((depth == c.background)) {
         return -1.0;
     }
-    if ((f_1.depth_log > 0.0)) {
-        return (((exp2((depth * f_1.depth_log)) - 1.0) * 0.001) * ray_length);
+    if ((c.log_ > 0.0)) {
+        return (((exp2((depth * c.log_)) - 1.0) * 0.001) * ray_length);
     }
-    float inverse_ = ((depth * f_1.depth_scale) + f_1.depth_bias);
+    float inverse_ = ((depth * c.scale) + c.bias);
     if ((inverse_ <= 0.0)) {
         return -1.0;
     }
     return (ray_length / inverse_);
 }
 
-float altitude_of(float x, float radius) {
-    return (x / (radius + sqrt(max(((radius * radius) + x), 0.0))));
+float scene_reach(float start, float length_, float b, bool ground, float distance_, float radius, float pixel_angle) {
+    float reach = min(length_, (distance_ - start));
+    if (!(ground)) {
+        return reach;
+    }
+    float slant = max((abs((b + length_)) / radius), 0.05);
+    float snap = (((SUBPIXEL * pixel_angle) * distance_) / slant);
+    return (length_ - ((length_ - reach) * smoothstep((0.5 * snap), snap, (length_ - reach))));
 }
 
-float excess_of(float h, float radius_1) {
-    return (h * ((2.0 * radius_1) + h));
+float altitude_of(float x, float radius_1) {
+    return (x / (radius_1 + sqrt(max(((radius_1 * radius_1) + x), 0.0))));
 }
 
-float altitude_after(float x_1, float b, float t, float radius_2) {
-    float _e9 = altitude_of((x_1 + (t * ((2.0 * b) + t))), radius_2);
+float excess_of(float h, float radius_2) {
+    return (h * ((2.0 * radius_2) + h));
+}
+
+float altitude_after(float x_1, float b_1, float t, float radius_3) {
+    float _e9 = altitude_of((x_1 + (t * ((2.0 * b_1) + t))), radius_3);
     return max(_e9, 0.0);
 }
 
-float distance_to_top(float x_2, float b_1, float x_top) {
-    float c = max((x_top - x_2), 0.0);
-    float root = sqrt(((b_1 * b_1) + c));
-    if ((b_1 > 0.0)) {
-        return (c / (b_1 + root));
+float distance_to_top(float x_2, float b_2, float x_top) {
+    float c_1 = max((x_top - x_2), 0.0);
+    float root = sqrt(((b_2 * b_2) + c_1));
+    if ((b_2 > 0.0)) {
+        return (c_1 / (b_2 + root));
     }
-    return (root - b_1);
+    return (root - b_2);
 }
 
-float half_chord2_(float b_2, float above, float depth_1, float p) {
+float half_chord2_(float b_3, float above, float depth_1, float p) {
     float sphere = (depth_1 + p);
-    if ((abs(b_2) < sphere)) {
-        return ((b_2 * b_2) - above);
+    if ((abs(b_3) < sphere)) {
+        return ((b_3 * b_3) - above);
     }
     return (depth_1 * (sphere + p));
 }
 
-SunSide sun_side_inside(vec3 dir, vec3 sun, float r, float x_3, float radius_3) {
+SunSide sun_side_inside(vec3 dir, vec3 sun, float r, float x_3, float radius_4) {
     SunSide s = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
     s.nu = dot(dir, sun);
     float _e9 = s.nu;
@@ -138,13 +166,13 @@ SunSide sun_side_inside(vec3 dir, vec3 sun, float r, float x_3, float radius_3) 
     s.shadow_b = (r * ((sun.x * side.y) - (sun.y * side.x)));
     float q = (r * length(sun.xy));
     float _e37 = s.sun_b;
-    float _e39 = half_chord2_(_e37, x_3, (radius_3 - q), q);
+    float _e39 = half_chord2_(_e37, x_3, (radius_4 - q), q);
     s.shadow_c = -(_e39);
     SunSide _e41 = s;
     return _e41;
 }
 
-SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_1, float half_, float x_top_1, float radius_4) {
+SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_1, float half_, float x_top_1, float radius_5) {
     SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
     s_1.nu = dot(dir_1, sun_1);
     float _e10 = s_1.nu;
@@ -160,93 +188,124 @@ SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_1, float half_, float x
     s_1.shadow_b = (dot(closest_side, side_1) - (half_ * _e42));
     float q_1 = length((closest_side - (half_ * side_1)));
     float _e50 = s_1.sun_b;
-    float _e52 = half_chord2_(_e50, x_top_1, (radius_4 - q_1), q_1);
+    float _e52 = half_chord2_(_e50, x_top_1, (radius_5 - q_1), q_1);
     s_1.shadow_c = -(_e52);
     SunSide _e54 = s_1;
     return _e54;
 }
 
-AirRay air_ray(vec3 dir_2, float h_1, float radius_5, float thickness, vec3 sun_2) {
+Line line_past(vec3 dir_2, float h_1, float radius_6) {
     bool local_1 = false;
-    bool local_2 = false;
-    float r_2 = (radius_5 + h_1);
-    float _e6 = excess_of(thickness, radius_5);
-    float b_4 = (r_2 * dir_2.z);
+    float r_2 = (radius_6 + h_1);
+    float b_5 = (r_2 * dir_2.z);
     float p_1 = (r_2 * sqrt(dot(dir_2.xy, dir_2.xy)));
-    float _e14 = excess_of(h_1, radius_5);
-    float _e16 = half_chord2_(b_4, _e14, (radius_5 - p_1), p_1);
-    if ((b_4 < 0.0)) {
-        local_1 = (_e16 >= 0.0);
+    float _e11 = excess_of(h_1, radius_6);
+    float _e13 = half_chord2_(b_5, _e11, (radius_6 - p_1), p_1);
+    if ((b_5 < 0.0)) {
+        local_1 = (_e13 >= 0.0);
     } else {
         local_1 = false;
     }
-    bool ground = local_1;
-    if ((h_1 <= thickness)) {
-        float _e26 = excess_of(h_1, radius_5);
-        SunSide _e27 = sun_side_inside(dir_2, sun_2, r_2, _e26, radius_5);
-        float to_ground = (_e26 / (sqrt(max(_e16, 0.0)) - b_4));
-        float _e33 = distance_to_top(_e26, b_4, _e6);
-        float reach = (ground ? to_ground : _e33);
-        return AirRay(0.0, reach, _e26, b_4, -(_e16), _e27.sun_b, _e27.nu, _e27.cross2_, _e27.shadow_b, _e27.shadow_c, ground);
+    bool _e22 = local_1;
+    return Line(b_5, p_1, -(_e13), _e22);
+}
+
+AirPath air_path(Line line, float h_2, float radius_7, float thickness) {
+    bool local_2 = false;
+    float _e4 = excess_of(thickness, radius_7);
+    float ground_root = sqrt(max(-(line.x_closest), 0.0));
+    if ((h_2 <= thickness)) {
+        float _e11 = excess_of(h_2, radius_7);
+        float _e13 = distance_to_top(_e11, line.b, _e4);
+        float reach_1 = (line.ground ? (_e11 / (ground_root - line.b)) : _e13);
+        return AirPath(0.0, reach_1, _e11, line.b);
     }
-    float above_1 = ((h_1 - thickness) * ((r_2 + radius_5) + thickness));
-    float top2_ = (((b_4 * b_4) < _e6) ? ((b_4 * b_4) - above_1) : (_e16 + _e6));
-    if (!((b_4 >= 0.0))) {
+    float above_1 = ((h_2 - thickness) * (((2.0 * radius_7) + thickness) + h_2));
+    float b2_ = (line.b * line.b);
+    float top2_ = ((b2_ < _e4) ? (b2_ - above_1) : (_e4 - line.x_closest));
+    if (!((line.b >= 0.0))) {
         local_2 = (top2_ <= 0.0);
     } else {
         local_2 = true;
     }
-    bool _e61 = local_2;
-    if (_e61) {
-        return AirRay(0.0, -1.0, 0.0, 0.0, -(_e16), 0.0, dot(dir_2, sun_2), 0.0, 0.0, 0.0, false);
+    bool _e45 = local_2;
+    if (_e45) {
+        return AirPath(0.0, -1.0, 0.0, 0.0);
     }
     float half_1 = sqrt(top2_);
-    float start = (above_1 / (half_1 - b_4));
-    SunSide _e77 = sun_side_outside(dir_2, sun_2, r_2, half_1, _e6, radius_5);
-    float reach_1 = (ground ? (_e6 / (half_1 + sqrt(max(_e16, 0.0)))) : (2.0 * half_1));
-    return AirRay(start, reach_1, _e6, -(half_1), -(_e16), _e77.sun_b, _e77.nu, _e77.cross2_, _e77.shadow_b, _e77.shadow_c, ground);
+    return AirPath((above_1 / (half_1 - line.b)), (line.ground ? (_e4 / (half_1 + ground_root)) : (2.0 * half_1)), _e4, -(half_1));
 }
 
-Low lowest(AirRay ray, float length_, float radius_6) {
+AirRay air_ray(vec3 dir_3, float h_3, float radius_8, float thickness_1, vec3 sun_2) {
+    SunSide s_2 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
     bool local_3 = false;
-    if ((ray.b >= 0.0)) {
-        return Low(0.0, ray.x, ray.b);
+    Line _e5 = line_past(dir_3, h_3, radius_8);
+    AirPath _e6 = air_path(_e5, h_3, radius_8, thickness_1);
+    if ((h_3 <= thickness_1)) {
+        SunSide _e11 = sun_side_inside(dir_3, sun_2, (radius_8 + h_3), _e6.x, radius_8);
+        s_2 = _e11;
+    } else {
+        if ((_e6.length_ > 0.0)) {
+            SunSide _e19 = sun_side_outside(dir_3, sun_2, (radius_8 + h_3), -(_e6.b), _e6.x, radius_8);
+            s_2 = _e19;
+        } else {
+            s_2.nu = dot(dir_3, sun_2);
+        }
     }
-    if ((-(ray.b) <= length_)) {
-        return Low(-(ray.b), ray.x_closest, 0.0);
-    }
-    float b_5 = (ray.b + length_);
-    if (ray.ground) {
-        local_3 = (length_ >= ray.length_);
+    if (_e5.ground) {
+        local_3 = (_e6.length_ >= 0.0);
     } else {
         local_3 = false;
     }
-    bool _e26 = local_3;
-    if (_e26) {
-        return Low(length_, 0.0, b_5);
+    bool ground_1 = local_3;
+    float _e36 = s_2.sun_b;
+    float _e38 = s_2.nu;
+    float _e40 = s_2.cross2_;
+    float _e42 = s_2.shadow_b;
+    float _e44 = s_2.shadow_c;
+    return AirRay(_e6.start, _e6.length_, _e6.x, _e6.b, _e5.x_closest, _e36, _e38, _e40, _e42, _e44, ground_1);
+}
+
+Low lowest(AirRay ray, float length_1, float radius_9) {
+    bool local_4 = false;
+    if ((ray.b >= 0.0)) {
+        return Low(0.0, ray.x, ray.b);
     }
-    bool far = ((-(ray.b) * length_) > (radius_6 * radius_6));
-    return Low(length_, (far ? (ray.x_closest + (b_5 * b_5)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_5);
+    if ((-(ray.b) <= length_1)) {
+        return Low(-(ray.b), ray.x_closest, 0.0);
+    }
+    float b_6 = (ray.b + length_1);
+    if (ray.ground) {
+        local_4 = (length_1 >= ray.length_);
+    } else {
+        local_4 = false;
+    }
+    bool _e26 = local_4;
+    if (_e26) {
+        return Low(length_1, 0.0, b_6);
+    }
+    bool far = ((-(ray.b) * length_1) > (radius_9 * radius_9));
+    return Low(length_1, (far ? (ray.x_closest + (b_6 * b_6)) : (ray.x + (length_1 * ((2.0 * ray.b) + length_1)))), b_6);
 }
 
 vec2 shadow_stretch(AirRay ray_1) {
     vec2 stretch = vec2(0.0);
     vec2 none = vec2(1.0, 0.0);
     float a = ray_1.cross2_;
-    float b_6 = ray_1.shadow_b;
-    float c_1 = ray_1.shadow_c;
+    float b_7 = ray_1.shadow_b;
+    float c_2 = ray_1.shadow_c;
     stretch = vec2(-(1e30), 1e30);
-    float disc = ((b_6 * b_6) - (a * c_1));
+    float disc = ((b_7 * b_7) - (a * c_2));
     if ((a > 1e-30)) {
         if ((disc <= 0.0)) {
             return none;
         }
-        float q_2 = -((b_6 + (((b_6 >= 0.0) ? 1.0 : -1.0) * sqrt(disc))));
+        float q_2 = -((b_7 + (((b_7 >= 0.0) ? 1.0 : -1.0) * sqrt(disc))));
         float t0_2 = (q_2 / a);
-        float t1_ = ((q_2 != 0.0) ? (c_1 / q_2) : t0_2);
+        float t1_ = ((q_2 != 0.0) ? (c_2 / q_2) : t0_2);
         stretch = vec2(min(t0_2, t1_), max(t0_2, t1_));
     } else {
-        if ((c_1 >= 0.0)) {
+        if ((c_2 >= 0.0)) {
             return none;
         }
     }
@@ -268,20 +327,10 @@ vec2 shadow_stretch(AirRay ray_1) {
     return _e59;
 }
 
-float scene_reach(Frame f_2, AirRay ray_2, float distance_) {
-    float reach_2 = min(ray_2.length_, (distance_ - ray_2.start));
-    if (!(ray_2.ground)) {
-        return reach_2;
-    }
-    float slant = max((abs((ray_2.b + ray_2.length_)) / f_2.medium.radius), 0.05);
-    float snap = (((SUBPIXEL * f_2.pixel_angle) * distance_) / slant);
-    return (ray_2.length_ - ((ray_2.length_ - reach_2) * smoothstep((0.5 * snap), snap, (ray_2.length_ - reach_2))));
-}
-
-vec3 densities(Medium m, float h_2) {
+vec3 densities(Medium m, float h_4) {
     vec3 d = vec3(0.0);
-    d.x = exp((-(h_2) * m.rayleigh_inv_height));
-    d.y = exp((-(h_2) * m.mie_inv_height));
+    d.x = exp((-(h_4) * m.rayleigh_inv_height));
+    d.y = exp((-(h_4) * m.mie_inv_height));
     vec3 _e15 = d;
     return _e15;
 }
@@ -304,11 +353,11 @@ float unwarp(float low_1, float t_1) {
     return (sign((t_1 - low_1)) * sqrt(abs((t_1 - low_1))));
 }
 
-vec3 path_densities(Medium m_2, float x_4, float b_3, float distance_1, uint samples) {
+vec3 path_densities(Medium m_2, float x_4, float b_4, float distance_1, uint samples) {
     vec3 sum_1 = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
-    float low_2 = clamp(-(b_3), 0.0, distance_1);
+    float low_2 = clamp(-(b_4), 0.0, distance_1);
     float u0_ = -(sqrt(low_2));
     float du = ((sqrt((distance_1 - low_2)) - u0_) / float(samples));
     bool loop_init = true;
@@ -328,7 +377,7 @@ vec3 path_densities(Medium m_2, float x_4, float b_3, float distance_1, uint sam
             float u_1 = (u0_ + (du * float(_e24)));
             float _e31 = warp(low_2, (u_1 + (0.5 * du)));
             float _e33 = warp(low_2, (u_1 + du));
-            float _e35 = altitude_after(x_4, b_3, _e31, m_2.radius);
+            float _e35 = altitude_after(x_4, b_4, _e31, m_2.radius);
             vec3 _e36 = sum_1;
             vec3 _e37 = densities(m_2, _e35);
             float _e38 = t0_;
@@ -363,7 +412,7 @@ vec3 sun_transmittance(Medium m_3, float x_5, float sun_b, uint samples_1) {
     return exp(-(_e9));
 }
 
-Scattered single_scattering(Medium m_4, AirRay ray_3, float length_1, float away_1, uint view_samples, uint light_samples) {
+Scattered single_scattering(Medium m_4, AirRay ray_2, float length_2, float away_1, uint view_samples, uint light_samples) {
     Scattered out_ = Scattered(vec3(0.0), vec3(0.0));
     float t0_1 = 0.0;
     uint i_1 = 0u;
@@ -373,14 +422,14 @@ Scattered single_scattering(Medium m_4, AirRay ray_3, float length_1, float away
     out_.transmittance = vec3(1.0);
     float _e16 = rayleigh_phase((1.0 - away_1));
     vec3 rayleigh = (m_4.rayleigh * _e16);
-    float toward_1 = ((away_1 > 1.0) ? (ray_3.cross2_ / max(away_1, 1.0)) : (2.0 - away_1));
+    float toward_1 = ((away_1 > 1.0) ? (ray_2.cross2_ / max(away_1, 1.0)) : (2.0 - away_1));
     vec3 _e29 = henyey_greenstein_phase(away_1, toward_1, m_4.mie_asymmetry);
     vec3 mie = (m_4.mie_scattering * _e29);
-    Low _e32 = lowest(ray_3, length_1, m_4.radius);
+    Low _e32 = lowest(ray_2, length_2, m_4.radius);
     float low_3 = _e32.t;
     float u0_1 = -(sqrt(low_3));
-    float du_1 = ((sqrt((length_1 - low_3)) - u0_1) / float(view_samples));
-    vec2 _e41 = shadow_stretch(ray_3);
+    float du_1 = ((sqrt((length_2 - low_3)) - u0_1) / float(view_samples));
+    vec2 _e41 = shadow_stretch(ray_2);
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
@@ -434,7 +483,7 @@ Scattered single_scattering(Medium m_4, AirRay ray_3, float length_1, float away
                 source = (_e122 + (mie * _e114.y));
                 vec3 _e126 = source;
                 float _e129 = lit_t;
-                vec3 _e132 = sun_transmittance(m_4, x_6, (ray_3.sun_b + (ray_3.nu * _e129)), light_samples);
+                vec3 _e132 = sun_transmittance(m_4, x_6, (ray_2.sun_b + (ray_2.nu * _e129)), light_samples);
                 source = (_e126 * _e132);
                 vec3 _e135 = out_.radiance;
                 vec3 _e137 = out_.transmittance;
@@ -459,52 +508,55 @@ void main() {
     bool local = false;
     ivec2 pixel_1 = ivec2(position.xy);
     vec4 behind = texelFetch(_group_0_binding_1_fs, pixel_1, 0);
-    Frame _e7 = _group_0_binding_0_fs;
-    vec3 _e9 = pixel_ray(_e7, position.xy);
-    float ray_length_1 = length(_e9);
-    Frame _e12 = _group_0_binding_0_fs;
-    vec4 _e15 = texelFetch(_group_0_binding_2_fs, pixel_1, 0);
-    float _e17 = depth_distance(_e12, _e15.x, ray_length_1);
-    vec3 dir_3 = (_e9 / vec3(ray_length_1));
+    vec2 _e9 = _group_0_binding_0_fs.size;
+    vec3 _e12 = _group_0_binding_0_fs.ray_forward;
+    vec3 _e15 = _group_0_binding_0_fs.ray_right;
+    vec3 _e18 = _group_0_binding_0_fs.ray_up;
+    vec3 _e19 = pixel_ray(position.xy, _e9, _e12, _e15, _e18);
+    float ray_length_1 = length(_e19);
+    DepthCode _e23 = _group_0_binding_0_fs.depth;
+    vec4 _e26 = texelFetch(_group_0_binding_2_fs, pixel_1, 0);
+    float _e28 = depth_distance(_e23, _e26.x, ray_length_1);
+    vec3 dir_4 = (_e19 / vec3(ray_length_1));
     Medium m_5 = _group_0_binding_0_fs.medium;
-    float _e25 = _group_0_binding_0_fs.altitude;
-    vec3 _e30 = _group_0_binding_0_fs.sun;
-    AirRay _e31 = air_ray(dir_3, _e25, m_5.radius, m_5.thickness, _e30);
-    end = _e31.length_;
-    if ((_e17 >= 0.0)) {
-        Frame _e41 = _group_0_binding_0_fs;
-        float _e42 = scene_reach(_e41, _e31, _e17);
-        end = _e42;
+    float _e36 = _group_0_binding_0_fs.altitude;
+    vec3 _e41 = _group_0_binding_0_fs.sun;
+    AirRay _e42 = air_ray(dir_4, _e36, m_5.radius, m_5.thickness, _e41);
+    end = _e42.length_;
+    if ((_e28 >= 0.0)) {
+        float _e58 = _group_0_binding_0_fs.pixel_angle;
+        float _e59 = scene_reach(_e42.start, _e42.length_, _e42.b, _e42.ground, _e28, m_5.radius, _e58);
+        end = _e59;
     } else {
-        if (!(_e31.ground)) {
-            float _e47 = _group_0_binding_0_fs.shell_weight;
-            weight = _e47;
-            float _e48 = weight;
-            dims = (_e48 >= 1.0);
+        if (!(_e42.ground)) {
+            float _e64 = _group_0_binding_0_fs.shell_weight;
+            weight = _e64;
+            float _e65 = weight;
+            dims = (_e65 >= 1.0);
         }
     }
-    float _e51 = end;
-    if (!((_e51 <= 0.0))) {
-        float _e57 = weight;
-        local = (_e57 <= 0.0);
+    float _e68 = end;
+    if (!((_e68 <= 0.0))) {
+        float _e74 = weight;
+        local = (_e74 <= 0.0);
     } else {
         local = true;
     }
-    bool _e61 = local;
-    if (_e61) {
+    bool _e78 = local;
+    if (_e78) {
         _fs2p_location0 = behind;
         return;
     }
-    vec3 _e64 = _group_0_binding_0_fs.sun;
-    vec3 offset = (dir_3 - _e64);
-    float _e66 = end;
-    uint _e72 = _group_0_binding_0_fs.view_samples;
-    uint _e75 = _group_0_binding_0_fs.light_samples;
-    Scattered _e76 = single_scattering(m_5, _e31, _e66, (0.5 * dot(offset, offset)), _e72, _e75);
-    bool _e80 = dims;
-    vec3 through = (_e80 ? _e76.transmittance : vec3(1.0));
-    float _e85 = weight;
-    vec3 light = ((_e76.radiance * m_5.irradiance) * _e85);
+    vec3 _e81 = _group_0_binding_0_fs.sun;
+    vec3 offset = (dir_4 - _e81);
+    float _e83 = end;
+    uint _e89 = _group_0_binding_0_fs.view_samples;
+    uint _e92 = _group_0_binding_0_fs.light_samples;
+    Scattered _e93 = single_scattering(m_5, _e42, _e83, (0.5 * dot(offset, offset)), _e89, _e92);
+    bool _e97 = dims;
+    vec3 through = (_e97 ? _e93.transmittance : vec3(1.0));
+    float _e102 = weight;
+    vec3 light = ((_e93.radiance * m_5.irradiance) * _e102);
     _fs2p_location0 = vec4(((behind.xyz * through) + light), behind.w);
     return;
 }

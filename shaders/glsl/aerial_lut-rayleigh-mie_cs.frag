@@ -17,6 +17,12 @@ struct Medium {
     vec3 irradiance;
     float thickness;
 };
+struct DepthCode {
+    float scale;
+    float bias;
+    float log_;
+    float background;
+};
 struct Frame {
     Medium medium;
     vec3 ray_forward;
@@ -30,34 +36,26 @@ struct Frame {
     vec2 size;
     float sun_disk;
     float pixel_angle;
-    float depth_scale;
-    float depth_bias;
-    float depth_log;
-    float depth_background;
+    DepthCode depth;
     uint view_samples;
     uint light_samples;
     uint low_resolution;
     float camera_altitude;
+    vec2 limb;
+    float pad0_;
+    float pad1_;
 };
-struct AirRay {
+struct Line {
+    float b;
+    float p;
+    float x_closest;
+    bool ground;
+};
+struct AirPath {
     float start;
     float length_;
     float x;
     float b;
-    float x_closest;
-    float sun_b;
-    float nu;
-    float cross2_;
-    float shadow_b;
-    float shadow_c;
-    bool ground;
-};
-struct SunSide {
-    float sun_b;
-    float nu;
-    float cross2_;
-    float shadow_b;
-    float shadow_c;
 };
 struct Tables {
     vec3 mie_extinction;
@@ -121,137 +119,100 @@ uniform highp sampler2D _group_0_binding_6_fs;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
-vec3 pixel_ray(Frame f, vec2 pixel) {
-    vec2 ndc = (((pixel / f.size) * vec2(2.0, -2.0)) + vec2(-1.0, 1.0));
-    return ((f.ray_forward + (f.ray_right * ndc.x)) + (f.ray_up * ndc.y));
+vec3 pixel_ray(vec2 pixel, vec2 size, vec3 forward, vec3 right, vec3 up) {
+    vec2 ndc = (((pixel / size) * vec2(2.0, -2.0)) + vec2(-1.0, 1.0));
+    return ((forward + (right * ndc.x)) + (up * ndc.y));
 }
 
-float depth_distance(Frame f_1, float depth, float ray_length) {
-    if ((depth == f_1.depth_background)) {
+float depth_distance(DepthCode c, float depth, float ray_length) {
+    if ((depth == c.background)) {
         return -1.0;
     }
-    if ((f_1.depth_log > 0.0)) {
-        return (((exp2((depth * f_1.depth_log)) - 1.0) * 0.001) * ray_length);
+    if ((c.log_ > 0.0)) {
+        return (((exp2((depth * c.log_)) - 1.0) * 0.001) * ray_length);
     }
-    float inverse_ = ((depth * f_1.depth_scale) + f_1.depth_bias);
+    float inverse_ = ((depth * c.scale) + c.bias);
     if ((inverse_ <= 0.0)) {
         return -1.0;
     }
     return (ray_length / inverse_);
 }
 
-float altitude_of(float x, float radius) {
-    return (x / (radius + sqrt(max(((radius * radius) + x), 0.0))));
-}
-
-float excess_of(float h, float radius_1) {
-    return (h * ((2.0 * radius_1) + h));
-}
-
-float distance_to_top(float x_1, float b, float x_top) {
-    float c_4 = max((x_top - x_1), 0.0);
-    float root = sqrt(((b * b) + c_4));
-    if ((b > 0.0)) {
-        return (c_4 / (b + root));
+float scene_reach(float start, float length_, float b, bool ground, float distance_, float radius, float pixel_angle) {
+    float reach = min(length_, (distance_ - start));
+    if (!(ground)) {
+        return reach;
     }
-    return (root - b);
+    float slant = max((abs((b + length_)) / radius), 0.05);
+    float snap = (((SUBPIXEL * pixel_angle) * distance_) / slant);
+    return (length_ - ((length_ - reach) * smoothstep((0.5 * snap), snap, (length_ - reach))));
 }
 
-float half_chord2_(float b_1, float above, float depth_1, float p) {
+float altitude_of(float x, float radius_1) {
+    return (x / (radius_1 + sqrt(max(((radius_1 * radius_1) + x), 0.0))));
+}
+
+float excess_of(float h, float radius_2) {
+    return (h * ((2.0 * radius_2) + h));
+}
+
+float distance_to_top(float x_1, float b_1, float x_top) {
+    float c_2 = max((x_top - x_1), 0.0);
+    float root = sqrt(((b_1 * b_1) + c_2));
+    if ((b_1 > 0.0)) {
+        return (c_2 / (b_1 + root));
+    }
+    return (root - b_1);
+}
+
+float half_chord2_(float b_2, float above, float depth_1, float p) {
     float sphere = (depth_1 + p);
-    if ((abs(b_1) < sphere)) {
-        return ((b_1 * b_1) - above);
+    if ((abs(b_2) < sphere)) {
+        return ((b_2 * b_2) - above);
     }
     return (depth_1 * (sphere + p));
 }
 
-SunSide sun_side_inside(vec3 dir, vec3 sun, float r, float x_2, float radius_2) {
-    SunSide s = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
-    s.nu = dot(dir, sun);
-    float _e9 = s.nu;
-    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s.cross2_ = dot(side, side);
-    s.sun_b = (r * sun.z);
-    s.shadow_b = (r * ((sun.x * side.y) - (sun.y * side.x)));
-    float q = (r * length(sun.xy));
-    float _e37 = s.sun_b;
-    float _e39 = half_chord2_(_e37, x_2, (radius_2 - q), q);
-    s.shadow_c = -(_e39);
-    SunSide _e41 = s;
-    return _e41;
-}
-
-SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_1, float half_, float x_top_1, float radius_3) {
-    SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
-    s_1.nu = dot(dir_1, sun_1);
-    float _e10 = s_1.nu;
-    float same = ((_e10 >= 0.0) ? 1.0 : -1.0);
-    vec3 apart = (dir_1 - (same * sun_1));
-    vec3 side_1 = cross(apart, sun_1);
-    s_1.cross2_ = dot(side_1, side_1);
-    vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_1);
-    float _e35 = s_1.nu;
-    s_1.sun_b = ((-(same) * dot(closest, apart)) - (half_ * _e35));
-    vec3 closest_side = cross(closest, sun_1);
-    float _e42 = s_1.cross2_;
-    s_1.shadow_b = (dot(closest_side, side_1) - (half_ * _e42));
-    float q_1 = length((closest_side - (half_ * side_1)));
-    float _e50 = s_1.sun_b;
-    float _e52 = half_chord2_(_e50, x_top_1, (radius_3 - q_1), q_1);
-    s_1.shadow_c = -(_e52);
-    SunSide _e54 = s_1;
-    return _e54;
-}
-
-AirRay air_ray(vec3 dir_2, float h_1, float radius_4, float thickness, vec3 sun_2) {
-    bool local_2 = false;
+Line line_past(vec3 dir, float h_1, float radius_3) {
     bool local_3 = false;
-    float r_2 = (radius_4 + h_1);
-    float _e6 = excess_of(thickness, radius_4);
-    float b_3 = (r_2 * dir_2.z);
-    float p_1 = (r_2 * sqrt(dot(dir_2.xy, dir_2.xy)));
-    float _e14 = excess_of(h_1, radius_4);
-    float _e16 = half_chord2_(b_3, _e14, (radius_4 - p_1), p_1);
-    if ((b_3 < 0.0)) {
-        local_2 = (_e16 >= 0.0);
+    float r = (radius_3 + h_1);
+    float b_4 = (r * dir.z);
+    float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
+    float _e11 = excess_of(h_1, radius_3);
+    float _e13 = half_chord2_(b_4, _e11, (radius_3 - p_1), p_1);
+    if ((b_4 < 0.0)) {
+        local_3 = (_e13 >= 0.0);
     } else {
-        local_2 = false;
+        local_3 = false;
     }
-    bool ground_1 = local_2;
-    if ((h_1 <= thickness)) {
-        float _e26 = excess_of(h_1, radius_4);
-        SunSide _e27 = sun_side_inside(dir_2, sun_2, r_2, _e26, radius_4);
-        float to_ground = (_e26 / (sqrt(max(_e16, 0.0)) - b_3));
-        float _e33 = distance_to_top(_e26, b_3, _e6);
-        float reach = (ground_1 ? to_ground : _e33);
-        return AirRay(0.0, reach, _e26, b_3, -(_e16), _e27.sun_b, _e27.nu, _e27.cross2_, _e27.shadow_b, _e27.shadow_c, ground_1);
-    }
-    float above_1 = ((h_1 - thickness) * ((r_2 + radius_4) + thickness));
-    float top2_ = (((b_3 * b_3) < _e6) ? ((b_3 * b_3) - above_1) : (_e16 + _e6));
-    if (!((b_3 >= 0.0))) {
-        local_3 = (top2_ <= 0.0);
-    } else {
-        local_3 = true;
-    }
-    bool _e61 = local_3;
-    if (_e61) {
-        return AirRay(0.0, -1.0, 0.0, 0.0, -(_e16), 0.0, dot(dir_2, sun_2), 0.0, 0.0, 0.0, false);
-    }
-    float half_1 = sqrt(top2_);
-    float start = (above_1 / (half_1 - b_3));
-    SunSide _e77 = sun_side_outside(dir_2, sun_2, r_2, half_1, _e6, radius_4);
-    float reach_1 = (ground_1 ? (_e6 / (half_1 + sqrt(max(_e16, 0.0)))) : (2.0 * half_1));
-    return AirRay(start, reach_1, _e6, -(half_1), -(_e16), _e77.sun_b, _e77.nu, _e77.cross2_, _e77.shadow_b, _e77.shadow_c, ground_1);
+    bool _e22 = local_3;
+    return Line(b_4, p_1, -(_e13), _e22);
 }
 
-float scene_reach(Frame f_2, AirRay ray, float distance_) {
-    float reach_2 = min(ray.length_, (distance_ - ray.start));
-    if (!(ray.ground)) {
-        return reach_2;
+AirPath air_path(Line line, float h_2, float radius_4, float thickness) {
+    bool local_4 = false;
+    float _e4 = excess_of(thickness, radius_4);
+    float ground_root = sqrt(max(-(line.x_closest), 0.0));
+    if ((h_2 <= thickness)) {
+        float _e11 = excess_of(h_2, radius_4);
+        float _e13 = distance_to_top(_e11, line.b, _e4);
+        float reach_1 = (line.ground ? (_e11 / (ground_root - line.b)) : _e13);
+        return AirPath(0.0, reach_1, _e11, line.b);
     }
-    float slant = max((abs((ray.b + ray.length_)) / f_2.medium.radius), 0.05);
-    float snap = (((SUBPIXEL * f_2.pixel_angle) * distance_) / slant);
-    return (ray.length_ - ((ray.length_ - reach_2) * smoothstep((0.5 * snap), snap, (ray.length_ - reach_2))));
+    float above_1 = ((h_2 - thickness) * (((2.0 * radius_4) + thickness) + h_2));
+    float b2_ = (line.b * line.b);
+    float top2_ = ((b2_ < _e4) ? (b2_ - above_1) : (_e4 - line.x_closest));
+    if (!((line.b >= 0.0))) {
+        local_4 = (top2_ <= 0.0);
+    } else {
+        local_4 = true;
+    }
+    bool _e45 = local_4;
+    if (_e45) {
+        return AirPath(0.0, -1.0, 0.0, 0.0);
+    }
+    float half_ = sqrt(top2_);
+    return AirPath((above_1 / (half_ - line.b)), (line.ground ? (_e4 / (half_ + ground_root)) : (2.0 * half_)), _e4, -(half_));
 }
 
 vec3 extinction(Medium m, vec3 d) {
@@ -264,74 +225,72 @@ vec3 extinction(Medium m, vec3 d) {
     return _e15;
 }
 
-Corner corner(vec2 at, ivec2 size) {
-    vec2 inside = clamp(at, vec2(0.0), vec2((size - ivec2(1))));
-    ivec2 low_1 = min(ivec2(inside), (size - ivec2(1)));
-    return Corner(low_1, min((low_1 + ivec2(1)), (size - ivec2(1))), (inside - vec2(low_1)));
+Corner corner(vec2 at, ivec2 size_1) {
+    vec2 inside = clamp(at, vec2(0.0), vec2((size_1 - ivec2(1))));
+    ivec2 low_1 = min(ivec2(inside), (size_1 - ivec2(1)));
+    return Corner(low_1, min((low_1 + ivec2(1)), (size_1 - ivec2(1))), (inside - vec2(low_1)));
 }
 
-vec4 bilinear(highp sampler2D table, Corner c, ivec2 origin) {
-    ivec2 low_2 = (c.low + origin);
-    ivec2 high = (c.high + origin);
+vec4 bilinear(highp sampler2D table, Corner c_1, ivec2 origin) {
+    ivec2 low_2 = (c_1.low + origin);
+    ivec2 high = (c_1.high + origin);
     vec4 _e8 = texelFetch(table, low_2, 0);
     vec4 _e13 = texelFetch(table, ivec2(high.x, low_2.y), 0);
-    vec4 bottom = mix(_e8, _e13, c.part.x);
+    vec4 bottom = mix(_e8, _e13, c_1.part.x);
     vec4 _e21 = texelFetch(table, ivec2(low_2.x, high.y), 0);
     vec4 _e23 = texelFetch(table, high, 0);
-    vec4 top = mix(_e21, _e23, c.part.x);
-    return mix(bottom, top, c.part.y);
+    vec4 top = mix(_e21, _e23, c_1.part.x);
+    return mix(bottom, top, c_1.part.y);
 }
 
-vec3 columns_to_top(highp sampler2D table_1, Medium m_1, float x_3, float h_2, float b_2) {
-    float _e7 = excess_of(m_1.thickness, m_1.radius);
-    float rho = sqrt(max(x_3, 0.0));
-    float rho_top = sqrt(_e7);
-    float _e12 = distance_to_top(x_3, b_2, _e7);
-    float shortest = max((m_1.thickness - h_2), 0.0);
+vec2 table_uv(float x_share, float row, vec2 size_2) {
+    return ((vec2((x_share * (size_2.x - 1.0)), row) + vec2(0.5)) / size_2);
+}
+
+vec3 columns_to_top(highp sampler2D table_1, float radius_5, float thickness_1, float x_2, float h_3, float b_3) {
+    float _e6 = excess_of(thickness_1, radius_5);
+    float rho = sqrt(max(x_2, 0.0));
+    float rho_top = sqrt(_e6);
+    float _e11 = distance_to_top(x_2, b_3, _e6);
+    float shortest = max((thickness_1 - h_3), 0.0);
     ivec2 size_3 = ivec2(uvec2(textureSize(table_1, 0).xy));
-    vec2 share_1 = vec2(((_e12 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
-    Corner _e32 = corner((share_1 * vec2((size_3 - ivec2(1)))), size_3);
-    vec4 _e35 = bilinear(table_1, _e32, ivec2(0));
-    return exp2(_e35.xyz);
+    vec2 share_1 = vec2(((_e11 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
+    Corner _e30 = corner((share_1 * vec2((size_3 - ivec2(1)))), size_3);
+    vec4 _e33 = bilinear(table_1, _e30, ivec2(0));
+    return exp2(_e33.xyz);
 }
 
-float crowded(float rest, float s_2, float s_max) {
-    return sqrt((max(rest, 0.0) / (s_max * (s_2 + s_max))));
+float crowded(float rest, float s, float s_max) {
+    return sqrt((max(rest, 0.0) / (s_max * (s + s_max))));
 }
 
-float azimuth_share(vec3 dir_3) {
-    float flat_ = max(length(dir_3.xy), 1e-30);
-    float cosine = (dir_3.x / flat_);
+float azimuth_share(vec3 dir_1) {
+    float flat_ = max(length(dir_1.xy), 1e-30);
+    float cosine = (dir_1.x / flat_);
     float large = sqrt((0.5 + (0.5 * min(abs(cosine), 1.0))));
-    float small = (((0.5 * abs(dir_3.y)) / flat_) / large);
-    float s_3 = ((cosine >= 0.0) ? small : large);
-    return (s_3 / (large + small));
+    float small = (((0.5 * abs(dir_1.y)) / flat_) / large);
+    float s_1 = ((cosine >= 0.0) ? small : large);
+    return (s_1 / (large + small));
 }
 
-float zenith_share(AirRay ray_1, vec3 dir_4, float h_3, Medium m_2) {
-    bool local_4 = false;
-    if (ray_1.ground) {
-        float mu = clamp((-((ray_1.b + ray_1.length_)) / m_2.radius), 0.0, 1.0);
-        float _e22 = crowded((0.5 * mu), sqrt((0.5 - (0.5 * mu))), SQRT_HALF);
-        return _e22;
+float zenith_share(Line line_1, float mu, float h_4, float radius_6, float thickness_2, vec2 limb) {
+    if (line_1.ground) {
+        float cosine_1 = min((sqrt(max(-(line_1.x_closest), 0.0)) / radius_6), 1.0);
+        float _e23 = crowded((0.5 * cosine_1), sqrt((0.5 - (0.5 * cosine_1))), SQRT_HALF);
+        return _e23;
     }
-    if (!((ray_1.start > 0.0))) {
-        local_4 = (h_3 > m_2.thickness);
-    } else {
-        local_4 = true;
+    if ((mu >= 0.0)) {
+        float _e40 = crowded((0.5 * mu), sqrt(max((0.5 - (0.5 * mu)), 0.0)), SQRT_HALF);
+        return (limb.x + ((1.0 - limb.x) * _e40));
     }
-    bool _e32 = local_4;
-    if (_e32) {
-        float tangent = (((m_2.radius + h_3) * length(dir_4.xy)) - m_2.radius);
-        return sqrt(clamp((tangent / m_2.thickness), 0.0, 1.0));
-    }
-    float horizon = (sqrt(ray_1.x) / (m_2.radius + h_3));
-    float _e68 = crowded((0.5 * (dir_4.z + horizon)), sqrt(max((0.5 - (0.5 * dir_4.z)), 0.0)), sqrt((0.5 + (0.5 * horizon))));
-    return _e68;
+    float lowest = (max(line_1.x_closest, 0.0) / (radius_6 + line_1.p));
+    float part = min((lowest / max(min(h_4, thickness_2), 1e-20)), 1.0);
+    float v_1 = sqrt((1.0 - part));
+    return (limb.x * sqrt(((part * (1.0 + (limb.y * v_1))) / (1.0 + v_1))));
 }
 
-float sky_row(float share, bool ground, int rows, float ground_rows) {
-    return (ground ? (share * (ground_rows - 1.0)) : (ground_rows + (share * ((float(rows) - ground_rows) - 1.0))));
+float sky_row(float share, bool ground_1, float rows, float ground_rows) {
+    return (ground_1 ? (share * (ground_rows - 1.0)) : (ground_rows + (share * ((rows - ground_rows) - 1.0))));
 }
 
 vec3 henyey_greenstein_phase(float away, float toward, vec3 g) {
@@ -351,160 +310,157 @@ vec3 fourth(vec3 v) {
     return (square * square);
 }
 
-vec3 aerosol_light(highp sampler2D haze, Medium m_3, Corner c_1, vec3 dir_5, vec3 sun_3) {
-    vec3 apart_1 = (dir_5 - sun_3);
-    vec3 together = (dir_5 + sun_3);
-    float away_2 = (0.5 * dot(apart_1, apart_1));
+vec3 aerosol_phase(vec3 dir_2, vec3 sun, vec3 asymmetry) {
+    vec3 apart = (dir_2 - sun);
+    vec3 together = (dir_2 + sun);
+    float away_2 = (0.5 * dot(apart, apart));
     float toward_2 = (0.5 * dot(together, together));
-    vec4 _e15 = bilinear(haze, c_1, ivec2(0));
-    vec3 _e17 = fourth(_e15.xyz);
-    vec3 _e19 = cornette_shanks_phase(away_2, toward_2, m_3.mie_asymmetry);
-    return (_e17 * _e19);
+    vec3 _e11 = cornette_shanks_phase(away_2, toward_2, asymmetry);
+    return _e11;
 }
 
-Corner sky_corner(highp sampler2D sky, Medium m_4, Tables t, float h_4, vec3 dir_6, AirRay ray_2) {
-    ivec2 size_4 = ivec2(uvec2(textureSize(sky, 0).xy));
-    float _e8 = zenith_share(ray_2, dir_6, h_4, m_4);
-    float _e12 = sky_row(_e8, ray_2.ground, size_4.y, t.ground_rows);
-    float _e13 = azimuth_share(dir_6);
-    Corner _e20 = corner(vec2((_e13 * float((size_4.x - 1))), _e12), size_4);
-    return _e20;
+float unwarp(float low, float t) {
+    return (sign((t - low)) * sqrt(abs((t - low))));
 }
 
-float unwarp(float low, float t_1) {
-    return (sign((t_1 - low)) * sqrt(abs((t_1 - low))));
-}
-
-vec3 air_between(highp sampler2D air, Tables t_2, Corner c_2, float at_1, int kind, ivec2 size_1, float before) {
-    vec3 near = vec3(0.0);
-    int slice = min(max(int(floor(at_1)), -1), (int(t_2.slices) - 2));
-    float part = (at_1 - float(slice));
-    near = vec3(before);
-    if ((slice >= 0)) {
-        vec4 _e23 = bilinear(air, c_2, (ivec2(slice, kind) * size_1));
-        near = _e23.xyz;
-    }
-    vec3 _e25 = near;
-    vec4 _e30 = bilinear(air, c_2, (ivec2((slice + 1), kind) * size_1));
-    return mix(_e25, _e30.xyz, part);
-}
-
-vec3 air_through(highp sampler2D air_1, Tables t_3, Corner c_3, float at_2, ivec2 size_2) {
-    vec3 near_1 = vec3(1.0);
-    int slice_1 = min(max(int(floor(at_2)), -1), (int(t_3.slices) - 2));
-    ivec2 first = (ivec2(slice_1, AIR_THROUGH) * size_2);
-    if ((slice_1 >= 0)) {
-        vec4 _e27 = texelFetch(air_1, (first + ivec2(0, c_3.low.y)), 0);
-        vec4 _e35 = texelFetch(air_1, (first + ivec2(0, c_3.high.y)), 0);
-        near_1 = mix(_e27.xyz, _e35.xyz, c_3.part.y);
-    }
-    ivec2 next = (first + ivec2(size_2.x, 0));
-    vec4 _e50 = texelFetch(air_1, (next + ivec2(0, c_3.low.y)), 0);
-    vec4 _e58 = texelFetch(air_1, (next + ivec2(0, c_3.high.y)), 0);
-    vec3 far = mix(_e50.xyz, _e58.xyz, c_3.part.y);
-    vec3 _e63 = near_1;
-    return mix(_e63, far, (at_2 - float(slice_1)));
+vec3 air_between(highp sampler2D air, vec2 texel, float at_1, float last, int kind, vec2 table_2, float before) {
+    float slice = clamp(floor(at_1), -1.0, (last - 1.0));
+    vec2 scale = (vec2(1.0) / vec2((table_2.x * (last + 1.0)), (table_2.y * 4.0)));
+    vec2 far = (((texel + (table_2 * vec2((slice + 1.0), float(kind)))) + vec2(0.5)) * scale);
+    vec2 near = (far - vec2((table_2.x * scale.x), 0.0));
+    vec4 _e41 = textureLod(air, vec2(near), 0.0);
+    vec3 from = _e41.xyz;
+    vec4 _e48 = textureLod(air, vec2(far), 0.0);
+    return mix(((slice < 0.0) ? vec3(before) : from), _e48.xyz, (at_1 - slice));
 }
 
 void main() {
     vec4 position = gl_FragCoord;
+    bool local = false;
     float end = 0.0;
     float weight = 1.0;
     bool dims = true;
-    bool local = false;
+    bool local_1 = false;
     vec3 light = vec3(0.0);
     vec3 aerosol = vec3(0.0);
     vec3 through = vec3(1.0);
-    bool local_1 = false;
-    Frame f_3 = _group_0_binding_0_fs.frame;
-    Tables t_4 = _group_0_binding_0_fs.tables;
-    Medium m_5 = f_3.medium;
+    bool local_2 = false;
     ivec2 pixel_1 = ivec2(position.xy);
     vec4 behind = texelFetch(_group_0_binding_1_fs, pixel_1, 0);
-    vec3 _e14 = pixel_ray(f_3, position.xy);
-    float ray_length_1 = length(_e14);
-    vec4 _e18 = texelFetch(_group_0_binding_2_fs, pixel_1, 0);
-    float _e20 = depth_distance(f_3, _e18.x, ray_length_1);
-    vec3 dir_7 = (_e14 / vec3(ray_length_1));
-    AirRay _e27 = air_ray(dir_7, f_3.altitude, m_5.radius, m_5.thickness, f_3.sun);
-    end = _e27.length_;
-    if ((_e20 >= 0.0)) {
-        float _e36 = scene_reach(f_3, _e27, _e20);
-        end = _e36;
+    vec2 _e10 = _group_0_binding_0_fs.frame.size;
+    vec3 _e14 = _group_0_binding_0_fs.frame.ray_forward;
+    vec3 _e18 = _group_0_binding_0_fs.frame.ray_right;
+    vec3 _e22 = _group_0_binding_0_fs.frame.ray_up;
+    vec3 _e23 = pixel_ray(position.xy, _e10, _e14, _e18, _e22);
+    float ray_length_1 = length(_e23);
+    DepthCode _e28 = _group_0_binding_0_fs.frame.depth;
+    vec4 _e31 = texelFetch(_group_0_binding_2_fs, pixel_1, 0);
+    float _e33 = depth_distance(_e28, _e31.x, ray_length_1);
+    vec3 dir_3 = (_e23 / vec3(ray_length_1));
+    float h_5 = _group_0_binding_0_fs.frame.altitude;
+    float radius_7 = _group_0_binding_0_fs.frame.medium.radius;
+    float thickness_3 = _group_0_binding_0_fs.frame.medium.thickness;
+    Line _e50 = line_past(dir_3, h_5, radius_7);
+    AirPath _e51 = air_path(_e50, h_5, radius_7, thickness_3);
+    if (_e50.ground) {
+        local = (_e51.length_ >= 0.0);
     } else {
-        if (!(_e27.ground)) {
-            weight = f_3.shell_weight;
-            float _e40 = weight;
-            dims = (_e40 >= 1.0);
+        local = false;
+    }
+    bool ground_2 = local;
+    end = _e51.length_;
+    if ((_e33 >= 0.0)) {
+        float _e74 = _group_0_binding_0_fs.frame.pixel_angle;
+        float _e75 = scene_reach(_e51.start, _e51.length_, _e51.b, ground_2, _e33, radius_7, _e74);
+        end = _e75;
+    } else {
+        if (!(ground_2)) {
+            float _e80 = _group_0_binding_0_fs.frame.shell_weight;
+            weight = _e80;
+            float _e81 = weight;
+            dims = (_e81 >= 1.0);
         }
     }
-    float _e43 = end;
-    if (!((_e43 <= 0.0))) {
-        float _e49 = weight;
-        local = (_e49 <= 0.0);
+    float _e84 = end;
+    if (!((_e84 <= 0.0))) {
+        float _e90 = weight;
+        local_1 = (_e90 <= 0.0);
     } else {
-        local = true;
+        local_1 = true;
     }
-    bool _e53 = local;
-    if (_e53) {
+    bool _e94 = local_1;
+    if (_e94) {
         _fs2p_location0 = behind;
         return;
     }
-    Corner _e56 = sky_corner(_group_0_binding_3_fs, m_5, t_4, f_3.altitude, dir_7, _e27);
-    float scale = (_e27.ground ? _e27.length_ : 1.0);
-    vec4 _e64 = bilinear(_group_0_binding_3_fs, _e56, ivec2(0));
-    vec3 _e66 = fourth(_e64.xyz);
-    light = (_e66 * scale);
-    vec3 _e71 = aerosol_light(_group_0_binding_6_fs, m_5, _e56, dir_7, f_3.sun);
-    aerosol = (_e71 * scale);
-    if (!(_e27.ground)) {
-        float _e81 = end;
-        local_1 = (_e81 >= _e27.length_);
+    float _e95 = azimuth_share(dir_3);
+    vec2 _e100 = _group_0_binding_0_fs.frame.limb;
+    float _e101 = zenith_share(_e50, dir_3.z, h_5, radius_7, thickness_3, _e100);
+    vec2 size_4 = vec2(uvec2(textureSize(_group_0_binding_3_fs, 0).xy));
+    float _e109 = _group_0_binding_0_fs.tables.ground_rows;
+    float _e110 = sky_row(_e101, ground_2, size_4.y, _e109);
+    vec2 _e111 = table_uv(_e95, _e110, size_4);
+    float scale_1 = (ground_2 ? _e51.length_ : 1.0);
+    vec4 _e118 = textureLod(_group_0_binding_3_fs, vec2(_e111), 0.0);
+    vec3 _e120 = fourth(_e118.xyz);
+    light = (_e120 * scale_1);
+    vec4 _e126 = textureLod(_group_0_binding_6_fs, vec2(_e111), 0.0);
+    vec3 _e128 = fourth(_e126.xyz);
+    vec3 _e133 = _group_0_binding_0_fs.frame.sun;
+    vec3 _e138 = _group_0_binding_0_fs.frame.medium.mie_asymmetry;
+    vec3 _e139 = aerosol_phase(dir_3, _e133, _e138);
+    aerosol = ((_e128 * scale_1) * _e139);
+    if (!(ground_2)) {
+        float _e148 = end;
+        local_2 = (_e148 >= _e51.length_);
     } else {
-        local_1 = false;
+        local_2 = false;
     }
-    bool _e85 = local_1;
-    if (_e85) {
-        bool _e86 = dims;
-        if (_e86) {
-            float _e91 = altitude_of(_e27.x, m_5.radius);
-            vec3 _e93 = columns_to_top(_group_0_binding_5_fs, m_5, _e27.x, _e91, _e27.b);
-            vec3 _e94 = extinction(m_5, _e93);
-            through = exp(-(_e94));
+    bool _e152 = local_2;
+    if (_e152) {
+        bool _e153 = dims;
+        if (_e153) {
+            float _e157 = altitude_of(_e51.x, radius_7);
+            vec3 _e159 = columns_to_top(_group_0_binding_5_fs, radius_7, thickness_3, _e51.x, _e157, _e51.b);
+            Medium _e163 = _group_0_binding_0_fs.frame.medium;
+            vec3 _e164 = extinction(_e163, _e159);
+            through = exp(-(_e164));
         }
     } else {
-        ivec2 size_5 = (ivec2(uvec2(textureSize(_group_0_binding_4_fs, 0).xy)) / ivec2(int(t_4.slices), AIR_KINDS));
-        float _e106 = zenith_share(_e27, dir_7, f_3.altitude, m_5);
-        float _e110 = sky_row(_e106, _e27.ground, size_5.y, t_4.air_ground_rows);
-        float _e111 = azimuth_share(dir_7);
-        Corner _e118 = corner(vec2((_e111 * float((size_5.x - 1))), _e110), size_5);
-        float low_3 = clamp(-(_e27.b), 0.0, _e27.length_);
-        float _e125 = unwarp(low_3, 0.0);
-        float _e126 = end;
-        float _e127 = unwarp(low_3, _e126);
-        float _e130 = unwarp(low_3, _e27.length_);
-        float at_3 = ((((_e127 - _e125) / (_e130 - _e125)) * float(t_4.slices)) - 1.0);
-        float _e138 = end;
-        if ((_e138 < _e27.length_)) {
-            vec3 _e141 = light;
-            vec3 _e145 = air_between(_group_0_binding_4_fs, t_4, _e118, at_3, AIR_SMOOTH, size_5, 0.0);
-            light = (_e141 * _e145);
-            vec3 _e147 = aerosol;
-            vec3 _e151 = air_between(_group_0_binding_4_fs, t_4, _e118, at_3, AIR_AEROSOL, size_5, 0.0);
-            aerosol = (_e147 * _e151);
+        uint _e170 = _group_0_binding_0_fs.tables.slices;
+        float slices = float(_e170);
+        vec2 table_3 = (vec2(uvec2(textureSize(_group_0_binding_4_fs, 0).xy)) / vec2(slices, 4.0));
+        float _e186 = _group_0_binding_0_fs.tables.air_ground_rows;
+        float _e187 = sky_row(_e101, ground_2, table_3.y, _e186);
+        vec2 texel_1 = vec2((_e95 * (table_3.x - 1.0)), _e187);
+        float low_3 = clamp(-(_e51.b), 0.0, _e51.length_);
+        float _e195 = unwarp(low_3, 0.0);
+        float _e196 = end;
+        float _e197 = unwarp(low_3, _e196);
+        float _e200 = unwarp(low_3, _e51.length_);
+        float at_2 = ((((_e197 - _e195) / (_e200 - _e195)) * slices) - 1.0);
+        float _e206 = end;
+        if ((_e206 < _e51.length_)) {
+            vec3 _e209 = light;
+            vec3 _e216 = air_between(_group_0_binding_4_fs, texel_1, at_2, (slices - 1.0), AIR_SMOOTH, table_3, 0.0);
+            light = (_e209 * _e216);
+            vec3 _e218 = aerosol;
+            vec3 _e225 = air_between(_group_0_binding_4_fs, texel_1, at_2, (slices - 1.0), AIR_AEROSOL, table_3, 0.0);
+            aerosol = (_e218 * _e225);
         }
-        vec3 _e154 = air_through(_group_0_binding_4_fs, t_4, _e118, at_3, size_5);
-        through = _e154;
+        vec3 _e233 = air_between(_group_0_binding_4_fs, texel_1, at_2, (slices - 1.0), AIR_THROUGH, table_3, 1.0);
+        through = _e233;
     }
-    vec3 _e155 = light;
-    vec3 _e156 = aerosol;
-    light = (_e155 + _e156);
-    vec3 _e158 = light;
-    float _e160 = weight;
-    light = (_e158 * (m_5.irradiance * _e160));
-    vec3 _e164 = through;
-    vec3 _e166 = light;
-    _fs2p_location0 = vec4(((behind.xyz * _e164) + _e166), behind.w);
+    vec3 _e234 = light;
+    vec3 _e235 = aerosol;
+    light = (_e234 + _e235);
+    vec3 _e237 = light;
+    vec3 _e242 = _group_0_binding_0_fs.frame.medium.irradiance;
+    float _e243 = weight;
+    light = (_e237 * (_e242 * _e243));
+    vec3 _e247 = through;
+    vec3 _e249 = light;
+    _fs2p_location0 = vec4(((behind.xyz * _e247) + _e249), behind.w);
     return;
 }
 

@@ -270,27 +270,27 @@ vec4 bilinear(highp sampler2D table, Corner c, ivec2 origin) {
     return mix(bottom, top, c.part.y);
 }
 
-vec3 columns_to_top(highp sampler2D table_1, Medium m_2, float x_4, float h_3, float b_3) {
-    float _e7 = excess_of(m_2.thickness, m_2.radius);
+vec3 columns_to_top(highp sampler2D table_1, float radius_6, float thickness_1, float x_4, float h_3, float b_3) {
+    float _e6 = excess_of(thickness_1, radius_6);
     float rho = sqrt(max(x_4, 0.0));
-    float rho_top = sqrt(_e7);
-    float _e12 = distance_to_top(x_4, b_3, _e7);
-    float shortest = max((m_2.thickness - h_3), 0.0);
+    float rho_top = sqrt(_e6);
+    float _e11 = distance_to_top(x_4, b_3, _e6);
+    float shortest = max((thickness_1 - h_3), 0.0);
     ivec2 size_1 = ivec2(uvec2(textureSize(table_1, 0).xy));
-    vec2 share_2 = vec2(((_e12 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
-    Corner _e32 = corner((share_2 * vec2((size_1 - ivec2(1)))), size_1);
-    vec4 _e35 = bilinear(table_1, _e32, ivec2(0));
-    return exp2(_e35.xyz);
+    vec2 share_2 = vec2(((_e11 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
+    Corner _e30 = corner((share_2 * vec2((size_1 - ivec2(1)))), size_1);
+    vec4 _e33 = bilinear(table_1, _e30, ivec2(0));
+    return exp2(_e33.xyz);
 }
 
-float altitude_share(Tables t_1, float h_4, float thickness_1) {
-    return sqrt((log((1.0 + ((max(h_4, 0.0) / thickness_1) * t_1.altitude_growth))) / t_1.altitude_steepness));
+float altitude_share(Tables t_1, float h_4, float thickness_2) {
+    return sqrt((log((1.0 + ((max(h_4, 0.0) / thickness_2) * t_1.altitude_growth))) / t_1.altitude_steepness));
 }
 
-float share_altitude(Tables t_2, float share, float thickness_2) {
+float share_altitude(Tables t_2, float share, float thickness_3) {
     float s_1 = ((t_2.altitude_steepness * share) * share);
     float grown = ((s_1 < 0.02) ? (s_1 * (1.0 + (s_1 * (0.5 + (s_1 * 0.16666667))))) : (exp(s_1) - 1.0));
-    return (thickness_2 * min((grown / t_2.altitude_growth), 1.0));
+    return (thickness_3 * min((grown / t_2.altitude_growth), 1.0));
 }
 
 float sun_share(Tables t_3, float mu) {
@@ -325,13 +325,13 @@ float harmonic(int index, float mu_1, float along) {
     }
 }
 
-vec3 diffuse_source(highp sampler2D table_2, Medium m_3, Tables t_5, vec3 d_2, float h_5, float mu_2, float mu_sun, float nu) {
+vec3 diffuse_source(highp sampler2D table_2, Medium m_2, Tables t_5, vec3 d_2, float h_5, float mu_2, float mu_sun, float nu) {
     Corner c_1 = Corner(ivec2(0), ivec2(0), vec2(0.0));
     vec3 source = vec3(0.0);
     ivec2 dims = ivec2(uvec2(textureSize(table_2, 0).xy));
     ivec2 size_2 = ivec2(dims.x, ((dims.y - 1) / MOMENTS));
     float _e17 = sun_share(t_5, mu_sun);
-    float _e19 = altitude_share(t_5, h_5, m_3.thickness);
+    float _e19 = altitude_share(t_5, h_5, m_2.thickness);
     vec2 at_1 = (vec2(_e17, _e19) * vec2((size_2 - ivec2(1))));
     Corner _e26 = corner(at_1, size_2);
     c_1 = _e26;
@@ -356,7 +356,7 @@ vec3 diffuse_source(highp sampler2D table_2, Medium m_3, Tables t_5, vec3 d_2, f
     float _e91 = harmonic(5, mu_2, along_1);
     vec3 l2_ = (((_e69.xyz * _e72) + (_e78.xyz * _e81)) + (_e88.xyz * _e91));
     vec3 _e97 = source;
-    source = (_e97 + ((m_3.rayleigh * d_2.x) * (vec3(0.2820948) + (0.1 * l2_))));
+    source = (_e97 + ((m_2.rayleigh * d_2.x) * (vec3(0.2820948) + (0.1 * l2_))));
     Corner _e108 = c_1;
     vec4 _e112 = bilinear(table_2, _e108, ivec2(0, 1));
     float _e115 = harmonic(1, mu_2, along_1);
@@ -365,7 +365,7 @@ vec3 diffuse_source(highp sampler2D table_2, Medium m_3, Tables t_5, vec3 d_2, f
     float _e124 = harmonic(2, mu_2, along_1);
     vec3 l1_ = ((_e112.xyz * _e115) + (_e121.xyz * _e124));
     vec3 _e127 = source;
-    source = (_e127 + ((m_3.mie_scattering * d_2.y) * (((SH0_ * t_5.mie_moment0_) + (l1_ * t_5.mie_moment1_)) + (l2_ * t_5.mie_moment2_))));
+    source = (_e127 + ((m_2.mie_scattering * d_2.y) * (((SH0_ * t_5.mie_moment0_) + (l1_ * t_5.mie_moment1_)) + (l2_ * t_5.mie_moment2_))));
     vec3 _e142 = source;
     return (_e142 * mean);
 }
@@ -409,12 +409,12 @@ vec2 lit_part(vec2 shadow, float low_2, float t0_, float t1_, float mid) {
 }
 
 Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium, Tables t_8, AirRay ray_2, Low lowest_1, float u_from, float u_to, vec3 gas, vec3 aerosol, float diffuse) {
-    Medium m_4 = Medium(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
+    Medium m_3 = Medium(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
     Gathered out_ = Gathered(vec3(0.0), vec3(1.0), vec3(0.0));
     float t0_1 = 0.0;
     uint i = 0u;
-    m_4 = medium;
-    m_4.mie_extinction = t_8.mie_extinction;
+    m_3 = medium;
+    m_3.mie_extinction = t_8.mie_extinction;
     vec2 _e22 = shadow_stretch(ray_2);
     float low_5 = lowest_1.t;
     float du = ((u_to - u_from) / float(t_8.steps));
@@ -423,8 +423,8 @@ Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium,
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e143 = i;
-            i = (_e143 + 1u);
+            uint _e146 = i;
+            i = (_e146 + 1u);
         }
         loop_init = false;
         uint _e32 = i;
@@ -439,11 +439,11 @@ Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium,
             float _e41 = t0_1;
             float step_ = (_e40 - _e41);
             float _e46 = warp(low_5, (u_1 + (0.5 * du)));
-            float _e51 = m_4.radius;
+            float _e51 = m_3.radius;
             float _e52 = altitude_after(lowest_1.x, lowest_1.b, (_e46 - low_5), _e51);
-            Medium _e53 = m_4;
+            Medium _e53 = m_3;
             vec3 _e54 = densities(_e53, _e52);
-            Medium _e55 = m_4;
+            Medium _e55 = m_3;
             vec3 _e56 = extinction(_e55, _e54);
             vec3 tau_1 = (_e56 * step_);
             vec3 _e59 = out_.transmittance;
@@ -454,35 +454,36 @@ Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium,
             if ((_e63.x > 0.0)) {
                 float past = (_e63.y - low_5);
                 float lit_x = max((lowest_1.x + (past * ((2.0 * lowest_1.b) + past))), 0.0);
-                float _e79 = m_4.radius;
+                float _e79 = m_3.radius;
                 float _e80 = altitude_of(lit_x, _e79);
-                Medium _e81 = m_4;
+                Medium _e81 = m_3;
                 vec3 _e82 = densities(_e81, _e80);
-                Medium _e83 = m_4;
-                vec3 _e89 = columns_to_top(columns, _e83, lit_x, _e80, (ray_2.sun_b + (ray_2.nu * _e63.y)));
-                Medium _e95 = m_4;
-                vec3 _e96 = extinction(_e95, _e89);
-                vec3 source_1 = (((gas * _e82.x) + (aerosol * _e82.y)) * exp(-(_e96)));
-                vec3 _e101 = out_.radiance;
-                out_.radiance = (_e101 + ((share_3 * source_1) * _e63.x));
+                float _e84 = m_3.radius;
+                float _e86 = m_3.thickness;
+                vec3 _e92 = columns_to_top(columns, _e84, _e86, lit_x, _e80, (ray_2.sun_b + (ray_2.nu * _e63.y)));
+                Medium _e98 = m_3;
+                vec3 _e99 = extinction(_e98, _e92);
+                vec3 source_1 = (((gas * _e82.x) + (aerosol * _e82.y)) * exp(-(_e99)));
+                vec3 _e104 = out_.radiance;
+                out_.radiance = (_e104 + ((share_3 * source_1) * _e63.x));
             }
-            float _e107 = m_4.radius;
-            float r_2 = (_e107 + _e52);
+            float _e110 = m_3.radius;
+            float r_2 = (_e110 + _e52);
             float mu_4 = clamp((((lowest_1.b + _e46) - low_5) / r_2), -1.0, 1.0);
             float mu_sun_2 = clamp(((ray_2.sun_b + (ray_2.nu * _e46)) / r_2), -1.0, 1.0);
-            vec3 _e125 = out_.radiance;
-            Medium _e128 = m_4;
-            vec3 _e130 = diffuse_source(moments, _e128, t_8, _e54, _e52, mu_4, mu_sun_2, ray_2.nu);
-            out_.radiance = (_e125 + ((share_3 * (step_ * diffuse)) * _e130));
-            vec3 _e134 = out_.transmittance;
-            out_.transmittance = (_e134 * exp(-(tau_1)));
-            vec3 _e139 = out_.columns;
-            out_.columns = (_e139 + (_e54 * step_));
+            vec3 _e128 = out_.radiance;
+            Medium _e131 = m_3;
+            vec3 _e133 = diffuse_source(moments, _e131, t_8, _e54, _e52, mu_4, mu_sun_2, ray_2.nu);
+            out_.radiance = (_e128 + ((share_3 * (step_ * diffuse)) * _e133));
+            vec3 _e137 = out_.transmittance;
+            out_.transmittance = (_e137 * exp(-(tau_1)));
+            vec3 _e142 = out_.columns;
+            out_.columns = (_e142 + (_e54 * step_));
             t0_1 = _e40;
         }
     }
-    Gathered _e145 = out_;
-    return _e145;
+    Gathered _e148 = out_;
+    return _e148;
 }
 
 float rayleigh_phase(float mu_3) {
@@ -524,11 +525,11 @@ vec2 gauss8_(int i_1) {
     }
 }
 
-Direction node_direction(int zenith, int azimuth, float h_6, float radius_6) {
+Direction node_direction(int zenith, int azimuth, float h_6, float radius_7) {
     bool above_1 = (zenith < 8);
     vec2 _e8 = gauss8_((above_1 ? zenith : (zenith - 8)));
-    float _e9 = excess_of(h_6, radius_6);
-    float horizon = (-(sqrt(_e9)) / (radius_6 + h_6));
+    float _e9 = excess_of(h_6, radius_7);
+    float horizon = (-(sqrt(_e9)) / (radius_7 + h_6));
     float span = (above_1 ? (1.0 - horizon) : (-1.0 - horizon));
     float mu_5 = clamp((horizon + ((span * _e8.x) * _e8.x)), -1.0, 1.0);
     return Direction(mu_5, ((float(azimuth) + 0.5) * 0.3926991), above_1, (((((abs(span) * 2.0) * _e8.x) * _e8.y) * 2.0) * 0.3926991));
@@ -539,49 +540,49 @@ void main() {
     vec3 radiance = vec3(0.0);
     vec3 light = vec3(0.0);
     Medium scaled = Medium(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
-    Medium m_5 = _group_0_binding_0_fs.medium;
+    Medium m_4 = _group_0_binding_0_fs.medium;
     Tables t_10 = _group_0_binding_0_fs.tables;
     ivec2 at_3 = ivec2(position.xy);
     ivec2 dims_2 = ivec2(uvec2(textureSize(_group_0_binding_2_fs, 0).xy));
     ivec2 size_3 = ivec2(dims_2.x, ((dims_2.y - 1) / MOMENTS));
     ivec2 node = ivec2((at_3.x / AZIMUTHS), (at_3.y / ZENITHS));
     float _e33 = share_sun(t_10, (float(node.x) / float((size_3.x - 1))));
-    float _e42 = share_altitude(t_10, (float(node.y) / float((size_3.y - 1))), m_5.thickness);
+    float _e42 = share_altitude(t_10, (float(node.y) / float((size_3.y - 1))), m_4.thickness);
     vec3 sun_2 = vec3(sqrt(max(((1.0 - _e33) * (1.0 + _e33)), 0.0)), 0.0, _e33);
-    Direction _e60 = node_direction((at_3.y % ZENITHS), (at_3.x % AZIMUTHS), _e42, m_5.radius);
+    Direction _e60 = node_direction((at_3.y % ZENITHS), (at_3.x % AZIMUTHS), _e42, m_4.radius);
     float sine = sqrt(max(((1.0 - _e60.mu) * (1.0 + _e60.mu)), 0.0));
     vec3 dir_2 = vec3((sine * cos(_e60.azimuth)), (sine * sin(_e60.azimuth)), _e60.mu);
-    AirRay _e83 = inner_ray(dir_2, _e42, m_5.radius, m_5.thickness, sun_2, !(_e60.above));
+    AirRay _e83 = inner_ray(dir_2, _e42, m_4.radius, m_4.thickness, sun_2, !(_e60.above));
     float nu_1 = _e83.nu;
     float _e86 = rayleigh_phase(nu_1);
-    vec3 gas_1 = (m_5.rayleigh * _e86);
+    vec3 gas_1 = (m_4.rayleigh * _e86);
     vec3 _e96 = henyey_greenstein_phase((1.0 - nu_1), (1.0 + nu_1), t_10.mie_asymmetry);
-    vec3 aerosol_1 = ((m_5.mie_scattering * t_10.mie_moment0_) * _e96);
-    Low _e100 = lowest(_e83, _e83.length_, m_5.radius);
+    vec3 aerosol_1 = ((m_4.mie_scattering * t_10.mie_moment0_) * _e96);
+    Low _e100 = lowest(_e83, _e83.length_, m_4.radius);
     float _e105 = unwarp(_e100.t, 0.0);
     float _e108 = unwarp(_e100.t, _e83.length_);
-    Gathered _e110 = gather(_group_0_binding_1_fs, _group_0_binding_2_fs, m_5, t_10, _e83, _e100, _e105, _e108, gas_1, aerosol_1, 1.0);
+    Gathered _e110 = gather(_group_0_binding_1_fs, _group_0_binding_2_fs, m_4, t_10, _e83, _e100, _e105, _e108, gas_1, aerosol_1, 1.0);
     radiance = _e110.radiance;
     if (_e83.ground) {
         float sun_b = (_e83.sun_b + (_e83.nu * _e83.length_));
-        float mu_ground = clamp((sun_b / m_5.radius), -1.0, 1.0);
+        float mu_ground = clamp((sun_b / m_4.radius), -1.0, 1.0);
         vec3 _e125 = ground_irradiance(_group_0_binding_2_fs, t_10, mu_ground);
         light = _e125;
         if ((mu_ground > 0.0)) {
-            scaled = m_5;
+            scaled = m_4;
             scaled.mie_extinction = t_10.mie_extinction;
             vec3 _e132 = light;
             Medium _e133 = scaled;
-            vec3 _e137 = columns_to_top(_group_0_binding_1_fs, m_5, 0.0, 0.0, sun_b);
-            vec3 _e138 = extinction(_e133, _e137);
-            light = (_e132 + (mu_ground * exp(-(_e138))));
+            vec3 _e139 = columns_to_top(_group_0_binding_1_fs, m_4.radius, m_4.thickness, 0.0, 0.0, sun_b);
+            vec3 _e140 = extinction(_e133, _e139);
+            light = (_e132 + (mu_ground * exp(-(_e140))));
         }
-        vec3 _e143 = radiance;
-        vec3 _e145 = light;
-        radiance = (_e143 + (((_e110.transmittance * _e145) * t_10.albedo) * 0.31830987));
+        vec3 _e145 = radiance;
+        vec3 _e147 = light;
+        radiance = (_e145 + (((_e110.transmittance * _e147) * t_10.albedo) * 0.31830987));
     }
-    vec3 _e152 = radiance;
-    _fs2p_location0 = vec4(_e152, 0.0);
+    vec3 _e154 = radiance;
+    _fs2p_location0 = vec4(_e154, 0.0);
     return;
 }
 

@@ -17,6 +17,12 @@ struct Medium {
     vec3 irradiance;
     float thickness;
 };
+struct DepthCode {
+    float scale;
+    float bias;
+    float log_;
+    float background;
+};
 struct Frame {
     Medium medium;
     vec3 ray_forward;
@@ -30,14 +36,14 @@ struct Frame {
     vec2 size;
     float sun_disk;
     float pixel_angle;
-    float depth_scale;
-    float depth_bias;
-    float depth_log;
-    float depth_background;
+    DepthCode depth;
     uint view_samples;
     uint light_samples;
     uint low_resolution;
     float camera_altitude;
+    vec2 limb;
+    float pad0_;
+    float pad1_;
 };
 struct AirRay {
     float start;
@@ -304,21 +310,21 @@ vec4 bilinear(highp sampler2D table, Corner c, ivec2 origin) {
     return mix(bottom, top, c.part.y);
 }
 
-vec3 columns_to_top(highp sampler2D table_1, Medium m_2, float x_4, float h_3, float b_3) {
-    float _e7 = excess_of(m_2.thickness, m_2.radius);
+vec3 columns_to_top(highp sampler2D table_1, float radius_7, float thickness_1, float x_4, float h_3, float b_3) {
+    float _e6 = excess_of(thickness_1, radius_7);
     float rho = sqrt(max(x_4, 0.0));
-    float rho_top = sqrt(_e7);
-    float _e12 = distance_to_top(x_4, b_3, _e7);
-    float shortest = max((m_2.thickness - h_3), 0.0);
+    float rho_top = sqrt(_e6);
+    float _e11 = distance_to_top(x_4, b_3, _e6);
+    float shortest = max((thickness_1 - h_3), 0.0);
     ivec2 size_1 = ivec2(uvec2(textureSize(table_1, 0).xy));
-    vec2 share_2 = vec2(((_e12 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
-    Corner _e32 = corner((share_2 * vec2((size_1 - ivec2(1)))), size_1);
-    vec4 _e35 = bilinear(table_1, _e32, ivec2(0));
-    return exp2(_e35.xyz);
+    vec2 share_2 = vec2(((_e11 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
+    Corner _e30 = corner((share_2 * vec2((size_1 - ivec2(1)))), size_1);
+    vec4 _e33 = bilinear(table_1, _e30, ivec2(0));
+    return exp2(_e33.xyz);
 }
 
-float altitude_share(Tables t_1, float h_4, float thickness_1) {
-    return sqrt((log((1.0 + ((max(h_4, 0.0) / thickness_1) * t_1.altitude_growth))) / t_1.altitude_steepness));
+float altitude_share(Tables t_1, float h_4, float thickness_2) {
+    return sqrt((log((1.0 + ((max(h_4, 0.0) / thickness_2) * t_1.altitude_growth))) / t_1.altitude_steepness));
 }
 
 float sun_share(Tables t_2, float mu) {
@@ -349,13 +355,13 @@ float harmonic(int index, float mu_1, float along) {
     }
 }
 
-vec3 diffuse_source(highp sampler2D table_2, Medium m_3, Tables t_3, vec3 d_2, float h_5, float mu_2, float mu_sun, float nu) {
+vec3 diffuse_source(highp sampler2D table_2, Medium m_2, Tables t_3, vec3 d_2, float h_5, float mu_2, float mu_sun, float nu) {
     Corner c_1 = Corner(ivec2(0), ivec2(0), vec2(0.0));
     vec3 source = vec3(0.0);
     ivec2 dims = ivec2(uvec2(textureSize(table_2, 0).xy));
     ivec2 size_2 = ivec2(dims.x, ((dims.y - 1) / MOMENTS));
     float _e17 = sun_share(t_3, mu_sun);
-    float _e19 = altitude_share(t_3, h_5, m_3.thickness);
+    float _e19 = altitude_share(t_3, h_5, m_2.thickness);
     vec2 at_1 = (vec2(_e17, _e19) * vec2((size_2 - ivec2(1))));
     Corner _e26 = corner(at_1, size_2);
     c_1 = _e26;
@@ -387,7 +393,7 @@ vec3 diffuse_source(highp sampler2D table_2, Medium m_3, Tables t_3, vec3 d_2, f
     float _e113 = harmonic(2, mu_2, along_1);
     vec3 l1_ = ((_e101.xyz * _e104) + (_e110.xyz * _e113));
     vec3 _e116 = source;
-    source = (_e116 + ((m_3.mie_scattering * d_2.y) * (((SH0_ * t_3.mie_moment0_) + (l1_ * t_3.mie_moment1_)) + (l2_ * t_3.mie_moment2_))));
+    source = (_e116 + ((m_2.mie_scattering * d_2.y) * (((SH0_ * t_3.mie_moment0_) + (l1_ * t_3.mie_moment1_)) + (l2_ * t_3.mie_moment2_))));
     vec3 _e131 = source;
     return (_e131 * mean);
 }
@@ -422,12 +428,12 @@ vec2 lit_part(vec2 shadow, float low_2, float t0_, float t1_, float mid) {
 }
 
 Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium, Tables t_5, AirRay ray_2, Low lowest_1, float u_from, float u_to, vec3 gas, vec3 aerosol, float diffuse) {
-    Medium m_4 = Medium(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
+    Medium m_3 = Medium(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
     Gathered out_ = Gathered(vec3(0.0), vec3(1.0), vec3(0.0));
     float t0_1 = 0.0;
     uint i = 0u;
-    m_4 = medium;
-    m_4.mie_extinction = t_5.mie_extinction;
+    m_3 = medium;
+    m_3.mie_extinction = t_5.mie_extinction;
     vec2 _e22 = shadow_stretch(ray_2);
     float low_5 = lowest_1.t;
     float du = ((u_to - u_from) / float(t_5.steps));
@@ -436,8 +442,8 @@ Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium,
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e143 = i;
-            i = (_e143 + 1u);
+            uint _e146 = i;
+            i = (_e146 + 1u);
         }
         loop_init = false;
         uint _e32 = i;
@@ -452,11 +458,11 @@ Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium,
             float _e41 = t0_1;
             float step_ = (_e40 - _e41);
             float _e46 = warp(low_5, (u_1 + (0.5 * du)));
-            float _e51 = m_4.radius;
+            float _e51 = m_3.radius;
             float _e52 = altitude_after(lowest_1.x, lowest_1.b, (_e46 - low_5), _e51);
-            Medium _e53 = m_4;
+            Medium _e53 = m_3;
             vec3 _e54 = densities(_e53, _e52);
-            Medium _e55 = m_4;
+            Medium _e55 = m_3;
             vec3 _e56 = extinction(_e55, _e54);
             vec3 tau_1 = (_e56 * step_);
             vec3 _e59 = out_.transmittance;
@@ -467,35 +473,36 @@ Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium,
             if ((_e63.x > 0.0)) {
                 float past = (_e63.y - low_5);
                 float lit_x = max((lowest_1.x + (past * ((2.0 * lowest_1.b) + past))), 0.0);
-                float _e79 = m_4.radius;
+                float _e79 = m_3.radius;
                 float _e80 = altitude_of(lit_x, _e79);
-                Medium _e81 = m_4;
+                Medium _e81 = m_3;
                 vec3 _e82 = densities(_e81, _e80);
-                Medium _e83 = m_4;
-                vec3 _e89 = columns_to_top(columns, _e83, lit_x, _e80, (ray_2.sun_b + (ray_2.nu * _e63.y)));
-                Medium _e95 = m_4;
-                vec3 _e96 = extinction(_e95, _e89);
-                vec3 source_1 = (((gas * _e82.x) + (aerosol * _e82.y)) * exp(-(_e96)));
-                vec3 _e101 = out_.radiance;
-                out_.radiance = (_e101 + ((share_3 * source_1) * _e63.x));
+                float _e84 = m_3.radius;
+                float _e86 = m_3.thickness;
+                vec3 _e92 = columns_to_top(columns, _e84, _e86, lit_x, _e80, (ray_2.sun_b + (ray_2.nu * _e63.y)));
+                Medium _e98 = m_3;
+                vec3 _e99 = extinction(_e98, _e92);
+                vec3 source_1 = (((gas * _e82.x) + (aerosol * _e82.y)) * exp(-(_e99)));
+                vec3 _e104 = out_.radiance;
+                out_.radiance = (_e104 + ((share_3 * source_1) * _e63.x));
             }
-            float _e107 = m_4.radius;
-            float r_3 = (_e107 + _e52);
+            float _e110 = m_3.radius;
+            float r_3 = (_e110 + _e52);
             float mu_5 = clamp((((lowest_1.b + _e46) - low_5) / r_3), -1.0, 1.0);
             float mu_sun_1 = clamp(((ray_2.sun_b + (ray_2.nu * _e46)) / r_3), -1.0, 1.0);
-            vec3 _e125 = out_.radiance;
-            Medium _e128 = m_4;
-            vec3 _e130 = diffuse_source(moments, _e128, t_5, _e54, _e52, mu_5, mu_sun_1, ray_2.nu);
-            out_.radiance = (_e125 + ((share_3 * (step_ * diffuse)) * _e130));
-            vec3 _e134 = out_.transmittance;
-            out_.transmittance = (_e134 * exp(-(tau_1)));
-            vec3 _e139 = out_.columns;
-            out_.columns = (_e139 + (_e54 * step_));
+            vec3 _e128 = out_.radiance;
+            Medium _e131 = m_3;
+            vec3 _e133 = diffuse_source(moments, _e131, t_5, _e54, _e52, mu_5, mu_sun_1, ray_2.nu);
+            out_.radiance = (_e128 + ((share_3 * (step_ * diffuse)) * _e133));
+            vec3 _e137 = out_.transmittance;
+            out_.transmittance = (_e137 * exp(-(tau_1)));
+            vec3 _e142 = out_.columns;
+            out_.columns = (_e142 + (_e54 * step_));
             t0_1 = _e40;
         }
     }
-    Gathered _e145 = out_;
-    return _e145;
+    Gathered _e148 = out_;
+    return _e148;
 }
 
 vec2 share_azimuth(float share) {
@@ -504,69 +511,84 @@ vec2 share_azimuth(float share) {
     return (vec2(((c_4 - share) * (c_4 + share)), ((2.0 * share) * c_4)) * norm);
 }
 
-TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_6, Medium m_5, vec3 sun_3) {
+TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_6, float radius_8, float thickness_3, vec2 limb, vec3 sun_3) {
     bool local_2 = false;
     float c2_ = 0.0;
     float mu_3 = 0.0;
+    float from_camera = 0.0;
+    float from_start = 0.0;
     SunSide s_2 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
     float start = 0.0;
-    float r_4 = (m_5.radius + h_6);
-    float _e9 = excess_of(h_6, m_5.radius);
-    float _e12 = excess_of(m_5.thickness, m_5.radius);
-    vec2 _e13 = share_azimuth(azimuth);
-    bool outside = (h_6 > m_5.thickness);
-    if (!(outside)) {
-        local_2 = !(ground_1);
+    float r_4 = (radius_8 + h_6);
+    float _e9 = excess_of(h_6, radius_8);
+    float _e10 = excess_of(thickness_3, radius_8);
+    vec2 _e11 = share_azimuth(azimuth);
+    bool outside = (h_6 > thickness_3);
+    if (!(ground_1)) {
+        local_2 = (share_1 > limb.x);
     } else {
         local_2 = false;
     }
-    bool _e21 = local_2;
-    if (_e21) {
-        float horizon = (sqrt(_e9) / r_4);
-        float s_max = sqrt((0.5 + (0.5 * horizon)));
-        float s_3 = (s_max * (1.0 - (share_1 * share_1)));
+    bool _e19 = local_2;
+    if (_e19) {
+        float u_2 = ((share_1 - limb.x) / (1.0 - limb.x));
+        float s_3 = (SQRT_HALF * (1.0 - (u_2 * u_2)));
         float mu_6 = (1.0 - ((2.0 * s_3) * s_3));
-        vec3 dir_3 = vec3((_e13 * ((2.0 * s_3) * sqrt(max((1.0 - (s_3 * s_3)), 0.0)))), mu_6);
-        AirRay _e52 = inner_ray(dir_3, h_6, m_5.radius, m_5.thickness, sun_3, false);
-        return TableRay(dir_3, _e52);
+        vec3 dir_3 = vec3((_e11 * ((2.0 * s_3) * sqrt(max((1.0 - (s_3 * s_3)), 0.0)))), mu_6);
+        AirRay _e48 = inner_ray(dir_3, h_6, radius_8, thickness_3, sun_3, false);
+        return TableRay(dir_3, _e48);
     }
+    float start_x = (outside ? _e10 : _e9);
     if (ground_1) {
         float s_4 = (SQRT_HALF * (1.0 - (share_1 * share_1)));
         mu_3 = max((1.0 - ((2.0 * s_4) * s_4)), 0.0);
-        float _e74 = mu_3;
-        float _e76 = mu_3;
-        c2_ = (((-(m_5.radius) * m_5.radius) * _e74) * _e76);
+        float _e73 = mu_3;
+        float _e75 = mu_3;
+        c2_ = (((-(radius_8) * radius_8) * _e73) * _e75);
+        float _e77 = c2_;
+        from_camera = (_e9 - _e77);
+        float _e79 = c2_;
+        from_start = (start_x - _e79);
     } else {
-        float _e82 = excess_of(((m_5.thickness * share_1) * share_1), m_5.radius);
-        c2_ = _e82;
+        float limit = min(h_6, thickness_3);
+        float s_5 = min((share_1 / max(limb.x, 1e-20)), 1.0);
+        float y_1 = ((1.0 - s_5) * (1.0 + s_5));
+        float k = (1.0 - limb.y);
+        float v = ((2.0 * y_1) / max((k + sqrt(((k * k) + ((4.0 * limb.y) * y_1)))), 1e-20));
+        float lowest_2 = (limit * min((((s_5 * s_5) * (1.0 + v)) / (1.0 + (limb.y * v))), 1.0));
+        float _e121 = excess_of(lowest_2, radius_8);
+        c2_ = _e121;
+        from_start = (((limit * v) * v) * (((2.0 * radius_8) + limit) + lowest_2));
+        float _e129 = from_start;
+        from_camera = (outside ? ((h_6 - lowest_2) * (((2.0 * radius_8) + h_6) + lowest_2)) : _e129);
     }
-    float start_x = (outside ? _e12 : _e9);
-    float _e84 = c2_;
-    float b_7 = -(sqrt(max((start_x - _e84), 0.0)));
-    float _e93 = c2_;
-    float approach = sqrt(max(((m_5.radius * m_5.radius) + _e93), 0.0));
+    float _e137 = from_start;
+    float b_7 = -(sqrt(max(_e137, 0.0)));
+    float _e143 = c2_;
+    float approach = sqrt(max(((radius_8 * radius_8) + _e143), 0.0));
     float sine = min((approach / r_4), 1.0);
-    float _e101 = c2_;
-    float down = (-(sqrt(max((_e9 - _e101), 0.0))) / r_4);
-    vec3 dir_4 = vec3((_e13 * sine), down);
+    float _e151 = from_camera;
+    float down = (-(sqrt(max(_e151, 0.0))) / r_4);
+    vec3 dir_4 = vec3((_e11 * sine), down);
     if (outside) {
-        start = (((h_6 - m_5.thickness) * (((2.0 * m_5.radius) + m_5.thickness) + h_6)) / (-(b_7) - (r_4 * down)));
-        SunSide _e128 = sun_side_outside(dir_4, sun_3, r_4, -(b_7), _e12, m_5.radius);
-        s_2 = _e128;
+        start = (((h_6 - thickness_3) * (((2.0 * radius_8) + thickness_3) + h_6)) / (-(b_7) - (r_4 * down)));
+        SunSide _e173 = sun_side_outside(dir_4, sun_3, r_4, -(b_7), _e10, radius_8);
+        s_2 = _e173;
     } else {
-        SunSide _e130 = sun_side_inside(dir_4, sun_3, r_4, _e9, m_5.radius);
-        s_2 = _e130;
+        SunSide _e174 = sun_side_inside(dir_4, sun_3, r_4, _e9, radius_8);
+        s_2 = _e174;
     }
-    float _e134 = mu_3;
-    float reach_1 = (ground_1 ? (start_x / ((m_5.radius * _e134) - b_7)) : (-2.0 * b_7));
-    float _e139 = start;
-    float _e140 = c2_;
-    float _e142 = s_2.sun_b;
-    float _e144 = s_2.nu;
-    float _e146 = s_2.cross2_;
-    float _e148 = s_2.shadow_b;
-    float _e150 = s_2.shadow_c;
-    AirRay ray_3 = AirRay(_e139, reach_1, start_x, b_7, _e140, _e142, _e144, _e146, _e148, _e150, ground_1);
+    float _e175 = distance_to_top(start_x, b_7, _e10);
+    float _e176 = mu_3;
+    float reach_1 = (ground_1 ? (start_x / ((radius_8 * _e176) - b_7)) : _e175);
+    float _e181 = start;
+    float _e182 = c2_;
+    float _e184 = s_2.sun_b;
+    float _e186 = s_2.nu;
+    float _e188 = s_2.cross2_;
+    float _e190 = s_2.shadow_b;
+    float _e192 = s_2.shadow_c;
+    AirRay ray_3 = AirRay(_e181, reach_1, start_x, b_7, _e182, _e184, _e186, _e188, _e190, _e192, ground_1);
     return TableRay(dir_4, ray_3);
 }
 
@@ -578,7 +600,7 @@ void main() {
     vec4 position = gl_FragCoord;
     Frame f = _group_0_binding_0_fs.frame;
     Tables t_7 = _group_0_binding_0_fs.tables;
-    Medium m_6 = f.medium;
+    Medium m_4 = f.medium;
     ivec2 at_2 = ivec2(position.xy);
     ivec2 size_3 = ivec2(t_7.size);
     float azimuth_1 = (float(at_2.x) / float((size_3.x - 1)));
@@ -587,22 +609,22 @@ void main() {
     int first_1 = (ground_2 ? 0 : ground_rows);
     int rows = (ground_2 ? ground_rows : (size_3.y - ground_rows));
     float share_4 = (float((at_2.y - first_1)) / float((rows - 1)));
-    TableRay _e37 = table_ray(azimuth_1, share_4, ground_2, f.altitude, m_6, f.sun);
-    AirRay ray_4 = _e37.ray;
+    TableRay _e40 = table_ray(azimuth_1, share_4, ground_2, f.altitude, m_4.radius, m_4.thickness, f.limb, f.sun);
+    AirRay ray_4 = _e40.ray;
     if ((ray_4.length_ <= 0.0)) {
         _fs2p_location0 = vec4(0.0, 0.0, 0.0, 1.0);
         return;
     }
-    Low _e49 = lowest(ray_4, ray_4.length_, m_6.radius);
-    float _e52 = unwarp(_e49.t, 0.0);
-    float _e55 = unwarp(_e49.t, ray_4.length_);
-    float _e58 = rayleigh_phase(ray_4.nu);
-    vec3 gas_1 = (m_6.rayleigh * _e58);
-    Gathered _e65 = gather(_group_0_binding_1_fs, _group_0_binding_2_fs, m_6, t_7, ray_4, _e49, _e52, _e55, gas_1, vec3(0.0), 1.0);
-    vec3 _e67 = extinction(m_6, _e65.columns);
-    float grey = dot(exp(-(_e67)), vec3(0.33333334));
+    Low _e52 = lowest(ray_4, ray_4.length_, m_4.radius);
+    float _e55 = unwarp(_e52.t, 0.0);
+    float _e58 = unwarp(_e52.t, ray_4.length_);
+    float _e61 = rayleigh_phase(ray_4.nu);
+    vec3 gas_1 = (m_4.rayleigh * _e61);
+    Gathered _e68 = gather(_group_0_binding_1_fs, _group_0_binding_2_fs, m_4, t_7, ray_4, _e52, _e55, _e58, gas_1, vec3(0.0), 1.0);
+    vec3 _e70 = extinction(m_4, _e68.columns);
+    float grey = dot(exp(-(_e70)), vec3(0.33333334));
     float scale = (ground_2 ? (1.0 / ray_4.length_) : 1.0);
-    _fs2p_location0 = vec4(sqrt(sqrt((max(_e65.radiance, vec3(0.0)) * scale))), grey);
+    _fs2p_location0 = vec4(sqrt(sqrt((max(_e68.radiance, vec3(0.0)) * scale))), grey);
     return;
 }
 

@@ -17,6 +17,12 @@ struct Medium {
     vec3 irradiance;
     float thickness;
 };
+struct DepthCode {
+    float scale;
+    float bias;
+    float log_;
+    float background;
+};
 struct Frame {
     Medium medium;
     vec3 ray_forward;
@@ -30,14 +36,14 @@ struct Frame {
     vec2 size;
     float sun_disk;
     float pixel_angle;
-    float depth_scale;
-    float depth_bias;
-    float depth_log;
-    float depth_background;
+    DepthCode depth;
     uint view_samples;
     uint light_samples;
     uint low_resolution;
     float camera_altitude;
+    vec2 limb;
+    float pad0_;
+    float pad1_;
 };
 struct AirRay {
     float start;
@@ -308,17 +314,17 @@ vec4 bilinear(highp sampler2D table, Corner c, ivec2 origin) {
     return mix(bottom, top, c.part.y);
 }
 
-vec3 columns_to_top(highp sampler2D table_1, Medium m_2, float x_4, float h_3, float b_3) {
-    float _e7 = excess_of(m_2.thickness, m_2.radius);
+vec3 columns_to_top(highp sampler2D table_1, float radius_7, float thickness_1, float x_4, float h_3, float b_3) {
+    float _e6 = excess_of(thickness_1, radius_7);
     float rho = sqrt(max(x_4, 0.0));
-    float rho_top = sqrt(_e7);
-    float _e12 = distance_to_top(x_4, b_3, _e7);
-    float shortest = max((m_2.thickness - h_3), 0.0);
+    float rho_top = sqrt(_e6);
+    float _e11 = distance_to_top(x_4, b_3, _e6);
+    float shortest = max((thickness_1 - h_3), 0.0);
     ivec2 size_1 = ivec2(uvec2(textureSize(table_1, 0).xy));
-    vec2 share_2 = vec2(((_e12 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
-    Corner _e32 = corner((share_2 * vec2((size_1 - ivec2(1)))), size_1);
-    vec4 _e35 = bilinear(table_1, _e32, ivec2(0));
-    return exp2(_e35.xyz);
+    vec2 share_2 = vec2(((_e11 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
+    Corner _e30 = corner((share_2 * vec2((size_1 - ivec2(1)))), size_1);
+    vec4 _e33 = bilinear(table_1, _e30, ivec2(0));
+    return exp2(_e33.xyz);
 }
 
 float warp(float low, float u) {
@@ -351,12 +357,12 @@ vec2 lit_part(vec2 shadow, float low_2, float t0_, float t1_, float mid) {
 }
 
 Gathered gather_direct(highp sampler2D columns, Medium medium, Tables t_2, AirRay ray_2, Low lowest_1, float u_from, float u_to, vec3 gas, vec3 aerosol) {
-    Medium m_3 = Medium(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
+    Medium m_2 = Medium(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
     Gathered out_ = Gathered(vec3(0.0), vec3(1.0), vec3(0.0));
     float t0_1 = 0.0;
     uint i = 0u;
-    m_3 = medium;
-    m_3.mie_extinction = t_2.mie_extinction;
+    m_2 = medium;
+    m_2.mie_extinction = t_2.mie_extinction;
     vec2 _e20 = shadow_stretch(ray_2);
     float low_5 = lowest_1.t;
     float du = ((u_to - u_from) / float(t_2.steps));
@@ -365,8 +371,8 @@ Gathered gather_direct(highp sampler2D columns, Medium medium, Tables t_2, AirRa
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e114 = i;
-            i = (_e114 + 1u);
+            uint _e117 = i;
+            i = (_e117 + 1u);
         }
         loop_init = false;
         uint _e30 = i;
@@ -381,11 +387,11 @@ Gathered gather_direct(highp sampler2D columns, Medium medium, Tables t_2, AirRa
             float _e39 = t0_1;
             float step_ = (_e38 - _e39);
             float _e44 = warp(low_5, (u_1 + (0.5 * du)));
-            float _e49 = m_3.radius;
+            float _e49 = m_2.radius;
             float _e50 = altitude_after(lowest_1.x, lowest_1.b, (_e44 - low_5), _e49);
-            Medium _e51 = m_3;
+            Medium _e51 = m_2;
             vec3 _e52 = densities(_e51, _e50);
-            Medium _e53 = m_3;
+            Medium _e53 = m_2;
             vec3 _e54 = extinction(_e53, _e52);
             vec3 tau_1 = (_e54 * step_);
             vec3 _e57 = out_.transmittance;
@@ -396,27 +402,28 @@ Gathered gather_direct(highp sampler2D columns, Medium medium, Tables t_2, AirRa
             if ((_e61.x > 0.0)) {
                 float past = (_e61.y - low_5);
                 float lit_x = max((lowest_1.x + (past * ((2.0 * lowest_1.b) + past))), 0.0);
-                float _e77 = m_3.radius;
+                float _e77 = m_2.radius;
                 float _e78 = altitude_of(lit_x, _e77);
-                Medium _e79 = m_3;
+                Medium _e79 = m_2;
                 vec3 _e80 = densities(_e79, _e78);
-                Medium _e81 = m_3;
-                vec3 _e87 = columns_to_top(columns, _e81, lit_x, _e78, (ray_2.sun_b + (ray_2.nu * _e61.y)));
-                Medium _e93 = m_3;
-                vec3 _e94 = extinction(_e93, _e87);
-                vec3 source = (((gas * _e80.x) + (aerosol * _e80.y)) * exp(-(_e94)));
-                vec3 _e99 = out_.radiance;
-                out_.radiance = (_e99 + ((share_3 * source) * _e61.x));
+                float _e82 = m_2.radius;
+                float _e84 = m_2.thickness;
+                vec3 _e90 = columns_to_top(columns, _e82, _e84, lit_x, _e78, (ray_2.sun_b + (ray_2.nu * _e61.y)));
+                Medium _e96 = m_2;
+                vec3 _e97 = extinction(_e96, _e90);
+                vec3 source = (((gas * _e80.x) + (aerosol * _e80.y)) * exp(-(_e97)));
+                vec3 _e102 = out_.radiance;
+                out_.radiance = (_e102 + ((share_3 * source) * _e61.x));
             }
-            vec3 _e105 = out_.transmittance;
-            out_.transmittance = (_e105 * exp(-(tau_1)));
-            vec3 _e110 = out_.columns;
-            out_.columns = (_e110 + (_e52 * step_));
+            vec3 _e108 = out_.transmittance;
+            out_.transmittance = (_e108 * exp(-(tau_1)));
+            vec3 _e113 = out_.columns;
+            out_.columns = (_e113 + (_e52 * step_));
             t0_1 = _e38;
         }
     }
-    Gathered _e116 = out_;
-    return _e116;
+    Gathered _e119 = out_;
+    return _e119;
 }
 
 vec2 share_azimuth(float share) {
@@ -425,69 +432,84 @@ vec2 share_azimuth(float share) {
     return (vec2(((c_3 - share) * (c_3 + share)), ((2.0 * share) * c_3)) * norm);
 }
 
-TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_4, Medium m_4, vec3 sun_3) {
+TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_4, float radius_8, float thickness_2, vec2 limb, vec3 sun_3) {
     bool local_2 = false;
     float c2_ = 0.0;
     float mu = 0.0;
+    float from_camera = 0.0;
+    float from_start = 0.0;
     SunSide s_2 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
     float start = 0.0;
-    float r_3 = (m_4.radius + h_4);
-    float _e9 = excess_of(h_4, m_4.radius);
-    float _e12 = excess_of(m_4.thickness, m_4.radius);
-    vec2 _e13 = share_azimuth(azimuth);
-    bool outside = (h_4 > m_4.thickness);
-    if (!(outside)) {
-        local_2 = !(ground_1);
+    float r_3 = (radius_8 + h_4);
+    float _e9 = excess_of(h_4, radius_8);
+    float _e10 = excess_of(thickness_2, radius_8);
+    vec2 _e11 = share_azimuth(azimuth);
+    bool outside = (h_4 > thickness_2);
+    if (!(ground_1)) {
+        local_2 = (share_1 > limb.x);
     } else {
         local_2 = false;
     }
-    bool _e21 = local_2;
-    if (_e21) {
-        float horizon = (sqrt(_e9) / r_3);
-        float s_max = sqrt((0.5 + (0.5 * horizon)));
-        float s_3 = (s_max * (1.0 - (share_1 * share_1)));
+    bool _e19 = local_2;
+    if (_e19) {
+        float u_2 = ((share_1 - limb.x) / (1.0 - limb.x));
+        float s_3 = (SQRT_HALF * (1.0 - (u_2 * u_2)));
         float mu_1 = (1.0 - ((2.0 * s_3) * s_3));
-        vec3 dir_3 = vec3((_e13 * ((2.0 * s_3) * sqrt(max((1.0 - (s_3 * s_3)), 0.0)))), mu_1);
-        AirRay _e52 = inner_ray(dir_3, h_4, m_4.radius, m_4.thickness, sun_3, false);
-        return TableRay(dir_3, _e52);
+        vec3 dir_3 = vec3((_e11 * ((2.0 * s_3) * sqrt(max((1.0 - (s_3 * s_3)), 0.0)))), mu_1);
+        AirRay _e48 = inner_ray(dir_3, h_4, radius_8, thickness_2, sun_3, false);
+        return TableRay(dir_3, _e48);
     }
+    float start_x = (outside ? _e10 : _e9);
     if (ground_1) {
         float s_4 = (SQRT_HALF * (1.0 - (share_1 * share_1)));
         mu = max((1.0 - ((2.0 * s_4) * s_4)), 0.0);
-        float _e74 = mu;
-        float _e76 = mu;
-        c2_ = (((-(m_4.radius) * m_4.radius) * _e74) * _e76);
+        float _e73 = mu;
+        float _e75 = mu;
+        c2_ = (((-(radius_8) * radius_8) * _e73) * _e75);
+        float _e77 = c2_;
+        from_camera = (_e9 - _e77);
+        float _e79 = c2_;
+        from_start = (start_x - _e79);
     } else {
-        float _e82 = excess_of(((m_4.thickness * share_1) * share_1), m_4.radius);
-        c2_ = _e82;
+        float limit = min(h_4, thickness_2);
+        float s_5 = min((share_1 / max(limb.x, 1e-20)), 1.0);
+        float y = ((1.0 - s_5) * (1.0 + s_5));
+        float k = (1.0 - limb.y);
+        float v = ((2.0 * y) / max((k + sqrt(((k * k) + ((4.0 * limb.y) * y)))), 1e-20));
+        float lowest_2 = (limit * min((((s_5 * s_5) * (1.0 + v)) / (1.0 + (limb.y * v))), 1.0));
+        float _e121 = excess_of(lowest_2, radius_8);
+        c2_ = _e121;
+        from_start = (((limit * v) * v) * (((2.0 * radius_8) + limit) + lowest_2));
+        float _e129 = from_start;
+        from_camera = (outside ? ((h_4 - lowest_2) * (((2.0 * radius_8) + h_4) + lowest_2)) : _e129);
     }
-    float start_x = (outside ? _e12 : _e9);
-    float _e84 = c2_;
-    float b_7 = -(sqrt(max((start_x - _e84), 0.0)));
-    float _e93 = c2_;
-    float approach = sqrt(max(((m_4.radius * m_4.radius) + _e93), 0.0));
+    float _e137 = from_start;
+    float b_7 = -(sqrt(max(_e137, 0.0)));
+    float _e143 = c2_;
+    float approach = sqrt(max(((radius_8 * radius_8) + _e143), 0.0));
     float sine = min((approach / r_3), 1.0);
-    float _e101 = c2_;
-    float down = (-(sqrt(max((_e9 - _e101), 0.0))) / r_3);
-    vec3 dir_4 = vec3((_e13 * sine), down);
+    float _e151 = from_camera;
+    float down = (-(sqrt(max(_e151, 0.0))) / r_3);
+    vec3 dir_4 = vec3((_e11 * sine), down);
     if (outside) {
-        start = (((h_4 - m_4.thickness) * (((2.0 * m_4.radius) + m_4.thickness) + h_4)) / (-(b_7) - (r_3 * down)));
-        SunSide _e128 = sun_side_outside(dir_4, sun_3, r_3, -(b_7), _e12, m_4.radius);
-        s_2 = _e128;
+        start = (((h_4 - thickness_2) * (((2.0 * radius_8) + thickness_2) + h_4)) / (-(b_7) - (r_3 * down)));
+        SunSide _e173 = sun_side_outside(dir_4, sun_3, r_3, -(b_7), _e10, radius_8);
+        s_2 = _e173;
     } else {
-        SunSide _e130 = sun_side_inside(dir_4, sun_3, r_3, _e9, m_4.radius);
-        s_2 = _e130;
+        SunSide _e174 = sun_side_inside(dir_4, sun_3, r_3, _e9, radius_8);
+        s_2 = _e174;
     }
-    float _e134 = mu;
-    float reach_1 = (ground_1 ? (start_x / ((m_4.radius * _e134) - b_7)) : (-2.0 * b_7));
-    float _e139 = start;
-    float _e140 = c2_;
-    float _e142 = s_2.sun_b;
-    float _e144 = s_2.nu;
-    float _e146 = s_2.cross2_;
-    float _e148 = s_2.shadow_b;
-    float _e150 = s_2.shadow_c;
-    AirRay ray_3 = AirRay(_e139, reach_1, start_x, b_7, _e140, _e142, _e144, _e146, _e148, _e150, ground_1);
+    float _e175 = distance_to_top(start_x, b_7, _e10);
+    float _e176 = mu;
+    float reach_1 = (ground_1 ? (start_x / ((radius_8 * _e176) - b_7)) : _e175);
+    float _e181 = start;
+    float _e182 = c2_;
+    float _e184 = s_2.sun_b;
+    float _e186 = s_2.nu;
+    float _e188 = s_2.cross2_;
+    float _e190 = s_2.shadow_b;
+    float _e192 = s_2.shadow_c;
+    AirRay ray_3 = AirRay(_e181, reach_1, start_x, b_7, _e182, _e184, _e186, _e188, _e190, _e192, ground_1);
     return TableRay(dir_4, ray_3);
 }
 
@@ -495,7 +517,7 @@ void main() {
     vec4 position = gl_FragCoord;
     Frame f = _group_0_binding_0_fs.frame;
     Tables t_4 = _group_0_binding_0_fs.tables;
-    Medium m_5 = f.medium;
+    Medium m_3 = f.medium;
     ivec2 at_1 = ivec2(position.xy);
     ivec2 size_2 = ivec2(t_4.size);
     float azimuth_1 = (float(at_1.x) / float((size_2.x - 1)));
@@ -504,20 +526,20 @@ void main() {
     int first_1 = (ground_2 ? 0 : ground_rows);
     int rows = (ground_2 ? ground_rows : (size_2.y - ground_rows));
     float share_4 = (float((at_1.y - first_1)) / float((rows - 1)));
-    TableRay _e37 = table_ray(azimuth_1, share_4, ground_2, f.altitude, m_5, f.sun);
-    AirRay ray_4 = _e37.ray;
+    TableRay _e40 = table_ray(azimuth_1, share_4, ground_2, f.altitude, m_3.radius, m_3.thickness, f.limb, f.sun);
+    AirRay ray_4 = _e40.ray;
     if ((ray_4.length_ <= 0.0)) {
         _fs2p_location0 = vec4(0.0, 0.0, 0.0, 1.0);
         return;
     }
-    Low _e49 = lowest(ray_4, ray_4.length_, m_5.radius);
-    float _e52 = unwarp(_e49.t, 0.0);
-    float _e55 = unwarp(_e49.t, ray_4.length_);
-    Gathered _e60 = gather_direct(_group_0_binding_1_fs, m_5, t_4, ray_4, _e49, _e52, _e55, vec3(0.0), m_5.mie_scattering);
-    vec3 _e62 = extinction(m_5, _e60.columns);
-    float grey = dot(exp(-(_e62)), vec3(0.33333334));
+    Low _e52 = lowest(ray_4, ray_4.length_, m_3.radius);
+    float _e55 = unwarp(_e52.t, 0.0);
+    float _e58 = unwarp(_e52.t, ray_4.length_);
+    Gathered _e63 = gather_direct(_group_0_binding_1_fs, m_3, t_4, ray_4, _e52, _e55, _e58, vec3(0.0), m_3.mie_scattering);
+    vec3 _e65 = extinction(m_3, _e63.columns);
+    float grey = dot(exp(-(_e65)), vec3(0.33333334));
     float scale = (ground_2 ? (1.0 / ray_4.length_) : 1.0);
-    _fs2p_location0 = vec4(sqrt(sqrt((max(_e60.radiance, vec3(0.0)) * scale))), grey);
+    _fs2p_location0 = vec4(sqrt(sqrt((max(_e63.radiance, vec3(0.0)) * scale))), grey);
     return;
 }
 

@@ -37,6 +37,18 @@ struct SunSide {
     float shadow_b;
     float shadow_c;
 };
+struct Line {
+    float b;
+    float p;
+    float x_closest;
+    bool ground;
+};
+struct AirPath {
+    float start;
+    float length_;
+    float x;
+    float b;
+};
 struct Low {
     float t;
     float x;
@@ -118,49 +130,80 @@ SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_1, float half_, float x
     return _e54;
 }
 
-AirRay air_ray(vec3 dir_2, float h_1, float radius_5, float thickness, vec3 sun_2) {
+Line line_past(vec3 dir_2, float h_1, float radius_5) {
     bool local = false;
-    bool local_1 = false;
     float r_2 = (radius_5 + h_1);
-    float _e6 = excess_of(thickness, radius_5);
     float b_3 = (r_2 * dir_2.z);
     float p_1 = (r_2 * sqrt(dot(dir_2.xy, dir_2.xy)));
-    float _e14 = excess_of(h_1, radius_5);
-    float _e16 = half_chord2_(b_3, _e14, (radius_5 - p_1), p_1);
+    float _e11 = excess_of(h_1, radius_5);
+    float _e13 = half_chord2_(b_3, _e11, (radius_5 - p_1), p_1);
     if ((b_3 < 0.0)) {
-        local = (_e16 >= 0.0);
+        local = (_e13 >= 0.0);
     } else {
         local = false;
     }
-    bool ground = local;
-    if ((h_1 <= thickness)) {
-        float _e26 = excess_of(h_1, radius_5);
-        SunSide _e27 = sun_side_inside(dir_2, sun_2, r_2, _e26, radius_5);
-        float to_ground = (_e26 / (sqrt(max(_e16, 0.0)) - b_3));
-        float _e33 = distance_to_top(_e26, b_3, _e6);
-        float reach = (ground ? to_ground : _e33);
-        return AirRay(0.0, reach, _e26, b_3, -(_e16), _e27.sun_b, _e27.nu, _e27.cross2_, _e27.shadow_b, _e27.shadow_c, ground);
+    bool _e22 = local;
+    return Line(b_3, p_1, -(_e13), _e22);
+}
+
+AirPath air_path(Line line, float h_2, float radius_6, float thickness) {
+    bool local_1 = false;
+    float _e4 = excess_of(thickness, radius_6);
+    float ground_root = sqrt(max(-(line.x_closest), 0.0));
+    if ((h_2 <= thickness)) {
+        float _e11 = excess_of(h_2, radius_6);
+        float _e13 = distance_to_top(_e11, line.b, _e4);
+        float reach = (line.ground ? (_e11 / (ground_root - line.b)) : _e13);
+        return AirPath(0.0, reach, _e11, line.b);
     }
-    float above_1 = ((h_1 - thickness) * ((r_2 + radius_5) + thickness));
-    float top2_ = (((b_3 * b_3) < _e6) ? ((b_3 * b_3) - above_1) : (_e16 + _e6));
-    if (!((b_3 >= 0.0))) {
+    float above_1 = ((h_2 - thickness) * (((2.0 * radius_6) + thickness) + h_2));
+    float b2_ = (line.b * line.b);
+    float top2_ = ((b2_ < _e4) ? (b2_ - above_1) : (_e4 - line.x_closest));
+    if (!((line.b >= 0.0))) {
         local_1 = (top2_ <= 0.0);
     } else {
         local_1 = true;
     }
-    bool _e61 = local_1;
-    if (_e61) {
-        return AirRay(0.0, -1.0, 0.0, 0.0, -(_e16), 0.0, dot(dir_2, sun_2), 0.0, 0.0, 0.0, false);
+    bool _e45 = local_1;
+    if (_e45) {
+        return AirPath(0.0, -1.0, 0.0, 0.0);
     }
     float half_1 = sqrt(top2_);
-    float start = (above_1 / (half_1 - b_3));
-    SunSide _e77 = sun_side_outside(dir_2, sun_2, r_2, half_1, _e6, radius_5);
-    float reach_1 = (ground ? (_e6 / (half_1 + sqrt(max(_e16, 0.0)))) : (2.0 * half_1));
-    return AirRay(start, reach_1, _e6, -(half_1), -(_e16), _e77.sun_b, _e77.nu, _e77.cross2_, _e77.shadow_b, _e77.shadow_c, ground);
+    return AirPath((above_1 / (half_1 - line.b)), (line.ground ? (_e4 / (half_1 + ground_root)) : (2.0 * half_1)), _e4, -(half_1));
 }
 
-Low lowest(AirRay ray, float length_, float radius_6) {
+AirRay air_ray(vec3 dir_3, float h_3, float radius_7, float thickness_1, vec3 sun_2) {
+    SunSide s_2 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
     bool local_2 = false;
+    Line _e5 = line_past(dir_3, h_3, radius_7);
+    AirPath _e6 = air_path(_e5, h_3, radius_7, thickness_1);
+    if ((h_3 <= thickness_1)) {
+        SunSide _e11 = sun_side_inside(dir_3, sun_2, (radius_7 + h_3), _e6.x, radius_7);
+        s_2 = _e11;
+    } else {
+        if ((_e6.length_ > 0.0)) {
+            SunSide _e19 = sun_side_outside(dir_3, sun_2, (radius_7 + h_3), -(_e6.b), _e6.x, radius_7);
+            s_2 = _e19;
+        } else {
+            s_2.nu = dot(dir_3, sun_2);
+        }
+    }
+    if (_e5.ground) {
+        local_2 = (_e6.length_ >= 0.0);
+    } else {
+        local_2 = false;
+    }
+    bool ground = local_2;
+    float _e36 = s_2.sun_b;
+    float _e38 = s_2.nu;
+    float _e40 = s_2.cross2_;
+    float _e42 = s_2.shadow_b;
+    float _e44 = s_2.shadow_c;
+    return AirRay(_e6.start, _e6.length_, _e6.x, _e6.b, _e5.x_closest, _e36, _e38, _e40, _e42, _e44, ground);
+}
+
+Low lowest(AirRay ray, float length_, float radius_8) {
+    bool local_3 = false;
     if ((ray.b >= 0.0)) {
         return Low(0.0, ray.x, ray.b);
     }
@@ -169,47 +212,36 @@ Low lowest(AirRay ray, float length_, float radius_6) {
     }
     float b_4 = (ray.b + length_);
     if (ray.ground) {
-        local_2 = (length_ >= ray.length_);
-    } else {
-        local_2 = false;
-    }
-    bool _e26 = local_2;
-    if (_e26) {
-        return Low(length_, 0.0, b_4);
-    }
-    bool far = ((-(ray.b) * length_) > (radius_6 * radius_6));
-    return Low(length_, (far ? (ray.x_closest + (b_4 * b_4)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_4);
-}
-
-bool hits_planet(vec3 dir_3, float h_2, float radius_7) {
-    bool local_3 = false;
-    float r_3 = (radius_7 + h_2);
-    float b_5 = (r_3 * dir_3.z);
-    float p_2 = (r_3 * sqrt(dot(dir_3.xy, dir_3.xy)));
-    if ((b_5 < 0.0)) {
-        float _e15 = excess_of(h_2, radius_7);
-        float _e17 = half_chord2_(b_5, _e15, (radius_7 - p_2), p_2);
-        local_3 = (_e17 >= 0.0);
+        local_3 = (length_ >= ray.length_);
     } else {
         local_3 = false;
     }
-    bool _e21 = local_3;
-    return _e21;
+    bool _e26 = local_3;
+    if (_e26) {
+        return Low(length_, 0.0, b_4);
+    }
+    bool far = ((-(ray.b) * length_) > (radius_8 * radius_8));
+    return Low(length_, (far ? (ray.x_closest + (b_4 * b_4)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_4);
+}
+
+bool hits_planet(vec3 dir_4, float h_4, float radius_9) {
+    Line _e3 = line_past(dir_4, h_4, radius_9);
+    return _e3.ground;
 }
 
 vec2 shadow_stretch(AirRay ray_1) {
     vec2 stretch = vec2(0.0);
     vec2 none = vec2(1.0, 0.0);
     float a = ray_1.cross2_;
-    float b_6 = ray_1.shadow_b;
+    float b_5 = ray_1.shadow_b;
     float c_1 = ray_1.shadow_c;
     stretch = vec2(-(1e30), 1e30);
-    float disc = ((b_6 * b_6) - (a * c_1));
+    float disc = ((b_5 * b_5) - (a * c_1));
     if ((a > 1e-30)) {
         if ((disc <= 0.0)) {
             return none;
         }
-        float q_2 = -((b_6 + (((b_6 >= 0.0) ? 1.0 : -1.0) * sqrt(disc))));
+        float q_2 = -((b_5 + (((b_5 >= 0.0) ? 1.0 : -1.0) * sqrt(disc))));
         float t0_ = (q_2 / a);
         float t1_ = ((q_2 != 0.0) ? (c_1 / q_2) : t0_);
         stretch = vec2(min(t0_, t1_), max(t0_, t1_));
@@ -238,12 +270,12 @@ vec2 shadow_stretch(AirRay ray_1) {
 
 Medium medium_of(ivec2 first) {
     vec4 a_1 = texelFetch(_group_0_binding_1_fs, first, 0);
-    vec4 b_7 = texelFetch(_group_0_binding_1_fs, (first + ivec2(1, 0)), 0);
+    vec4 b_6 = texelFetch(_group_0_binding_1_fs, (first + ivec2(1, 0)), 0);
     vec4 c_2 = texelFetch(_group_0_binding_1_fs, (first + ivec2(2, 0)), 0);
     vec4 d = texelFetch(_group_0_binding_1_fs, (first + ivec2(3, 0)), 0);
     vec4 e = texelFetch(_group_0_binding_1_fs, (first + ivec2(4, 0)), 0);
     vec4 f = texelFetch(_group_0_binding_1_fs, (first + ivec2(5, 0)), 0);
-    return Medium(a_1.xyz, a_1.w, b_7.xyz, b_7.w, c_2.xyz, c_2.w, d.xyz, d.w, e.xyz, e.w, f.xyz, f.w);
+    return Medium(a_1.xyz, a_1.w, b_6.xyz, b_6.w, c_2.xyz, c_2.w, d.xyz, d.w, e.xyz, e.w, f.xyz, f.w);
 }
 
 void main() {
@@ -267,13 +299,13 @@ void main() {
         return;
     }
     if ((answer == 2)) {
-        float reach_2 = max(_e48.length_, 0.0);
+        float reach_1 = max(_e48.length_, 0.0);
         vec2 _e69 = shadow_stretch(_e48);
-        vec2 shadow = clamp(_e69, vec2(0.0), vec2(reach_2));
+        vec2 shadow = clamp(_e69, vec2(0.0), vec2(reach_1));
         bool _e77 = hits_planet(view.xyz, view.w, _e14.radius);
         float hits = float(_e77);
-        Low _e80 = lowest(_e48, reach_2, _e14.radius);
-        float _e88 = altitude_after(_e80.x, _e80.b, ((light.w * reach_2) - _e80.t), _e14.radius);
+        Low _e80 = lowest(_e48, reach_1, _e14.radius);
+        float _e88 = altitude_after(_e80.x, _e80.b, ((light.w * reach_1) - _e80.t), _e14.radius);
         _fs2p_location0 = vec4(_e88, hits, shadow);
         return;
     }

@@ -37,6 +37,18 @@ struct SunSide {
     float shadow_b;
     float shadow_c;
 };
+struct Line {
+    float b;
+    float p;
+    float x_closest;
+    bool ground;
+};
+struct AirPath {
+    float start;
+    float length_;
+    float x;
+    float b;
+};
 struct Low {
     float t;
     float x;
@@ -122,49 +134,80 @@ SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_1, float half_, float x
     return _e54;
 }
 
-AirRay air_ray(vec3 dir_2, float h_1, float radius_5, float thickness, vec3 sun_2) {
+Line line_past(vec3 dir_2, float h_1, float radius_5) {
     bool local = false;
-    bool local_1 = false;
     float r_2 = (radius_5 + h_1);
-    float _e6 = excess_of(thickness, radius_5);
     float b_4 = (r_2 * dir_2.z);
     float p_1 = (r_2 * sqrt(dot(dir_2.xy, dir_2.xy)));
-    float _e14 = excess_of(h_1, radius_5);
-    float _e16 = half_chord2_(b_4, _e14, (radius_5 - p_1), p_1);
+    float _e11 = excess_of(h_1, radius_5);
+    float _e13 = half_chord2_(b_4, _e11, (radius_5 - p_1), p_1);
     if ((b_4 < 0.0)) {
-        local = (_e16 >= 0.0);
+        local = (_e13 >= 0.0);
     } else {
         local = false;
     }
-    bool ground = local;
-    if ((h_1 <= thickness)) {
-        float _e26 = excess_of(h_1, radius_5);
-        SunSide _e27 = sun_side_inside(dir_2, sun_2, r_2, _e26, radius_5);
-        float to_ground = (_e26 / (sqrt(max(_e16, 0.0)) - b_4));
-        float _e33 = distance_to_top(_e26, b_4, _e6);
-        float reach = (ground ? to_ground : _e33);
-        return AirRay(0.0, reach, _e26, b_4, -(_e16), _e27.sun_b, _e27.nu, _e27.cross2_, _e27.shadow_b, _e27.shadow_c, ground);
+    bool _e22 = local;
+    return Line(b_4, p_1, -(_e13), _e22);
+}
+
+AirPath air_path(Line line, float h_2, float radius_6, float thickness) {
+    bool local_1 = false;
+    float _e4 = excess_of(thickness, radius_6);
+    float ground_root = sqrt(max(-(line.x_closest), 0.0));
+    if ((h_2 <= thickness)) {
+        float _e11 = excess_of(h_2, radius_6);
+        float _e13 = distance_to_top(_e11, line.b, _e4);
+        float reach = (line.ground ? (_e11 / (ground_root - line.b)) : _e13);
+        return AirPath(0.0, reach, _e11, line.b);
     }
-    float above_1 = ((h_1 - thickness) * ((r_2 + radius_5) + thickness));
-    float top2_ = (((b_4 * b_4) < _e6) ? ((b_4 * b_4) - above_1) : (_e16 + _e6));
-    if (!((b_4 >= 0.0))) {
+    float above_1 = ((h_2 - thickness) * (((2.0 * radius_6) + thickness) + h_2));
+    float b2_ = (line.b * line.b);
+    float top2_ = ((b2_ < _e4) ? (b2_ - above_1) : (_e4 - line.x_closest));
+    if (!((line.b >= 0.0))) {
         local_1 = (top2_ <= 0.0);
     } else {
         local_1 = true;
     }
-    bool _e61 = local_1;
-    if (_e61) {
-        return AirRay(0.0, -1.0, 0.0, 0.0, -(_e16), 0.0, dot(dir_2, sun_2), 0.0, 0.0, 0.0, false);
+    bool _e45 = local_1;
+    if (_e45) {
+        return AirPath(0.0, -1.0, 0.0, 0.0);
     }
     float half_1 = sqrt(top2_);
-    float start = (above_1 / (half_1 - b_4));
-    SunSide _e77 = sun_side_outside(dir_2, sun_2, r_2, half_1, _e6, radius_5);
-    float reach_1 = (ground ? (_e6 / (half_1 + sqrt(max(_e16, 0.0)))) : (2.0 * half_1));
-    return AirRay(start, reach_1, _e6, -(half_1), -(_e16), _e77.sun_b, _e77.nu, _e77.cross2_, _e77.shadow_b, _e77.shadow_c, ground);
+    return AirPath((above_1 / (half_1 - line.b)), (line.ground ? (_e4 / (half_1 + ground_root)) : (2.0 * half_1)), _e4, -(half_1));
 }
 
-Low lowest(AirRay ray, float length_, float radius_6) {
+AirRay air_ray(vec3 dir_3, float h_3, float radius_7, float thickness_1, vec3 sun_2) {
+    SunSide s_2 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
     bool local_2 = false;
+    Line _e5 = line_past(dir_3, h_3, radius_7);
+    AirPath _e6 = air_path(_e5, h_3, radius_7, thickness_1);
+    if ((h_3 <= thickness_1)) {
+        SunSide _e11 = sun_side_inside(dir_3, sun_2, (radius_7 + h_3), _e6.x, radius_7);
+        s_2 = _e11;
+    } else {
+        if ((_e6.length_ > 0.0)) {
+            SunSide _e19 = sun_side_outside(dir_3, sun_2, (radius_7 + h_3), -(_e6.b), _e6.x, radius_7);
+            s_2 = _e19;
+        } else {
+            s_2.nu = dot(dir_3, sun_2);
+        }
+    }
+    if (_e5.ground) {
+        local_2 = (_e6.length_ >= 0.0);
+    } else {
+        local_2 = false;
+    }
+    bool ground = local_2;
+    float _e36 = s_2.sun_b;
+    float _e38 = s_2.nu;
+    float _e40 = s_2.cross2_;
+    float _e42 = s_2.shadow_b;
+    float _e44 = s_2.shadow_c;
+    return AirRay(_e6.start, _e6.length_, _e6.x, _e6.b, _e5.x_closest, _e36, _e38, _e40, _e42, _e44, ground);
+}
+
+Low lowest(AirRay ray, float length_, float radius_8) {
+    bool local_3 = false;
     if ((ray.b >= 0.0)) {
         return Low(0.0, ray.x, ray.b);
     }
@@ -173,15 +216,15 @@ Low lowest(AirRay ray, float length_, float radius_6) {
     }
     float b_5 = (ray.b + length_);
     if (ray.ground) {
-        local_2 = (length_ >= ray.length_);
+        local_3 = (length_ >= ray.length_);
     } else {
-        local_2 = false;
+        local_3 = false;
     }
-    bool _e26 = local_2;
+    bool _e26 = local_3;
     if (_e26) {
         return Low(length_, 0.0, b_5);
     }
-    bool far = ((-(ray.b) * length_) > (radius_6 * radius_6));
+    bool far = ((-(ray.b) * length_) > (radius_8 * radius_8));
     return Low(length_, (far ? (ray.x_closest + (b_5 * b_5)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_5);
 }
 
@@ -224,11 +267,11 @@ vec2 shadow_stretch(AirRay ray_1) {
     return _e59;
 }
 
-vec3 densities(Medium m, float h_2) {
+vec3 densities(Medium m, float h_4) {
     vec3 d = vec3(0.0);
-    d.x = exp((-(h_2) * m.rayleigh_inv_height));
-    d.y = exp((-(h_2) * m.mie_inv_height));
-    d.z = max(0.0, (1.0 - (abs((h_2 - m.ozone_center)) * m.ozone_inv_half_width)));
+    d.x = exp((-(h_4) * m.rayleigh_inv_height));
+    d.y = exp((-(h_4) * m.mie_inv_height));
+    d.z = max(0.0, (1.0 - (abs((h_4 - m.ozone_center)) * m.ozone_inv_half_width)));
     vec3 _e25 = d;
     return _e25;
 }

@@ -17,6 +17,12 @@ struct Medium {
     vec3 irradiance;
     float thickness;
 };
+struct DepthCode {
+    float scale;
+    float bias;
+    float log_;
+    float background;
+};
 struct Frame {
     Medium medium;
     vec3 ray_forward;
@@ -30,14 +36,14 @@ struct Frame {
     vec2 size;
     float sun_disk;
     float pixel_angle;
-    float depth_scale;
-    float depth_bias;
-    float depth_log;
-    float depth_background;
+    DepthCode depth;
     uint view_samples;
     uint light_samples;
     uint low_resolution;
     float camera_altitude;
+    vec2 limb;
+    float pad0_;
+    float pad1_;
 };
 struct AirRay {
     float start;
@@ -59,6 +65,18 @@ struct SunSide {
     float shadow_b;
     float shadow_c;
 };
+struct Line {
+    float b;
+    float p;
+    float x_closest;
+    bool ground;
+};
+struct AirPath {
+    float start;
+    float length_;
+    float x;
+    float b;
+};
 struct Low {
     float t;
     float x;
@@ -75,9 +93,9 @@ layout(std140) uniform Frame_block_0Fragment { Frame _group_0_binding_0_fs; };
 
 layout(location = 0) out vec4 _fs2p_location0;
 
-vec3 pixel_ray(Frame f, vec2 pixel) {
-    vec2 ndc = (((pixel / f.size) * vec2(2.0, -2.0)) + vec2(-1.0, 1.0));
-    return ((f.ray_forward + (f.ray_right * ndc.x)) + (f.ray_up * ndc.y));
+vec3 pixel_ray(vec2 pixel, vec2 size, vec3 forward, vec3 right, vec3 up) {
+    vec2 ndc = (((pixel / size) * vec2(2.0, -2.0)) + vec2(-1.0, 1.0));
+    return ((forward + (right * ndc.x)) + (up * ndc.y));
 }
 
 float altitude_of(float x, float radius) {
@@ -148,49 +166,80 @@ SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_1, float half_, float x
     return _e54;
 }
 
-AirRay air_ray(vec3 dir_2, float h_1, float radius_5, float thickness, vec3 sun_2) {
+Line line_past(vec3 dir_2, float h_1, float radius_5) {
     bool local = false;
-    bool local_1 = false;
     float r_2 = (radius_5 + h_1);
-    float _e6 = excess_of(thickness, radius_5);
     float b_4 = (r_2 * dir_2.z);
     float p_1 = (r_2 * sqrt(dot(dir_2.xy, dir_2.xy)));
-    float _e14 = excess_of(h_1, radius_5);
-    float _e16 = half_chord2_(b_4, _e14, (radius_5 - p_1), p_1);
+    float _e11 = excess_of(h_1, radius_5);
+    float _e13 = half_chord2_(b_4, _e11, (radius_5 - p_1), p_1);
     if ((b_4 < 0.0)) {
-        local = (_e16 >= 0.0);
+        local = (_e13 >= 0.0);
     } else {
         local = false;
     }
-    bool ground = local;
-    if ((h_1 <= thickness)) {
-        float _e26 = excess_of(h_1, radius_5);
-        SunSide _e27 = sun_side_inside(dir_2, sun_2, r_2, _e26, radius_5);
-        float to_ground = (_e26 / (sqrt(max(_e16, 0.0)) - b_4));
-        float _e33 = distance_to_top(_e26, b_4, _e6);
-        float reach = (ground ? to_ground : _e33);
-        return AirRay(0.0, reach, _e26, b_4, -(_e16), _e27.sun_b, _e27.nu, _e27.cross2_, _e27.shadow_b, _e27.shadow_c, ground);
+    bool _e22 = local;
+    return Line(b_4, p_1, -(_e13), _e22);
+}
+
+AirPath air_path(Line line, float h_2, float radius_6, float thickness) {
+    bool local_1 = false;
+    float _e4 = excess_of(thickness, radius_6);
+    float ground_root = sqrt(max(-(line.x_closest), 0.0));
+    if ((h_2 <= thickness)) {
+        float _e11 = excess_of(h_2, radius_6);
+        float _e13 = distance_to_top(_e11, line.b, _e4);
+        float reach = (line.ground ? (_e11 / (ground_root - line.b)) : _e13);
+        return AirPath(0.0, reach, _e11, line.b);
     }
-    float above_1 = ((h_1 - thickness) * ((r_2 + radius_5) + thickness));
-    float top2_ = (((b_4 * b_4) < _e6) ? ((b_4 * b_4) - above_1) : (_e16 + _e6));
-    if (!((b_4 >= 0.0))) {
+    float above_1 = ((h_2 - thickness) * (((2.0 * radius_6) + thickness) + h_2));
+    float b2_ = (line.b * line.b);
+    float top2_ = ((b2_ < _e4) ? (b2_ - above_1) : (_e4 - line.x_closest));
+    if (!((line.b >= 0.0))) {
         local_1 = (top2_ <= 0.0);
     } else {
         local_1 = true;
     }
-    bool _e61 = local_1;
-    if (_e61) {
-        return AirRay(0.0, -1.0, 0.0, 0.0, -(_e16), 0.0, dot(dir_2, sun_2), 0.0, 0.0, 0.0, false);
+    bool _e45 = local_1;
+    if (_e45) {
+        return AirPath(0.0, -1.0, 0.0, 0.0);
     }
     float half_1 = sqrt(top2_);
-    float start = (above_1 / (half_1 - b_4));
-    SunSide _e77 = sun_side_outside(dir_2, sun_2, r_2, half_1, _e6, radius_5);
-    float reach_1 = (ground ? (_e6 / (half_1 + sqrt(max(_e16, 0.0)))) : (2.0 * half_1));
-    return AirRay(start, reach_1, _e6, -(half_1), -(_e16), _e77.sun_b, _e77.nu, _e77.cross2_, _e77.shadow_b, _e77.shadow_c, ground);
+    return AirPath((above_1 / (half_1 - line.b)), (line.ground ? (_e4 / (half_1 + ground_root)) : (2.0 * half_1)), _e4, -(half_1));
 }
 
-Low lowest(AirRay ray, float length_, float radius_6) {
+AirRay air_ray(vec3 dir_3, float h_3, float radius_7, float thickness_1, vec3 sun_2) {
+    SunSide s_2 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
     bool local_2 = false;
+    Line _e5 = line_past(dir_3, h_3, radius_7);
+    AirPath _e6 = air_path(_e5, h_3, radius_7, thickness_1);
+    if ((h_3 <= thickness_1)) {
+        SunSide _e11 = sun_side_inside(dir_3, sun_2, (radius_7 + h_3), _e6.x, radius_7);
+        s_2 = _e11;
+    } else {
+        if ((_e6.length_ > 0.0)) {
+            SunSide _e19 = sun_side_outside(dir_3, sun_2, (radius_7 + h_3), -(_e6.b), _e6.x, radius_7);
+            s_2 = _e19;
+        } else {
+            s_2.nu = dot(dir_3, sun_2);
+        }
+    }
+    if (_e5.ground) {
+        local_2 = (_e6.length_ >= 0.0);
+    } else {
+        local_2 = false;
+    }
+    bool ground = local_2;
+    float _e36 = s_2.sun_b;
+    float _e38 = s_2.nu;
+    float _e40 = s_2.cross2_;
+    float _e42 = s_2.shadow_b;
+    float _e44 = s_2.shadow_c;
+    return AirRay(_e6.start, _e6.length_, _e6.x, _e6.b, _e5.x_closest, _e36, _e38, _e40, _e42, _e44, ground);
+}
+
+Low lowest(AirRay ray, float length_, float radius_8) {
+    bool local_3 = false;
     if ((ray.b >= 0.0)) {
         return Low(0.0, ray.x, ray.b);
     }
@@ -199,47 +248,36 @@ Low lowest(AirRay ray, float length_, float radius_6) {
     }
     float b_5 = (ray.b + length_);
     if (ray.ground) {
-        local_2 = (length_ >= ray.length_);
-    } else {
-        local_2 = false;
-    }
-    bool _e26 = local_2;
-    if (_e26) {
-        return Low(length_, 0.0, b_5);
-    }
-    bool far = ((-(ray.b) * length_) > (radius_6 * radius_6));
-    return Low(length_, (far ? (ray.x_closest + (b_5 * b_5)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_5);
-}
-
-bool hits_planet(vec3 dir_3, float h_2, float radius_7) {
-    bool local_3 = false;
-    float r_3 = (radius_7 + h_2);
-    float b_6 = (r_3 * dir_3.z);
-    float p_2 = (r_3 * sqrt(dot(dir_3.xy, dir_3.xy)));
-    if ((b_6 < 0.0)) {
-        float _e15 = excess_of(h_2, radius_7);
-        float _e17 = half_chord2_(b_6, _e15, (radius_7 - p_2), p_2);
-        local_3 = (_e17 >= 0.0);
+        local_3 = (length_ >= ray.length_);
     } else {
         local_3 = false;
     }
-    bool _e21 = local_3;
-    return _e21;
+    bool _e26 = local_3;
+    if (_e26) {
+        return Low(length_, 0.0, b_5);
+    }
+    bool far = ((-(ray.b) * length_) > (radius_8 * radius_8));
+    return Low(length_, (far ? (ray.x_closest + (b_5 * b_5)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_5);
+}
+
+bool hits_planet(vec3 dir_4, float h_4, float radius_9) {
+    Line _e3 = line_past(dir_4, h_4, radius_9);
+    return _e3.ground;
 }
 
 vec2 shadow_stretch(AirRay ray_1) {
     vec2 stretch = vec2(0.0);
     vec2 none = vec2(1.0, 0.0);
     float a = ray_1.cross2_;
-    float b_7 = ray_1.shadow_b;
+    float b_6 = ray_1.shadow_b;
     float c_1 = ray_1.shadow_c;
     stretch = vec2(-(1e30), 1e30);
-    float disc = ((b_7 * b_7) - (a * c_1));
+    float disc = ((b_6 * b_6) - (a * c_1));
     if ((a > 1e-30)) {
         if ((disc <= 0.0)) {
             return none;
         }
-        float q_2 = -((b_7 + (((b_7 >= 0.0) ? 1.0 : -1.0) * sqrt(disc))));
+        float q_2 = -((b_6 + (((b_6 >= 0.0) ? 1.0 : -1.0) * sqrt(disc))));
         float t0_2 = (q_2 / a);
         float t1_ = ((q_2 != 0.0) ? (c_1 / q_2) : t0_2);
         stretch = vec2(min(t0_2, t1_), max(t0_2, t1_));
@@ -266,10 +304,10 @@ vec2 shadow_stretch(AirRay ray_1) {
     return _e59;
 }
 
-vec3 densities(Medium m, float h_3) {
+vec3 densities(Medium m, float h_5) {
     vec3 d = vec3(0.0);
-    d.x = exp((-(h_3) * m.rayleigh_inv_height));
-    d.y = exp((-(h_3) * m.mie_inv_height));
+    d.x = exp((-(h_5) * m.rayleigh_inv_height));
+    d.y = exp((-(h_5) * m.mie_inv_height));
     vec3 _e15 = d;
     return _e15;
 }
@@ -443,36 +481,39 @@ void main() {
     vec4 position = gl_FragCoord;
     vec3 light = vec3(0.0);
     vec3 through = vec3(1.0);
-    Frame _e2 = _group_0_binding_0_fs;
-    vec3 _e4 = pixel_ray(_e2, position.xy);
-    vec3 dir_4 = normalize(_e4);
+    vec2 _e4 = _group_0_binding_0_fs.size;
+    vec3 _e7 = _group_0_binding_0_fs.ray_forward;
+    vec3 _e10 = _group_0_binding_0_fs.ray_right;
+    vec3 _e13 = _group_0_binding_0_fs.ray_up;
+    vec3 _e14 = pixel_ray(position.xy, _e4, _e7, _e10, _e13);
+    vec3 dir_5 = normalize(_e14);
     Medium m_5 = _group_0_binding_0_fs.medium;
-    float _e11 = _group_0_binding_0_fs.altitude;
-    bool _e13 = hits_planet(dir_4, _e11, m_5.radius);
-    if (_e13) {
-        uint _e16 = _group_0_binding_0_fs.low_resolution;
-        if ((_e16 == 0u)) {
+    float _e21 = _group_0_binding_0_fs.altitude;
+    bool _e23 = hits_planet(dir_5, _e21, m_5.radius);
+    if (_e23) {
+        uint _e26 = _group_0_binding_0_fs.low_resolution;
+        if ((_e26 == 0u)) {
             discard;
         }
         _fs2p_location0 = vec4(0.0, 0.0, 0.0, -1.0);
         return;
     }
-    vec3 _e26 = _group_0_binding_0_fs.sun;
-    vec3 offset = (dir_4 - _e26);
-    float _e36 = _group_0_binding_0_fs.altitude;
-    vec3 _e41 = _group_0_binding_0_fs.sun;
-    AirRay _e42 = air_ray(dir_4, _e36, m_5.radius, m_5.thickness, _e41);
-    if ((_e42.length_ > 0.0)) {
-        uint _e52 = _group_0_binding_0_fs.view_samples;
-        uint _e55 = _group_0_binding_0_fs.light_samples;
-        Scattered _e56 = single_scattering(m_5, _e42, _e42.length_, (0.5 * dot(offset, offset)), _e52, _e55);
-        float _e60 = _group_0_binding_0_fs.sky_weight;
-        light = (_e56.radiance * _e60);
-        through = _e56.transmittance;
+    vec3 _e36 = _group_0_binding_0_fs.sun;
+    vec3 offset = (dir_5 - _e36);
+    float _e46 = _group_0_binding_0_fs.altitude;
+    vec3 _e51 = _group_0_binding_0_fs.sun;
+    AirRay _e52 = air_ray(dir_5, _e46, m_5.radius, m_5.thickness, _e51);
+    if ((_e52.length_ > 0.0)) {
+        uint _e62 = _group_0_binding_0_fs.view_samples;
+        uint _e65 = _group_0_binding_0_fs.light_samples;
+        Scattered _e66 = single_scattering(m_5, _e52, _e52.length_, (0.5 * dot(offset, offset)), _e62, _e65);
+        float _e70 = _group_0_binding_0_fs.sky_weight;
+        light = (_e66.radiance * _e70);
+        through = _e66.transmittance;
     }
-    vec3 _e63 = light;
-    vec3 _e69 = through;
-    _fs2p_location0 = vec4(min((_e63 * m_5.irradiance), vec3(65000.0)), (1.0 - dot(_e69, vec3(0.33333334))));
+    vec3 _e73 = light;
+    vec3 _e79 = through;
+    _fs2p_location0 = vec4(min((_e73 * m_5.irradiance), vec3(65000.0)), (1.0 - dot(_e79, vec3(0.33333334))));
     return;
 }
 

@@ -17,6 +17,12 @@ struct Medium {
     vec3 irradiance;
     float thickness;
 };
+struct DepthCode {
+    float scale;
+    float bias;
+    float log_;
+    float background;
+};
 struct Frame {
     Medium medium;
     vec3 ray_forward;
@@ -30,34 +36,26 @@ struct Frame {
     vec2 size;
     float sun_disk;
     float pixel_angle;
-    float depth_scale;
-    float depth_bias;
-    float depth_log;
-    float depth_background;
+    DepthCode depth;
     uint view_samples;
     uint light_samples;
     uint low_resolution;
     float camera_altitude;
+    vec2 limb;
+    float pad0_;
+    float pad1_;
 };
-struct AirRay {
+struct Line {
+    float b;
+    float p;
+    float x_closest;
+    bool ground;
+};
+struct AirPath {
     float start;
     float length_;
     float x;
     float b;
-    float x_closest;
-    float sun_b;
-    float nu;
-    float cross2_;
-    float shadow_b;
-    float shadow_c;
-    bool ground;
-};
-struct SunSide {
-    float sun_b;
-    float nu;
-    float cross2_;
-    float shadow_b;
-    float shadow_c;
 };
 struct Tables {
     vec3 mie_extinction;
@@ -110,9 +108,9 @@ uniform highp sampler2D _group_0_binding_3_fs;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
-vec3 pixel_ray(Frame f, vec2 pixel) {
-    vec2 ndc = (((pixel / f.size) * vec2(2.0, -2.0)) + vec2(-1.0, 1.0));
-    return ((f.ray_forward + (f.ray_right * ndc.x)) + (f.ray_up * ndc.y));
+vec3 pixel_ray(vec2 pixel, vec2 size, vec3 forward, vec3 right, vec3 up) {
+    vec2 ndc = (((pixel / size) * vec2(2.0, -2.0)) + vec2(-1.0, 1.0));
+    return ((forward + (right * ndc.x)) + (up * ndc.y));
 }
 
 float disk_coverage(vec3 offset, float chord, float pixel_1) {
@@ -128,10 +126,10 @@ float excess_of(float h, float radius_1) {
 }
 
 float distance_to_top(float x_1, float b, float x_top) {
-    float c_2 = max((x_top - x_1), 0.0);
-    float root = sqrt(((b * b) + c_2));
+    float c_1 = max((x_top - x_1), 0.0);
+    float root = sqrt(((b * b) + c_1));
     if ((b > 0.0)) {
-        return (c_2 / (b + root));
+        return (c_1 / (b + root));
     }
     return (root - b);
 }
@@ -144,83 +142,46 @@ float half_chord2_(float b_1, float above, float depth, float p) {
     return (depth * (sphere + p));
 }
 
-SunSide sun_side_inside(vec3 dir, vec3 sun, float r, float x_2, float radius_2) {
-    SunSide s = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
-    s.nu = dot(dir, sun);
-    float _e9 = s.nu;
-    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s.cross2_ = dot(side, side);
-    s.sun_b = (r * sun.z);
-    s.shadow_b = (r * ((sun.x * side.y) - (sun.y * side.x)));
-    float q = (r * length(sun.xy));
-    float _e37 = s.sun_b;
-    float _e39 = half_chord2_(_e37, x_2, (radius_2 - q), q);
-    s.shadow_c = -(_e39);
-    SunSide _e41 = s;
-    return _e41;
-}
-
-SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_1, float half_, float x_top_1, float radius_3) {
-    SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
-    s_1.nu = dot(dir_1, sun_1);
-    float _e10 = s_1.nu;
-    float same = ((_e10 >= 0.0) ? 1.0 : -1.0);
-    vec3 apart = (dir_1 - (same * sun_1));
-    vec3 side_1 = cross(apart, sun_1);
-    s_1.cross2_ = dot(side_1, side_1);
-    vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_1);
-    float _e35 = s_1.nu;
-    s_1.sun_b = ((-(same) * dot(closest, apart)) - (half_ * _e35));
-    vec3 closest_side = cross(closest, sun_1);
-    float _e42 = s_1.cross2_;
-    s_1.shadow_b = (dot(closest_side, side_1) - (half_ * _e42));
-    float q_1 = length((closest_side - (half_ * side_1)));
-    float _e50 = s_1.sun_b;
-    float _e52 = half_chord2_(_e50, x_top_1, (radius_3 - q_1), q_1);
-    s_1.shadow_c = -(_e52);
-    SunSide _e54 = s_1;
-    return _e54;
-}
-
-AirRay air_ray(vec3 dir_2, float h_1, float radius_4, float thickness, vec3 sun_2) {
+Line line_past(vec3 dir, float h_1, float radius_2) {
     bool local = false;
-    bool local_1 = false;
-    float r_2 = (radius_4 + h_1);
-    float _e6 = excess_of(thickness, radius_4);
-    float b_3 = (r_2 * dir_2.z);
-    float p_1 = (r_2 * sqrt(dot(dir_2.xy, dir_2.xy)));
-    float _e14 = excess_of(h_1, radius_4);
-    float _e16 = half_chord2_(b_3, _e14, (radius_4 - p_1), p_1);
+    float r = (radius_2 + h_1);
+    float b_3 = (r * dir.z);
+    float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
+    float _e11 = excess_of(h_1, radius_2);
+    float _e13 = half_chord2_(b_3, _e11, (radius_2 - p_1), p_1);
     if ((b_3 < 0.0)) {
-        local = (_e16 >= 0.0);
+        local = (_e13 >= 0.0);
     } else {
         local = false;
     }
-    bool ground_1 = local;
-    if ((h_1 <= thickness)) {
-        float _e26 = excess_of(h_1, radius_4);
-        SunSide _e27 = sun_side_inside(dir_2, sun_2, r_2, _e26, radius_4);
-        float to_ground = (_e26 / (sqrt(max(_e16, 0.0)) - b_3));
-        float _e33 = distance_to_top(_e26, b_3, _e6);
-        float reach = (ground_1 ? to_ground : _e33);
-        return AirRay(0.0, reach, _e26, b_3, -(_e16), _e27.sun_b, _e27.nu, _e27.cross2_, _e27.shadow_b, _e27.shadow_c, ground_1);
+    bool _e22 = local;
+    return Line(b_3, p_1, -(_e13), _e22);
+}
+
+AirPath air_path(Line line, float h_2, float radius_3, float thickness) {
+    bool local_1 = false;
+    float _e4 = excess_of(thickness, radius_3);
+    float ground_root = sqrt(max(-(line.x_closest), 0.0));
+    if ((h_2 <= thickness)) {
+        float _e11 = excess_of(h_2, radius_3);
+        float _e13 = distance_to_top(_e11, line.b, _e4);
+        float reach = (line.ground ? (_e11 / (ground_root - line.b)) : _e13);
+        return AirPath(0.0, reach, _e11, line.b);
     }
-    float above_1 = ((h_1 - thickness) * ((r_2 + radius_4) + thickness));
-    float top2_ = (((b_3 * b_3) < _e6) ? ((b_3 * b_3) - above_1) : (_e16 + _e6));
-    if (!((b_3 >= 0.0))) {
+    float above_1 = ((h_2 - thickness) * (((2.0 * radius_3) + thickness) + h_2));
+    float b2_ = (line.b * line.b);
+    float top2_ = ((b2_ < _e4) ? (b2_ - above_1) : (_e4 - line.x_closest));
+    if (!((line.b >= 0.0))) {
         local_1 = (top2_ <= 0.0);
     } else {
         local_1 = true;
     }
-    bool _e61 = local_1;
-    if (_e61) {
-        return AirRay(0.0, -1.0, 0.0, 0.0, -(_e16), 0.0, dot(dir_2, sun_2), 0.0, 0.0, 0.0, false);
+    bool _e45 = local_1;
+    if (_e45) {
+        return AirPath(0.0, -1.0, 0.0, 0.0);
     }
-    float half_1 = sqrt(top2_);
-    float start = (above_1 / (half_1 - b_3));
-    SunSide _e77 = sun_side_outside(dir_2, sun_2, r_2, half_1, _e6, radius_4);
-    float reach_1 = (ground_1 ? (_e6 / (half_1 + sqrt(max(_e16, 0.0)))) : (2.0 * half_1));
-    return AirRay(start, reach_1, _e6, -(half_1), -(_e16), _e77.sun_b, _e77.nu, _e77.cross2_, _e77.shadow_b, _e77.shadow_c, ground_1);
+    float half_ = sqrt(top2_);
+    return AirPath((above_1 / (half_ - line.b)), (line.ground ? (_e4 / (half_ + ground_root)) : (2.0 * half_)), _e4, -(half_));
 }
 
 vec3 extinction(Medium m, vec3 d) {
@@ -231,10 +192,10 @@ vec3 extinction(Medium m, vec3 d) {
     return _e10;
 }
 
-Corner corner(vec2 at, ivec2 size) {
-    vec2 inside = clamp(at, vec2(0.0), vec2((size - ivec2(1))));
-    ivec2 low = min(ivec2(inside), (size - ivec2(1)));
-    return Corner(low, min((low + ivec2(1)), (size - ivec2(1))), (inside - vec2(low)));
+Corner corner(vec2 at, ivec2 size_1) {
+    vec2 inside = clamp(at, vec2(0.0), vec2((size_1 - ivec2(1))));
+    ivec2 low = min(ivec2(inside), (size_1 - ivec2(1)));
+    return Corner(low, min((low + ivec2(1)), (size_1 - ivec2(1))), (inside - vec2(low)));
 }
 
 vec4 bilinear(highp sampler2D table, Corner c, ivec2 origin) {
@@ -249,56 +210,54 @@ vec4 bilinear(highp sampler2D table, Corner c, ivec2 origin) {
     return mix(bottom, top, c.part.y);
 }
 
-vec3 columns_to_top(highp sampler2D table_1, Medium m_1, float x_3, float h_2, float b_2) {
-    float _e7 = excess_of(m_1.thickness, m_1.radius);
-    float rho = sqrt(max(x_3, 0.0));
-    float rho_top = sqrt(_e7);
-    float _e12 = distance_to_top(x_3, b_2, _e7);
-    float shortest = max((m_1.thickness - h_2), 0.0);
-    ivec2 size_1 = ivec2(uvec2(textureSize(table_1, 0).xy));
-    vec2 share_1 = vec2(((_e12 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
-    Corner _e32 = corner((share_1 * vec2((size_1 - ivec2(1)))), size_1);
-    vec4 _e35 = bilinear(table_1, _e32, ivec2(0));
-    return exp2(_e35.xyz);
+vec2 table_uv(float x_share, float row, vec2 size_2) {
+    return ((vec2((x_share * (size_2.x - 1.0)), row) + vec2(0.5)) / size_2);
 }
 
-float crowded(float rest, float s_2, float s_max) {
-    return sqrt((max(rest, 0.0) / (s_max * (s_2 + s_max))));
+vec3 columns_to_top(highp sampler2D table_1, float radius_4, float thickness_1, float x_2, float h_3, float b_2) {
+    float _e6 = excess_of(thickness_1, radius_4);
+    float rho = sqrt(max(x_2, 0.0));
+    float rho_top = sqrt(_e6);
+    float _e11 = distance_to_top(x_2, b_2, _e6);
+    float shortest = max((thickness_1 - h_3), 0.0);
+    ivec2 size_3 = ivec2(uvec2(textureSize(table_1, 0).xy));
+    vec2 share_1 = vec2(((_e11 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
+    Corner _e30 = corner((share_1 * vec2((size_3 - ivec2(1)))), size_3);
+    vec4 _e33 = bilinear(table_1, _e30, ivec2(0));
+    return exp2(_e33.xyz);
 }
 
-float azimuth_share(vec3 dir_3) {
-    float flat_ = max(length(dir_3.xy), 1e-30);
-    float cosine = (dir_3.x / flat_);
+float crowded(float rest, float s, float s_max) {
+    return sqrt((max(rest, 0.0) / (s_max * (s + s_max))));
+}
+
+float azimuth_share(vec3 dir_1) {
+    float flat_ = max(length(dir_1.xy), 1e-30);
+    float cosine = (dir_1.x / flat_);
     float large = sqrt((0.5 + (0.5 * min(abs(cosine), 1.0))));
-    float small = (((0.5 * abs(dir_3.y)) / flat_) / large);
-    float s_3 = ((cosine >= 0.0) ? small : large);
-    return (s_3 / (large + small));
+    float small = (((0.5 * abs(dir_1.y)) / flat_) / large);
+    float s_1 = ((cosine >= 0.0) ? small : large);
+    return (s_1 / (large + small));
 }
 
-float zenith_share(AirRay ray, vec3 dir_4, float h_3, Medium m_2) {
-    bool local_2 = false;
-    if (ray.ground) {
-        float mu = clamp((-((ray.b + ray.length_)) / m_2.radius), 0.0, 1.0);
-        float _e22 = crowded((0.5 * mu), sqrt((0.5 - (0.5 * mu))), SQRT_HALF);
-        return _e22;
+float zenith_share(Line line_1, float mu, float h_4, float radius_5, float thickness_2, vec2 limb) {
+    if (line_1.ground) {
+        float cosine_1 = min((sqrt(max(-(line_1.x_closest), 0.0)) / radius_5), 1.0);
+        float _e23 = crowded((0.5 * cosine_1), sqrt((0.5 - (0.5 * cosine_1))), SQRT_HALF);
+        return _e23;
     }
-    if (!((ray.start > 0.0))) {
-        local_2 = (h_3 > m_2.thickness);
-    } else {
-        local_2 = true;
+    if ((mu >= 0.0)) {
+        float _e40 = crowded((0.5 * mu), sqrt(max((0.5 - (0.5 * mu)), 0.0)), SQRT_HALF);
+        return (limb.x + ((1.0 - limb.x) * _e40));
     }
-    bool _e32 = local_2;
-    if (_e32) {
-        float tangent = (((m_2.radius + h_3) * length(dir_4.xy)) - m_2.radius);
-        return sqrt(clamp((tangent / m_2.thickness), 0.0, 1.0));
-    }
-    float horizon = (sqrt(ray.x) / (m_2.radius + h_3));
-    float _e68 = crowded((0.5 * (dir_4.z + horizon)), sqrt(max((0.5 - (0.5 * dir_4.z)), 0.0)), sqrt((0.5 + (0.5 * horizon))));
-    return _e68;
+    float lowest = (max(line_1.x_closest, 0.0) / (radius_5 + line_1.p));
+    float part = min((lowest / max(min(h_4, thickness_2), 1e-20)), 1.0);
+    float v_1 = sqrt((1.0 - part));
+    return (limb.x * sqrt(((part * (1.0 + (limb.y * v_1))) / (1.0 + v_1))));
 }
 
-float sky_row(float share, bool ground, int rows, float ground_rows) {
-    return (ground ? (share * (ground_rows - 1.0)) : (ground_rows + (share * ((float(rows) - ground_rows) - 1.0))));
+float sky_row(float share, bool ground, float rows, float ground_rows) {
+    return (ground ? (share * (ground_rows - 1.0)) : (ground_rows + (share * ((rows - ground_rows) - 1.0))));
 }
 
 vec3 henyey_greenstein_phase(float away, float toward, vec3 g) {
@@ -318,71 +277,78 @@ vec3 fourth(vec3 v) {
     return (square * square);
 }
 
-vec3 aerosol_light(highp sampler2D haze, Medium m_3, Corner c_1, vec3 dir_5, vec3 sun_3) {
-    vec3 apart_1 = (dir_5 - sun_3);
-    vec3 together = (dir_5 + sun_3);
-    float away_2 = (0.5 * dot(apart_1, apart_1));
+vec3 aerosol_phase(vec3 dir_2, vec3 sun, vec3 asymmetry) {
+    vec3 apart = (dir_2 - sun);
+    vec3 together = (dir_2 + sun);
+    float away_2 = (0.5 * dot(apart, apart));
     float toward_2 = (0.5 * dot(together, together));
-    vec4 _e15 = bilinear(haze, c_1, ivec2(0));
-    vec3 _e17 = fourth(_e15.xyz);
-    vec3 _e19 = cornette_shanks_phase(away_2, toward_2, m_3.mie_asymmetry);
-    return (_e17 * _e19);
-}
-
-Corner sky_corner(highp sampler2D sky, Medium m_4, Tables t, float h_4, vec3 dir_6, AirRay ray_1) {
-    ivec2 size_2 = ivec2(uvec2(textureSize(sky, 0).xy));
-    float _e8 = zenith_share(ray_1, dir_6, h_4, m_4);
-    float _e12 = sky_row(_e8, ray_1.ground, size_2.y, t.ground_rows);
-    float _e13 = azimuth_share(dir_6);
-    Corner _e20 = corner(vec2((_e13 * float((size_2.x - 1))), _e12), size_2);
-    return _e20;
+    vec3 _e11 = cornette_shanks_phase(away_2, toward_2, asymmetry);
+    return _e11;
 }
 
 void main() {
     vec4 position = gl_FragCoord;
     vec3 light = vec3(0.0);
-    float grey = 1.0;
     vec3 through = vec3(1.0);
-    Frame f_1 = _group_0_binding_0_fs.frame;
-    Medium m_5 = f_1.medium;
-    vec3 _e6 = pixel_ray(f_1, position.xy);
-    vec3 dir_7 = normalize(_e6);
-    AirRay _e12 = air_ray(dir_7, f_1.altitude, m_5.radius, m_5.thickness, f_1.sun);
-    if (_e12.ground) {
-        if ((f_1.low_resolution == 0u)) {
+    vec2 _e5 = _group_0_binding_0_fs.frame.size;
+    vec3 _e9 = _group_0_binding_0_fs.frame.ray_forward;
+    vec3 _e13 = _group_0_binding_0_fs.frame.ray_right;
+    vec3 _e17 = _group_0_binding_0_fs.frame.ray_up;
+    vec3 _e18 = pixel_ray(position.xy, _e5, _e9, _e13, _e17);
+    vec3 dir_3 = normalize(_e18);
+    float h_5 = _group_0_binding_0_fs.frame.altitude;
+    float radius_6 = _group_0_binding_0_fs.frame.medium.radius;
+    float thickness_3 = _group_0_binding_0_fs.frame.medium.thickness;
+    Line _e34 = line_past(dir_3, h_5, radius_6);
+    if (_e34.ground) {
+        uint _e39 = _group_0_binding_0_fs.frame.low_resolution;
+        if ((_e39 == 0u)) {
             discard;
         }
         _fs2p_location0 = vec4(0.0, 0.0, 0.0, -1.0);
         return;
     }
-    if ((_e12.length_ > 0.0)) {
-        Tables _e33 = _group_0_binding_0_fs.tables;
-        Corner _e35 = sky_corner(_group_0_binding_1_fs, m_5, _e33, f_1.altitude, dir_7, _e12);
-        vec4 _e39 = bilinear(_group_0_binding_1_fs, _e35, ivec2(0));
-        vec3 _e41 = fourth(_e39.xyz);
-        light = _e41;
-        vec3 _e42 = light;
-        vec3 _e45 = aerosol_light(_group_0_binding_3_fs, m_5, _e35, dir_7, f_1.sun);
-        light = (_e42 + _e45);
-        vec3 _e47 = light;
-        light = (_e47 * f_1.sky_weight);
-        grey = _e39.w;
-    }
-    float _e55 = disk_coverage((dir_7 - f_1.sun), f_1.sun_chord, f_1.pixel_angle);
-    if ((_e55 > 0.0)) {
-        if ((_e12.length_ > 0.0)) {
-            float _e68 = altitude_of(_e12.x, m_5.radius);
-            vec3 _e70 = columns_to_top(_group_0_binding_2_fs, m_5, _e12.x, _e68, _e12.b);
-            vec3 _e71 = extinction(m_5, _e70);
-            through = exp(-(_e71));
+    vec2 size_4 = vec2(uvec2(textureSize(_group_0_binding_1_fs, 0).xy));
+    vec2 _e54 = _group_0_binding_0_fs.frame.limb;
+    float _e55 = zenith_share(_e34, dir_3.z, h_5, radius_6, thickness_3, _e54);
+    float _e56 = azimuth_share(dir_3);
+    float _e62 = _group_0_binding_0_fs.tables.ground_rows;
+    float _e63 = sky_row(_e55, false, size_4.y, _e62);
+    vec2 _e64 = table_uv(_e56, _e63, size_4);
+    vec4 texel = textureLod(_group_0_binding_1_fs, vec2(_e64), 0.0);
+    vec3 _e70 = fourth(texel.xyz);
+    light = _e70;
+    vec3 _e72 = light;
+    vec4 _e76 = textureLod(_group_0_binding_3_fs, vec2(_e64), 0.0);
+    vec3 _e78 = fourth(_e76.xyz);
+    vec3 _e82 = _group_0_binding_0_fs.frame.sun;
+    vec3 _e87 = _group_0_binding_0_fs.frame.medium.mie_asymmetry;
+    vec3 _e88 = aerosol_phase(dir_3, _e82, _e87);
+    light = (_e72 + (_e78 * _e88));
+    vec3 _e91 = light;
+    float _e95 = _group_0_binding_0_fs.frame.sky_weight;
+    light = (_e91 * _e95);
+    vec3 _e100 = _group_0_binding_0_fs.frame.sun;
+    float _e105 = _group_0_binding_0_fs.frame.sun_chord;
+    float _e109 = _group_0_binding_0_fs.frame.pixel_angle;
+    float _e110 = disk_coverage((dir_3 - _e100), _e105, _e109);
+    if ((_e110 > 0.0)) {
+        AirPath _e113 = air_path(_e34, h_5, radius_6, thickness_3);
+        if ((_e113.length_ > 0.0)) {
+            float _e123 = altitude_of(_e113.x, radius_6);
+            vec3 _e125 = columns_to_top(_group_0_binding_2_fs, radius_6, thickness_3, _e113.x, _e123, _e113.b);
+            Medium _e129 = _group_0_binding_0_fs.frame.medium;
+            vec3 _e130 = extinction(_e129, _e125);
+            through = exp(-(_e130));
         }
-        vec3 _e74 = light;
-        vec3 _e75 = through;
-        light = (_e74 + (_e75 * (f_1.sun_disk * _e55)));
+        vec3 _e133 = light;
+        vec3 _e134 = through;
+        float _e138 = _group_0_binding_0_fs.frame.sun_disk;
+        light = (_e133 + (_e134 * (_e138 * _e110)));
     }
-    vec3 _e80 = light;
-    float _e86 = grey;
-    _fs2p_location0 = vec4(min((_e80 * m_5.irradiance), vec3(65000.0)), (1.0 - _e86));
+    vec3 _e142 = light;
+    vec3 _e147 = _group_0_binding_0_fs.frame.medium.irradiance;
+    _fs2p_location0 = vec4(min((_e142 * _e147), vec3(65000.0)), (1.0 - texel.w));
     return;
 }
 

@@ -17,6 +17,12 @@ struct Medium {
     vec3 irradiance;
     float thickness;
 };
+struct DepthCode {
+    float scale;
+    float bias;
+    float log_;
+    float background;
+};
 struct Frame {
     Medium medium;
     vec3 ray_forward;
@@ -30,14 +36,14 @@ struct Frame {
     vec2 size;
     float sun_disk;
     float pixel_angle;
-    float depth_scale;
-    float depth_bias;
-    float depth_log;
-    float depth_background;
+    DepthCode depth;
     uint view_samples;
     uint light_samples;
     uint low_resolution;
     float camera_altitude;
+    vec2 limb;
+    float pad0_;
+    float pad1_;
 };
 struct Terrain {
     Frame frame;
@@ -82,41 +88,42 @@ smooth in vec3 _vs2fs_location1;
 smooth in vec2 _vs2fs_location2;
 layout(location = 0) out vec4 _fs2p_location0;
 
-float depth_of(Frame f, float z) {
-    if ((f.depth_log > 0.0)) {
-        return (log2((1.0 + (z * 1000.0))) / f.depth_log);
+float depth_of(DepthCode c, float z) {
+    if ((c.log_ > 0.0)) {
+        return (log2((1.0 + (z * 1000.0))) / c.log_);
     }
-    return (((1.0 / z) - f.depth_bias) / f.depth_scale);
+    return (((1.0 / z) - c.bias) / c.scale);
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, _vs2fs_location0, _vs2fs_location1, _vs2fs_location2);
     vec3 albedo = vec3(0.0);
     Shaded out_ = Shaded(vec4(0.0), 0.0);
-    Frame f_1 = _group_0_binding_0_fs.frame;
     float h = in_.surface.x;
-    vec3 _e8 = _group_0_binding_0_fs.low_albedo;
-    vec3 _e11 = _group_0_binding_0_fs.high_albedo;
-    float _e14 = _group_0_binding_0_fs.amplitude;
-    albedo = mix(_e8, _e11, smoothstep(0.05, 0.6, (h / _e14)));
-    vec3 _e23 = _group_0_binding_0_fs.high_albedo;
-    vec3 _e24 = albedo;
-    albedo = mix(_e23, _e24, smoothstep(0.8, 0.95, in_.surface.y));
-    vec3 _e31 = albedo;
+    vec3 _e5 = _group_0_binding_0_fs.low_albedo;
+    vec3 _e8 = _group_0_binding_0_fs.high_albedo;
+    float _e11 = _group_0_binding_0_fs.amplitude;
+    albedo = mix(_e5, _e8, smoothstep(0.05, 0.6, (h / _e11)));
+    vec3 _e20 = _group_0_binding_0_fs.high_albedo;
+    vec3 _e21 = albedo;
+    albedo = mix(_e20, _e21, smoothstep(0.8, 0.95, in_.surface.y));
+    vec3 _e28 = albedo;
+    float _e33 = _group_0_binding_0_fs.snow_line;
     float _e36 = _group_0_binding_0_fs.snow_line;
-    float _e39 = _group_0_binding_0_fs.snow_line;
-    albedo = mix(_e31, vec3(0.8), smoothstep(_e36, (_e39 * 1.15), h));
-    vec3 _e44 = albedo;
-    float _e51 = _group_0_binding_0_fs.sea;
-    albedo = mix(_e44, vec3(0.02, 0.04, 0.06), (_e51 * (1.0 - smoothstep(0.0, 0.004, h))));
-    vec3 _e61 = albedo;
-    out_.color = vec4((((_e61 * in_.light) * f_1.medium.irradiance) * 0.31830987), 1.0);
-    vec3 _e75 = _group_0_binding_0_fs.axis;
-    float _e79 = depth_of(f_1, max(dot(in_.position, _e75), 1e-9));
-    out_.depth = clamp(_e79, 0.0, 1.0);
-    Shaded _e83 = out_;
-    _fs2p_location0 = _e83.color;
-    gl_FragDepth = _e83.depth;
+    albedo = mix(_e28, vec3(0.8), smoothstep(_e33, (_e36 * 1.15), h));
+    vec3 _e41 = albedo;
+    float _e48 = _group_0_binding_0_fs.sea;
+    albedo = mix(_e41, vec3(0.02, 0.04, 0.06), (_e48 * (1.0 - smoothstep(0.0, 0.004, h))));
+    vec3 _e58 = albedo;
+    vec3 _e65 = _group_0_binding_0_fs.frame.medium.irradiance;
+    out_.color = vec4((((_e58 * in_.light) * _e65) * 0.31830987), 1.0);
+    DepthCode _e75 = _group_0_binding_0_fs.frame.depth;
+    vec3 _e79 = _group_0_binding_0_fs.axis;
+    float _e83 = depth_of(_e75, max(dot(in_.position, _e79), 1e-9));
+    out_.depth = clamp(_e83, 0.0, 1.0);
+    Shaded _e87 = out_;
+    _fs2p_location0 = _e87.color;
+    gl_FragDepth = _e87.depth;
     return;
 }
 

@@ -17,6 +17,12 @@ struct Medium {
     vec3 irradiance;
     float thickness;
 };
+struct DepthCode {
+    float scale;
+    float bias;
+    float log_;
+    float background;
+};
 struct Frame {
     Medium medium;
     vec3 ray_forward;
@@ -30,14 +36,20 @@ struct Frame {
     vec2 size;
     float sun_disk;
     float pixel_angle;
-    float depth_scale;
-    float depth_bias;
-    float depth_log;
-    float depth_background;
+    DepthCode depth;
     uint view_samples;
     uint light_samples;
     uint low_resolution;
     float camera_altitude;
+    vec2 limb;
+    float pad0_;
+    float pad1_;
+};
+struct Line {
+    float b;
+    float p;
+    float x_closest;
+    bool ground;
 };
 layout(std140) uniform Frame_block_0Fragment { Frame _group_0_binding_0_fs; };
 
@@ -45,9 +57,9 @@ uniform highp sampler2D _group_0_binding_1_fs;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
-vec3 pixel_ray(Frame f, vec2 pixel) {
-    vec2 ndc = (((pixel / f.size) * vec2(2.0, -2.0)) + vec2(-1.0, 1.0));
-    return ((f.ray_forward + (f.ray_right * ndc.x)) + (f.ray_up * ndc.y));
+vec3 pixel_ray(vec2 pixel, vec2 size, vec3 forward, vec3 right, vec3 up) {
+    vec2 ndc = (((pixel / size) * vec2(2.0, -2.0)) + vec2(-1.0, 1.0));
+    return ((forward + (right * ndc.x)) + (up * ndc.y));
 }
 
 float excess_of(float h, float radius) {
@@ -62,20 +74,25 @@ float half_chord2_(float b, float above, float depth, float p) {
     return (depth * (sphere + p));
 }
 
-bool hits_planet(vec3 dir, float h_1, float radius_1) {
+Line line_past(vec3 dir, float h_1, float radius_1) {
     bool local = false;
     float r = (radius_1 + h_1);
     float b_1 = (r * dir.z);
     float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
+    float _e11 = excess_of(h_1, radius_1);
+    float _e13 = half_chord2_(b_1, _e11, (radius_1 - p_1), p_1);
     if ((b_1 < 0.0)) {
-        float _e15 = excess_of(h_1, radius_1);
-        float _e17 = half_chord2_(b_1, _e15, (radius_1 - p_1), p_1);
-        local = (_e17 >= 0.0);
+        local = (_e13 >= 0.0);
     } else {
         local = false;
     }
-    bool _e21 = local;
-    return _e21;
+    bool _e22 = local;
+    return Line(b_1, p_1, -(_e13), _e22);
+}
+
+bool hits_planet(vec3 dir_1, float h_2, float radius_2) {
+    Line _e3 = line_past(dir_1, h_2, radius_2);
+    return _e3.ground;
 }
 
 void main() {
@@ -84,29 +101,32 @@ void main() {
     float weight = 0.0;
     int y = -1;
     int x = 0;
-    Frame _e2 = _group_0_binding_0_fs;
-    vec3 _e4 = pixel_ray(_e2, position.xy);
-    vec3 dir_1 = normalize(_e4);
-    float _e8 = _group_0_binding_0_fs.altitude;
-    float _e12 = _group_0_binding_0_fs.medium.radius;
-    bool _e13 = hits_planet(dir_1, _e8, _e12);
-    if (_e13) {
+    vec2 _e4 = _group_0_binding_0_fs.size;
+    vec3 _e7 = _group_0_binding_0_fs.ray_forward;
+    vec3 _e10 = _group_0_binding_0_fs.ray_right;
+    vec3 _e13 = _group_0_binding_0_fs.ray_up;
+    vec3 _e14 = pixel_ray(position.xy, _e4, _e7, _e10, _e13);
+    vec3 dir_2 = normalize(_e14);
+    float _e18 = _group_0_binding_0_fs.altitude;
+    float _e22 = _group_0_binding_0_fs.medium.radius;
+    bool _e23 = hits_planet(dir_2, _e18, _e22);
+    if (_e23) {
         discard;
     }
-    ivec2 size = ivec2(uvec2(textureSize(_group_0_binding_1_fs, 0).xy));
-    vec2 _e20 = _group_0_binding_0_fs.size;
-    vec2 at = (((position.xy / _e20) * vec2(size)) - vec2(0.5));
+    ivec2 size_1 = ivec2(uvec2(textureSize(_group_0_binding_1_fs, 0).xy));
+    vec2 _e30 = _group_0_binding_0_fs.size;
+    vec2 at = (((position.xy / _e30) * vec2(size_1)) - vec2(0.5));
     ivec2 base = ivec2(floor(at));
     vec2 part = (at - floor(at));
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            int _e90 = y;
-            y = (_e90 + 1);
+            int _e100 = y;
+            y = (_e100 + 1);
         }
         loop_init = false;
-        int _e38 = y;
-        if ((_e38 <= 2)) {
+        int _e48 = y;
+        if ((_e48 <= 2)) {
         } else {
             break;
         }
@@ -115,35 +135,35 @@ void main() {
             bool loop_init_1 = true;
             while(true) {
                 if (!loop_init_1) {
-                    int _e87 = x;
-                    x = (_e87 + 1);
+                    int _e97 = x;
+                    x = (_e97 + 1);
                 }
                 loop_init_1 = false;
-                int _e43 = x;
-                if ((_e43 <= 2)) {
+                int _e53 = x;
+                if ((_e53 <= 2)) {
                 } else {
                     break;
                 }
                 {
-                    int _e47 = x;
-                    int _e48 = y;
-                    vec4 texel = texelFetch(_group_0_binding_1_fs, min(max((base + ivec2(_e47, _e48)), ivec2(0)), (size - ivec2(1))), 0);
-                    int _e59 = x;
-                    int _e61 = y;
-                    vec2 w = max((vec2(1.0) - abs((vec2(float(_e59), float(_e61)) - part))), vec2(0.0001));
+                    int _e57 = x;
+                    int _e58 = y;
+                    vec4 texel = texelFetch(_group_0_binding_1_fs, min(max((base + ivec2(_e57, _e58)), ivec2(0)), (size_1 - ivec2(1))), 0);
+                    int _e69 = x;
+                    int _e71 = y;
+                    vec2 w = max((vec2(1.0) - abs((vec2(float(_e69), float(_e71)) - part))), vec2(0.0001));
                     if ((texel.w >= 0.0)) {
-                        vec4 _e75 = sum;
-                        sum = (_e75 + ((texel * w.x) * w.y));
-                        float _e81 = weight;
-                        weight = (_e81 + (w.x * w.y));
+                        vec4 _e85 = sum;
+                        sum = (_e85 + ((texel * w.x) * w.y));
+                        float _e91 = weight;
+                        weight = (_e91 + (w.x * w.y));
                     }
                 }
             }
         }
     }
-    vec4 _e92 = sum;
-    float _e93 = weight;
-    _fs2p_location0 = (_e92 / vec4(max(_e93, 1e-12)));
+    vec4 _e102 = sum;
+    float _e103 = weight;
+    _fs2p_location0 = (_e102 / vec4(max(_e103, 1e-12)));
     return;
 }
 

@@ -24,9 +24,9 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     //#if READ
     let behind = textureLoad(scene, pixel, 0);
     //#endif
-    let direction = pixel_ray(frame, position.xy);
+    let direction = pixel_ray(position.xy, frame.size, frame.ray_forward, frame.ray_right, frame.ray_up);
     let ray_length = length(direction);
-    let distance = depth_distance(frame, textureLoad(depth, pixel, 0).x, ray_length);
+    let distance = depth_distance(frame.depth, textureLoad(depth, pixel, 0).x, ray_length);
     let dir = direction / ray_length;
     let m = frame.medium;
     let ray = air_ray(dir, frame.altitude, m.radius, m.thickness, frame.sun);
@@ -34,7 +34,7 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     var weight = 1.0;
     var dims = true;
     if distance >= 0.0 {
-        end = scene_reach(frame, ray, distance);
+        end = scene_reach(ray.start, ray.length, ray.b, ray.ground, distance, m.radius, frame.pixel_angle);
     } else if !ray.ground {
         weight = frame.shell_weight;
         // The background pass, as long as it draws any air, has dimmed what lies behind.

@@ -31,37 +31,21 @@ struct Uniforms {
 //#endif
 //#endif
 
-// Between two slices of a kind; `at` counts slices, the first ends at 0. before: the value at the camera.
-fn air_between(air: texture_2d<f32>, t: Tables, c: Corner, at: f32, kind: i32, size: vec2i, before: f32) -> vec3f {
-    let slice = clamp(i32(floor(at)), -1, i32(t.slices) - 2);
-    let part = at - f32(slice);
-    var near = vec3f(before);
-    if slice >= 0 {
-        near = bilinear(air, c, vec2i(slice, kind) * size).xyz;
-    }
-    return mix(near, bilinear(air, c, vec2i(slice + 1, kind) * size).xyz, part);
-}
+@group(0) @binding(7) var linear: sampler;
 
-// The transmittance, which is the same for every azimuth.
-fn air_through(air: texture_2d<f32>, t: Tables, c: Corner, at: f32, size: vec2i) -> vec3f {
-    let slice = clamp(i32(floor(at)), -1, i32(t.slices) - 2);
-    let first = vec2i(slice, AIR_THROUGH) * size;
-    var near = vec3f(1.0);
-    if slice >= 0 {
-        near = mix(
-            textureLoad(air, first + vec2i(0, c.low.y), 0).xyz, textureLoad(air, first + vec2i(0, c.high.y), 0).xyz, c.part.y);
-    }
-    let next = first + vec2i(size.x, 0);
-    let far = mix(
-        textureLoad(air, next + vec2i(0, c.low.y), 0).xyz, textureLoad(air, next + vec2i(0, c.high.y), 0).xyz, c.part.y);
-    return mix(near, far, at - f32(slice));
+// Between two slices of a kind; `at` counts slices, the first ends at 0. before: the value at the camera. table: of one
+// slice, texels.
+fn air_between(air: texture_2d<f32>, sampling: sampler, texel: vec2f, at: f32, last: f32, kind: i32, table: vec2f, before: f32) -> vec3f {
+    let slice = clamp(floor(at), -1.0, last - 1.0);
+    let scale = 1.0 / vec2f(table.x * (last + 1.0), table.y * f32(AIR_KINDS));
+    let far = (texel + table * vec2f(slice + 1.0, f32(kind)) + 0.5) * scale;
+    let near = far - vec2f(table.x * scale.x, 0.0);
+    let from_ = textureSampleLevel(air, sampling, near, 0.0).xyz;
+    return mix(select(from_, vec3f(before), slice < 0.0), textureSampleLevel(air, sampling, far, 0.0).xyz, at - slice);
 }
 
 @fragment
 fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
-    let f = uniforms.frame;
-    let t = uniforms.tables;
-    let m = f.medium;
     let pixel = vec2i(position.xy);
     //#if BLEND
     let behind = vec4f(0.0);
@@ -69,55 +53,66 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     //#if READ
     let behind = textureLoad(scene, pixel, 0);
     //#endif
-    let direction = pixel_ray(f, position.xy);
+    let direction = pixel_ray(
+        position.xy, uniforms.frame.size, uniforms.frame.ray_forward, uniforms.frame.ray_right, uniforms.frame.ray_up);
     let ray_length = length(direction);
-    let distance = depth_distance(f, textureLoad(depth, pixel, 0).x, ray_length);
+    let distance = depth_distance(uniforms.frame.depth, textureLoad(depth, pixel, 0).x, ray_length);
     let dir = direction / ray_length;
-    let ray = air_ray(dir, f.altitude, m.radius, m.thickness, f.sun);
-    var end = ray.length;
+    let h = uniforms.frame.altitude;
+    let radius = uniforms.frame.medium.radius;
+    let thickness = uniforms.frame.medium.thickness;
+    let line = line_past(dir, h, radius);
+    let path = air_path(line, h, radius, thickness);
+    let ground = line.ground && path.length >= 0.0;
+    var end = path.length;
     var weight = 1.0;
     var dims = true;
     if distance >= 0.0 {
-        end = scene_reach(f, ray, distance);
-    } else if !ray.ground {
-        weight = f.shell_weight;
+        end = scene_reach(path.start, path.length, path.b, ground, distance, radius, uniforms.frame.pixel_angle);
+    } else if !ground {
+        weight = uniforms.frame.shell_weight;
         // The background pass, as long as it draws any air, has dimmed what lies behind.
         dims = weight >= 1.0;
     }
     if end <= 0.0 || weight <= 0.0 {
         return behind;
     }
-    let at_sky = sky_corner(sky, m, t, f.altitude, dir, ray);
+    let azimuth = azimuth_share(dir);
+    let share = zenith_share(line, dir.z, h, radius, thickness, uniforms.frame.limb);
+    let size = vec2f(textureDimensions(sky));
+    let at_sky = table_uv(azimuth, sky_row(share, ground, size.y, uniforms.tables.ground_rows), size);
     // Over its whole length; where it ends on the ground the tables hold the mean over that.
-    let scale = select(1.0, ray.length, ray.ground);
-    var light = fourth(bilinear(sky, at_sky, vec2i(0)).rgb) * scale;
+    let scale = select(1.0, path.length, ground);
+    var light = fourth(textureSampleLevel(sky, linear, at_sky, 0.0).rgb) * scale;
     //#if MIE
-    var aerosol = aerosol_light(haze, m, at_sky, dir, f.sun) * scale;
+    var aerosol = fourth(textureSampleLevel(haze, linear, at_sky, 0.0).rgb) * scale
+        * aerosol_phase(dir, uniforms.frame.sun, uniforms.frame.medium.mie_asymmetry);
     //#endif
     var through = vec3f(1.0);
-    if !ray.ground && end >= ray.length {
+    if !ground && end >= path.length {
         if dims {
-            through = exp(-extinction(m, columns_to_top(columns, m, ray.x, altitude_of(ray.x, m.radius), ray.b)));
+            let sums = columns_to_top(columns, radius, thickness, path.x, altitude_of(path.x, radius), path.b);
+            through = exp(-extinction(uniforms.frame.medium, sums));
         }
     } else {
-        let size = vec2i(textureDimensions(table_air)) / vec2i(i32(t.slices), AIR_KINDS);
-        let row = sky_row(zenith_share(ray, dir, f.altitude, m), ray.ground, size.y, t.air_ground_rows);
-        let c = corner(vec2f(azimuth_share(dir) * f32(size.x - 1), row), size);
-        let low = clamp(-ray.b, 0.0, ray.length);
+        let slices = f32(uniforms.tables.slices);
+        let table = vec2f(textureDimensions(table_air)) / vec2f(slices, f32(AIR_KINDS));
+        let texel = vec2f(azimuth * (table.x - 1.0), sky_row(share, ground, table.y, uniforms.tables.air_ground_rows));
+        let low = clamp(-path.b, 0.0, path.length);
         let u0 = unwarp(low, 0.0);
-        let at = (unwarp(low, end) - u0) / (unwarp(low, ray.length) - u0) * f32(t.slices) - 1.0;
-        if end < ray.length {
-            light *= air_between(table_air, t, c, at, AIR_SMOOTH, size, 0.0);
+        let at = (unwarp(low, end) - u0) / (unwarp(low, path.length) - u0) * slices - 1.0;
+        if end < path.length {
+            light *= air_between(table_air, linear, texel, at, slices - 1.0, AIR_SMOOTH, table, 0.0);
             //#if MIE
-            aerosol *= air_between(table_air, t, c, at, AIR_AEROSOL, size, 0.0);
+            aerosol *= air_between(table_air, linear, texel, at, slices - 1.0, AIR_AEROSOL, table, 0.0);
             //#endif
         }
-        through = air_through(table_air, t, c, at, size);
+        through = air_between(table_air, linear, texel, at, slices - 1.0, AIR_THROUGH, table, 1.0);
     }
     //#if MIE
     light += aerosol;
     //#endif
-    light *= m.irradiance * weight;
+    light *= uniforms.frame.medium.irradiance * weight;
     //#if BLEND
     return vec4f(light, 1.0 - dot(through, vec3f(1.0 / 3.0)));
     //#endif

@@ -17,6 +17,14 @@ struct Medium {
     thickness: f32,             // top of the atmosphere above the surface, km
 }
 
+// How distances are stored in a depth buffer.
+struct DepthCode {
+    scale: f32,                 // 1 / z = scale * depth + bias, 1/km
+    bias: f32,                  // 1/km
+    log: f32,                   // log2(1 + far in m), or 0 for the other conventions
+    background: f32,            // stored depth of the background
+}
+
 struct Frame {
     medium: Medium,
     ray_forward: vec3f,         // ray through the middle of the picture, axial part 1
@@ -30,12 +38,12 @@ struct Frame {
     size: vec2f,                // of the target, pixels
     sun_disk: f32,              // radiance of the disk per unit of irradiance, 1/sr
     pixel_angle: f32,           // angle of one pixel in the middle of the picture, rad
-    depth_scale: f32,           // 1 / z = depth_scale * depth + depth_bias, 1/km
-    depth_bias: f32,            // 1/km
-    depth_log: f32,             // log2(1 + far in m), or 0 for the other conventions
-    depth_background: f32,      // stored depth of the background
+    depth: DepthCode,
     view_samples: u32,          // steps along the view ray
     light_samples: u32,         // steps towards the sun
     low_resolution: u32,        // 1: mark planet pixels with alpha -1 instead of discarding them
     camera_altitude: f32,       // camera above the surface, km, may be negative (terrain only)
+    limb: vec2f,                // of the sky table's rows, see `zenith_share`
+    pad0: f32,
+    pad1: f32,
 }

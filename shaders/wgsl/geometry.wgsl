@@ -100,35 +100,67 @@ fn sun_side_outside(dir: vec3f, sun: vec3f, r: f32, half: f32, x_top: f32, radiu
     return s;
 }
 
-// The part of a ray inside the air. dir: unit, zenith frame; h: camera's altitude >= 0; sun: unit.
-fn air_ray(dir: vec3f, h: f32, radius: f32, thickness: f32, sun: vec3f) -> AirRay {
+// A camera ray as a line past the planet.
+struct Line {
+    b: f32,          // r mu
+    p: f32,          // distance of closest approach to the centre
+    x_closest: f32,  // r^2 - R^2 there, negative if that is underground
+    ground: bool,    // meets the planet's surface
+}
+
+// dir: unit, zenith frame; h: camera's altitude >= 0.
+fn line_past(dir: vec3f, h: f32, radius: f32) -> Line {
     let r = radius + h;
-    let x_top = excess_of(thickness, radius);
     let b = r * dir.z;
     let p = r * sqrt(dot(dir.xy, dir.xy));
     let ground2 = half_chord2(b, excess_of(h, radius), radius - p, p);
-    let ground = b < 0.0 && ground2 >= 0.0;
+    return Line(b, p, -ground2, b < 0.0 && ground2 >= 0.0);
+}
+
+// What of a ray lies in the air, without the sun: see the fields of `AirRay`.
+struct AirPath {
+    start: f32,
+    length: f32,
+    x: f32,
+    b: f32,
+}
+
+fn air_path(line: Line, h: f32, radius: f32, thickness: f32) -> AirPath {
+    let x_top = excess_of(thickness, radius);
+    let ground_root = sqrt(max(-line.x_closest, 0.0));
     if h <= thickness {
         let x = excess_of(h, radius);
-        let s = sun_side_inside(dir, sun, r, x, radius);
-        let to_ground = x / (sqrt(max(ground2, 0.0)) - b);
-        let reach = select(distance_to_top(x, b, x_top), to_ground, ground);
-        return AirRay(0.0, reach, x, b, -ground2, s.sun_b, s.nu, s.cross2, s.shadow_b, s.shadow_c, ground);
+        let reach = select(distance_to_top(x, line.b, x_top), x / (ground_root - line.b), line.ground);
+        return AirPath(0.0, reach, x, line.b);
     }
     // From outside: the ray is moved to where it enters.
     // Not from the rounded radius of the top, in which a thin shell is lost. Just above the top, where b is
     // small, from the height above it.
-    let above = (h - thickness) * (r + radius + thickness);
-    let top2 = select(ground2 + x_top, b * b - above, b * b < x_top);
-    if b >= 0.0 || top2 <= 0.0 {
-        return AirRay(0.0, -1.0, 0.0, 0.0, -ground2, 0.0, dot(dir, sun), 0.0, 0.0, 0.0, false);
+    let above = (h - thickness) * (2.0 * radius + thickness + h);
+    let b2 = line.b * line.b;
+    let top2 = select(x_top - line.x_closest, b2 - above, b2 < x_top);
+    if line.b >= 0.0 || top2 <= 0.0 {
+        return AirPath(0.0, -1.0, 0.0, 0.0);
     }
     let half = sqrt(top2);
     // Entry distance as c / q: (h - H)(r + T) / (-r mu + half).
-    let start = above / (half - b);
-    let s = sun_side_outside(dir, sun, r, half, x_top, radius);
-    let reach = select(2.0 * half, x_top / (half + sqrt(max(ground2, 0.0))), ground);
-    return AirRay(start, reach, x_top, -half, -ground2, s.sun_b, s.nu, s.cross2, s.shadow_b, s.shadow_c, ground);
+    return AirPath(above / (half - line.b), select(2.0 * half, x_top / (half + ground_root), line.ground), x_top, -half);
+}
+
+// The part of a ray inside the air. dir: unit, zenith frame; h: camera's altitude >= 0; sun: unit.
+fn air_ray(dir: vec3f, h: f32, radius: f32, thickness: f32, sun: vec3f) -> AirRay {
+    let line = line_past(dir, h, radius);
+    let path = air_path(line, h, radius, thickness);
+    var s: SunSide;
+    if h <= thickness {
+        s = sun_side_inside(dir, sun, radius + h, path.x, radius);
+    } else if path.length > 0.0 {
+        s = sun_side_outside(dir, sun, radius + h, -path.b, path.x, radius);
+    } else {
+        s.nu = dot(dir, sun);
+    }
+    let ground = line.ground && path.length >= 0.0;
+    return AirRay(path.start, path.length, path.x, path.b, line.x_closest, s.sun_b, s.nu, s.cross2, s.shadow_b, s.shadow_c, ground);
 }
 
 // The lowest point of a ray's first `length` km, from which altitudes along it are told: that is where the
@@ -154,12 +186,9 @@ fn lowest(ray: AirRay, length: f32, radius: f32) -> Low {
     return Low(length, select(ray.x + length * (2.0 * ray.b + length), ray.x_closest + b * b, far), b);
 }
 
-// Whether a camera ray meets the planet's surface. Same decision as air_ray, cheaper.
+// Whether a camera ray meets the planet's surface.
 fn hits_planet(dir: vec3f, h: f32, radius: f32) -> bool {
-    let r = radius + h;
-    let b = r * dir.z;
-    let p = r * sqrt(dot(dir.xy, dir.xy));
-    return b < 0.0 && half_chord2(b, excess_of(h, radius), radius - p, p) >= 0.0;
+    return line_past(dir, h, radius).ground;
 }
 
 // The stretch of a ray that lies in the planet's shadow (a half cylinder behind it): begin and end

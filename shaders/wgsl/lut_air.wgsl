@@ -23,7 +23,7 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let first = select(ground_rows, 0, ground);
     let rows = select(a.rows - ground_rows, ground_rows, ground);
     let azimuth = f32(a.column) / f32(a.columns - 1);
-    let ray = table_ray(azimuth, f32(a.row - first) / f32(rows - 1), ground, f.altitude, m, f.sun).ray;
+    let ray = table_ray(azimuth, f32(a.row - first) / f32(rows - 1), ground, f.altitude, m.radius, m.thickness, f.limb, f.sun).ray;
     if ray.length <= 0.0 {
         return vec4f(vec3f(select(0.0, 1.0, a.kind >= AIR_BEAM)), 0.0);
     }

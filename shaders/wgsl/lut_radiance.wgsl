@@ -44,7 +44,7 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
         if mu_ground > 0.0 {
             var scaled = m;
             scaled.mie_extinction = t.mie_extinction;
-            light += mu_ground * exp(-extinction(scaled, columns_to_top(columns, m, 0.0, 0.0, sun_b)));
+            light += mu_ground * exp(-extinction(scaled, columns_to_top(columns, m.radius, m.thickness, 0.0, 0.0, sun_b)));
         }
         radiance += g.transmittance * light * t.albedo * (1.0 / PI);
     }

@@ -30,7 +30,7 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let first = select(ground_rows, 0, ground);
     let rows = select(size.y - ground_rows, ground_rows, ground);
     let share = f32(at.y - first) / f32(rows - 1);
-    let table = table_ray(azimuth, share, ground, f.altitude, m, f.sun);
+    let table = table_ray(azimuth, share, ground, f.altitude, m.radius, m.thickness, f.limb, f.sun);
     let ray = table.ray;
     if ray.length <= 0.0 {
         return vec4f(0.0, 0.0, 0.0, 1.0);

@@ -60,7 +60,7 @@ fn gather_direct(
             let lit_x = max(lowest.x + past * (2.0 * lowest.b + past), 0.0);
             let lit_h = altitude_of(lit_x, m.radius);
             let lit_d = densities(m, lit_h);
-            let path = columns_to_top(columns, m, lit_x, lit_h, ray.sun_b + ray.nu * lit.y);
+            let path = columns_to_top(columns, m.radius, m.thickness, lit_x, lit_h, ray.sun_b + ray.nu * lit.y);
             let source = (gas * lit_d.x + aerosol * lit_d.y) * exp(-extinction(m, path));
             out.radiance += share * source * lit.x;
         }

@@ -8,7 +8,7 @@
 
 @fragment
 fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
-    let dir = normalize(pixel_ray(frame, position.xy));
+    let dir = normalize(pixel_ray(position.xy, frame.size, frame.ray_forward, frame.ray_right, frame.ray_up));
     let m = frame.medium;
     if hits_planet(dir, frame.altitude, m.radius) {
         if frame.low_resolution == 0u {

@@ -14,40 +14,44 @@ struct Uniforms {
 //#if MIE
 @group(0) @binding(3) var haze: texture_2d<f32>;
 //#endif
+@group(0) @binding(7) var linear: sampler;
 
 @fragment
 fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
-    let f = uniforms.frame;
-    let m = f.medium;
-    let dir = normalize(pixel_ray(f, position.xy));
-    let ray = air_ray(dir, f.altitude, m.radius, m.thickness, f.sun);
-    if ray.ground {
-        if f.low_resolution == 0u {
+    let dir = normalize(pixel_ray(
+        position.xy, uniforms.frame.size, uniforms.frame.ray_forward, uniforms.frame.ray_right, uniforms.frame.ray_up));
+    let h = uniforms.frame.altitude;
+    let radius = uniforms.frame.medium.radius;
+    let thickness = uniforms.frame.medium.thickness;
+    let line = line_past(dir, h, radius);
+    if line.ground {
+        if uniforms.frame.low_resolution == 0u {
             discard;
         }
         return vec4f(0.0, 0.0, 0.0, -1.0);
     }
-    var light = vec3f(0.0);
-    var grey = 1.0;
-    if ray.length > 0.0 {
-        let c = sky_corner(sky, m, uniforms.tables, f.altitude, dir, ray);
-        let texel = bilinear(sky, c, vec2i(0));
-        light = fourth(texel.rgb);
-        //#if MIE
-        light += aerosol_light(haze, m, c, dir, f.sun);
-        //#endif
-        light *= f.sky_weight;
-        grey = texel.a;
-    }
+    let size = vec2f(textureDimensions(sky));
+    let share = zenith_share(line, dir.z, h, radius, thickness, uniforms.frame.limb);
+    let at = table_uv(azimuth_share(dir), sky_row(share, false, size.y, uniforms.tables.ground_rows), size);
+    // Rays that miss the air fall on the last row, which is empty.
+    let texel = textureSampleLevel(sky, linear, at, 0.0);
+    var light = fourth(texel.rgb);
+    //#if MIE
+    light += fourth(textureSampleLevel(haze, linear, at, 0.0).rgb)
+        * aerosol_phase(dir, uniforms.frame.sun, uniforms.frame.medium.mie_asymmetry);
+    //#endif
+    light *= uniforms.frame.sky_weight;
     //#if SUN
-    let disk = disk_coverage(dir - f.sun, f.sun_chord, f.pixel_angle);
+    let disk = disk_coverage(dir - uniforms.frame.sun, uniforms.frame.sun_chord, uniforms.frame.pixel_angle);
     if disk > 0.0 {
+        let path = air_path(line, h, radius, thickness);
         var through = vec3f(1.0);
-        if ray.length > 0.0 {
-            through = exp(-extinction(m, columns_to_top(columns, m, ray.x, altitude_of(ray.x, m.radius), ray.b)));
+        if path.length > 0.0 {
+            let sums = columns_to_top(columns, radius, thickness, path.x, altitude_of(path.x, radius), path.b);
+            through = exp(-extinction(uniforms.frame.medium, sums));
         }
-        light += through * (f.sun_disk * disk);
+        light += through * (uniforms.frame.sun_disk * disk);
     }
     //#endif
-    return vec4f(min(light * m.irradiance, vec3f(HALF_MAX)), 1.0 - grey);
+    return vec4f(min(light * uniforms.frame.medium.irradiance, vec3f(HALF_MAX)), 1.0 - texel.a);
 }

@@ -2,9 +2,10 @@
 //#include geometry
 //#include tables
 // Where a view ray is in the sky tables, and which ray a texel stands for. Column: azimuth from the sun, half a turn (the
-// other half is its mirror image). Rows: first the rays that end on the ground, by their angle there, then the others,
-// by their angle above the horizon or, from outside, by the altitude that they pass. Both begin at the horizon,
-// where the light changes most, and no texel straddles it. No coordinate needs an arc function.
+// other half is its mirror image). Rows: first the rays that end on the ground, by their angle there, then the others:
+// those that go down by the altitude that they pass (the limb), those that go up by their angle. Both parts begin at
+// the horizon, where the light changes most, and no texel straddles it. As the camera rises the limb takes more of the
+// rows, at the top of the air all: nothing jumps there. No coordinate needs an arc function.
 
 const SQRT_HALF: f32 = 0.7071067811865476;
 
@@ -30,19 +31,22 @@ fn share_azimuth(share: f32) -> vec2f {
     return vec2f((c - share) * (c + share), 2.0 * share * c) * norm;
 }
 
-// Share of a ray along its part of the rows. h: camera's altitude.
-fn zenith_share(ray: AirRay, dir: vec3f, h: f32, m: Medium) -> f32 {
-    if ray.ground {
+// Share of a ray along its part of the rows. mu: its direction's cosine of the zenith angle; h: the camera's altitude;
+// limb: the limb's share, and how far it is spaced as from outside (0 to 1), see `FrameUniform::limb` in Rust.
+fn zenith_share(line: Line, mu: f32, h: f32, radius: f32, thickness: f32, limb: vec2f) -> f32 {
+    if line.ground {
         // Cosine of the angle to the vertical where the ray ends.
-        let mu = clamp(-(ray.b + ray.length) / m.radius, 0.0, 1.0);
-        return crowded(0.5 * mu, sqrt(0.5 - 0.5 * mu), SQRT_HALF);
+        let cosine = min(sqrt(max(-line.x_closest, 0.0)) / radius, 1.0);
+        return crowded(0.5 * cosine, sqrt(0.5 - 0.5 * cosine), SQRT_HALF);
     }
-    if ray.start > 0.0 || h > m.thickness {
-        let tangent = (m.radius + h) * length(dir.xy) - m.radius;
-        return sqrt(clamp(tangent / m.thickness, 0.0, 1.0));
+    if mu >= 0.0 {
+        return limb.x + (1.0 - limb.x) * crowded(0.5 * mu, sqrt(max(0.5 - 0.5 * mu, 0.0)), SQRT_HALF);
     }
-    let horizon = sqrt(ray.x) / (m.radius + h); // less the horizon's cosine
-    return crowded(0.5 * (dir.z + horizon), sqrt(max(0.5 - 0.5 * dir.z, 0.0)), sqrt(0.5 + 0.5 * horizon));
+    let lowest = max(line.x_closest, 0.0) / (radius + line.p);
+    let part = min(lowest / max(min(h, thickness), 1e-20), 1.0);
+    // Near the ground v is the ray's angle below the horizontal over the horizon's: even in it, from outside in `part`.
+    let v = sqrt(1.0 - part);
+    return limb.x * sqrt(part * (1.0 + limb.y * v) / (1.0 + v));
 }
 
 struct TableRay {
@@ -51,50 +55,62 @@ struct TableRay {
 }
 
 // The ray of a share of the azimuth and of the rows; the inverse of the above.
-fn table_ray(azimuth: f32, share: f32, ground: bool, h: f32, m: Medium, sun: vec3f) -> TableRay {
-    let r = m.radius + h;
-    let x = excess_of(h, m.radius);
-    let x_top = excess_of(m.thickness, m.radius);
+fn table_ray(azimuth: f32, share: f32, ground: bool, h: f32, radius: f32, thickness: f32, limb: vec2f, sun: vec3f) -> TableRay {
+    let r = radius + h;
+    let x = excess_of(h, radius);
+    let x_top = excess_of(thickness, radius);
     let around = share_azimuth(azimuth);
-    let outside = h > m.thickness;
-    if !outside && !ground {
-        let horizon = sqrt(x) / r;
-        let s_max = sqrt(0.5 + 0.5 * horizon);
-        let s = s_max * (1.0 - share * share);
+    let outside = h > thickness;
+    if !ground && share > limb.x {
+        let u = (share - limb.x) / (1.0 - limb.x);
+        let s = SQRT_HALF * (1.0 - u * u);
         let mu = 1.0 - 2.0 * s * s;
         let dir = vec3f(around * (2.0 * s * sqrt(max(1.0 - s * s, 0.0))), mu);
-        return TableRay(dir, inner_ray(dir, h, m.radius, m.thickness, sun, false));
+        return TableRay(dir, inner_ray(dir, h, radius, thickness, sun, false));
     }
-    // The rest is given by the closest approach, c2 = its square less R^2.
+    // The rest is given by the closest approach, c2 = its square less R^2; its distance squared from the camera and from
+    // where the ray enters, less that.
+    let start_x = select(x, x_top, outside);
     var c2 = 0.0;
     var mu = 0.0; // cosine at the ground
+    var from_camera = 0.0;
+    var from_start = 0.0;
     if ground {
         let s = SQRT_HALF * (1.0 - share * share);
         mu = max(1.0 - 2.0 * s * s, 0.0);
-        c2 = -m.radius * m.radius * mu * mu;
+        c2 = -radius * radius * mu * mu;
+        from_camera = x - c2;
+        from_start = start_x - c2;
     } else {
-        c2 = excess_of(m.thickness * share * share, m.radius);
+        let limit = min(h, thickness);
+        let s = min(share / max(limb.x, 1e-20), 1.0);
+        let y = (1.0 - s) * (1.0 + s);
+        let k = 1.0 - limb.y;
+        let v = 2.0 * y / max(k + sqrt(k * k + 4.0 * limb.y * y), 1e-20);
+        let lowest = limit * min(s * s * (1.0 + v) / (1.0 + limb.y * v), 1.0);
+        c2 = excess_of(lowest, radius);
+        from_start = limit * v * v * (2.0 * radius + limit + lowest);
+        from_camera = select(from_start, (h - lowest) * (2.0 * radius + h + lowest), outside);
     }
-    let start_x = select(x, x_top, outside);
-    let b = -sqrt(max(start_x - c2, 0.0));
-    let approach = sqrt(max(m.radius * m.radius + c2, 0.0));
+    let b = -sqrt(max(from_start, 0.0));
+    let approach = sqrt(max(radius * radius + c2, 0.0));
     let sine = min(approach / r, 1.0);
-    let down = -sqrt(max((x - c2), 0.0)) / r;
+    let down = -sqrt(max(from_camera, 0.0)) / r;
     let dir = vec3f(around * sine, down);
     var s: SunSide;
     var start = 0.0;
     if outside {
-        start = (h - m.thickness) * (2.0 * m.radius + m.thickness + h) / (-b - r * down);
-        s = sun_side_outside(dir, sun, r, -b, x_top, m.radius);
+        start = (h - thickness) * (2.0 * radius + thickness + h) / (-b - r * down);
+        s = sun_side_outside(dir, sun, r, -b, x_top, radius);
     } else {
-        s = sun_side_inside(dir, sun, r, x, m.radius);
+        s = sun_side_inside(dir, sun, r, x, radius);
     }
-    let reach = select(-2.0 * b, start_x / (m.radius * mu - b), ground);
+    let reach = select(distance_to_top(start_x, b, x_top), start_x / (radius * mu - b), ground);
     let ray = AirRay(start, reach, start_x, b, c2, s.sun_b, s.nu, s.cross2, s.shadow_b, s.shadow_c, ground);
     return TableRay(dir, ray);
 }
 
 // Rows of a sky table of so many, and where in them a ray is.
-fn sky_row(share: f32, ground: bool, rows: i32, ground_rows: f32) -> f32 {
-    return select(ground_rows + share * (f32(rows) - ground_rows - 1.0), share * (ground_rows - 1.0), ground);
+fn sky_row(share: f32, ground: bool, rows: f32, ground_rows: f32) -> f32 {
+    return select(ground_rows + share * (rows - ground_rows - 1.0), share * (ground_rows - 1.0), ground);
 }

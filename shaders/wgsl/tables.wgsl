@@ -1,8 +1,8 @@
 //#include frame
 //#include geometry
 //#include medium
-// Precomputed tables: what is in them, where, and how they are read. Values are interpolated here, between
-// texels that sit on both ends of each axis, in 32-bit floats: the same on every driver.
+// Precomputed tables: what is in them, where, and how they are read. Texels sit on both ends of each axis. What fills
+// other tables is interpolated here, in 32-bit floats: the same on every driver. What pixels read the sampler does.
 //
 // columns: log2 of the densities' integral (km) from an altitude towards the top, gas, aerosol, absorber.
 // moments: all light that was scattered at least once, as angular moments per altitude and sun angle.
@@ -52,6 +52,11 @@ fn bilinear(table: texture_2d<f32>, c: Corner, origin: vec2i) -> vec4f {
     return mix(bottom, top, c.part.y);
 }
 
+// Where the sampler finds a position counted in texels.
+fn table_uv(x_share: f32, row: f32, size: vec2f) -> vec2f {
+    return (vec2f(x_share * (size.x - 1.0), row) + 0.5) / size;
+}
+
 // --- columns: Bruneton 2017's coordinates, in excess form. Row: sqrt(r^2 - R^2) over its largest value. Column:
 // distance to the top, between the shortest there is (straight up) and the longest (along the horizon).
 
@@ -67,12 +72,12 @@ fn columns_ray(at: vec2f, size: vec2f, m: Medium) -> vec3f {
 }
 
 // Densities integrated (km) from a point (x = r^2 - R^2 at altitude h, b = r mu) to the top.
-fn columns_to_top(table: texture_2d<f32>, m: Medium, x: f32, h: f32, b: f32) -> vec3f {
-    let x_top = excess_of(m.thickness, m.radius);
+fn columns_to_top(table: texture_2d<f32>, radius: f32, thickness: f32, x: f32, h: f32, b: f32) -> vec3f {
+    let x_top = excess_of(thickness, radius);
     let rho = sqrt(max(x, 0.0));
     let rho_top = sqrt(x_top);
     let d = distance_to_top(x, b, x_top);
-    let shortest = max(m.thickness - h, 0.0);
+    let shortest = max(thickness - h, 0.0);
     let size = vec2i(textureDimensions(table));
     let share = vec2f((d - shortest) / max(rho + rho_top - shortest, 1e-20), rho / rho_top);
     return exp2(bilinear(table, corner(share * vec2f(size - 1), size), vec2i(0)).xyz);

@@ -142,7 +142,6 @@ struct Shaded {
 
 @fragment
 fn fragment_main(in: Varyings) -> Shaded {
-    let f = terrain.frame;
     let h = in.surface.x;
     var albedo = mix(terrain.low_albedo, terrain.high_albedo, smoothstep(0.05, 0.6, h / terrain.amplitude));
     albedo = mix(terrain.high_albedo, albedo, smoothstep(0.80, 0.95, in.surface.y));
@@ -150,7 +149,7 @@ fn fragment_main(in: Varyings) -> Shaded {
     // Open water: dark, slightly blue (albedo of clear water away from the glint, about 0.03 to 0.06).
     albedo = mix(albedo, vec3f(0.02, 0.04, 0.06), terrain.sea * (1.0 - smoothstep(0.0, 0.004, h)));
     var out: Shaded;
-    out.color = vec4f(albedo * in.light * f.medium.irradiance * (1.0 / 3.14159265), 1.0); // Lambert
-    out.depth = clamp(depth_of(f, max(dot(in.position, terrain.axis), 1e-9)), 0.0, 1.0);
+    out.color = vec4f(albedo * in.light * terrain.frame.medium.irradiance * (1.0 / 3.14159265), 1.0); // Lambert
+    out.depth = clamp(depth_of(terrain.frame.depth, max(dot(in.position, terrain.axis), 1e-9)), 0.0, 1.0);
     return out;
 }

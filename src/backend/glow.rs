@@ -66,7 +66,8 @@ pub struct GlowBackend {
     reads: SlotMap<ReadId, Vec<f32>>,
     timers: SlotMap<TimerId, Timer>,
     vertex_array: glow::VertexArray,
-    sampler: glow::Sampler,
+    nearest: glow::Sampler,
+    linear: glow::Sampler,
     ring: glow::Buffer,
     ring_stride: u32,
     ring_next: u32,
@@ -133,16 +134,20 @@ impl GlowBackend {
             let ring = gl.create_buffer().map_err(failed)?;
             gl.bind_buffer(glow::UNIFORM_BUFFER, Some(ring));
             gl.buffer_data_size(glow::UNIFORM_BUFFER, (ring_stride * RING) as i32, glow::DYNAMIC_DRAW);
-            // Filters a texture that has none, and refuses to filter one that cannot be.
-            let sampler = gl.create_sampler().map_err(failed)?;
-            for (parameter, value) in [
-                (glow::TEXTURE_MIN_FILTER, glow::NEAREST),
-                (glow::TEXTURE_MAG_FILTER, glow::NEAREST),
-                (glow::TEXTURE_WRAP_S, glow::CLAMP_TO_EDGE),
-                (glow::TEXTURE_WRAP_T, glow::CLAMP_TO_EDGE),
-            ] {
-                gl.sampler_parameter_i32(sampler, parameter, value as i32);
-            }
+            // They stand above a texture's own parameters, whoever made it.
+            let sampler = |filter: u32| {
+                let sampler = gl.create_sampler().map_err(failed)?;
+                for (parameter, value) in [
+                    (glow::TEXTURE_MIN_FILTER, filter),
+                    (glow::TEXTURE_MAG_FILTER, filter),
+                    (glow::TEXTURE_WRAP_S, glow::CLAMP_TO_EDGE),
+                    (glow::TEXTURE_WRAP_T, glow::CLAMP_TO_EDGE),
+                ] {
+                    gl.sampler_parameter_i32(sampler, parameter, value as i32);
+                }
+                Ok::<_, Error>(sampler)
+            };
+            let (nearest, linear) = (sampler(glow::NEAREST)?, sampler(glow::LINEAR)?);
             Self {
                 info: AdapterInfo {
                     backend: NAME,
@@ -150,6 +155,7 @@ impl GlowBackend {
                     driver: gl.get_parameter_string(glow::VERSION),
                     timer,
                     max_texture_size: gl.get_parameter_i32(glow::MAX_TEXTURE_SIZE).max(1) as u32,
+                    filters_f32: extensions.iter().any(|e| e.ends_with("OES_texture_float_linear")),
                 },
                 shared,
                 web,
@@ -159,7 +165,8 @@ impl GlowBackend {
                 reads: SlotMap::with_key(),
                 timers: SlotMap::with_key(),
                 vertex_array: gl.create_vertex_array().map_err(failed)?,
-                sampler,
+                nearest,
+                linear,
                 ring,
                 ring_stride,
                 ring_next: 0,
@@ -355,7 +362,8 @@ impl GlowBackend {
                 if texture.is_some() {
                     gl.active_texture(glow::TEXTURE0 + unit);
                     gl.bind_texture(glow::TEXTURE_2D, texture);
-                    gl.bind_sampler(unit, Some(self.sampler));
+                    let filtered = program.filtered() & (1 << unit) != 0;
+                    gl.bind_sampler(unit, Some(if filtered { self.linear } else { self.nearest }));
                 }
             }
             let bytes = pass.uniform.bytes();
@@ -738,7 +746,8 @@ impl Drop for GlowBackend {
                 }
             }
             gl.delete_vertex_array(self.vertex_array);
-            gl.delete_sampler(self.sampler);
+            gl.delete_sampler(self.nearest);
+            gl.delete_sampler(self.linear);
             gl.delete_buffer(self.ring);
         }
     }

@@ -139,6 +139,9 @@ impl Target {
 /// Most textures that a pass reads.
 pub const TEXTURES_MAX: usize = 6;
 
+/// Where shaders find the sampler: bilinear, clamped to the edges.
+pub(crate) const SAMPLER_BINDING: u32 = TEXTURES_MAX as u32 + 1;
+
 /// What a pass reads, at bindings 1, 2, …
 pub type Textures = [Option<TextureId>; TEXTURES_MAX];
 
@@ -239,6 +242,8 @@ pub struct AdapterInfo {
     pub timer: TimerKind,
     /// Largest texture side, texels.
     pub max_texture_size: u32,
+    /// Whether it interpolates between texels of 32-bit floats. Where it does not, the sky tables have 16 bits.
+    pub filters_f32: bool,
 }
 
 impl std::fmt::Display for AdapterInfo {

@@ -11,8 +11,9 @@ use std::sync::{Arc, Mutex, PoisonError};
 use slotmap::SlotMap;
 
 use super::{
-    AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, ProgramId, ReadId, TEXTURES_MAX, TextureDesc,
-    TextureId, Textures, TimerId, TimerKind, UNIFORM_MAX, check_pass, decode_texels, encode_texels, unknown,
+    AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, ProgramId, ReadId, SAMPLER_BINDING, TEXTURES_MAX,
+    TextureDesc, TextureId, Textures, TimerId, TimerKind, UNIFORM_MAX, check_pass, decode_texels, encode_texels,
+    unknown,
 };
 use crate::error::{Error, Result};
 use crate::shaders::Program;
@@ -64,6 +65,7 @@ pub struct WgpuBackend {
     bind_groups: HashMap<(ProgramId, Textures), wgpu::BindGroup>,
     reads: SlotMap<ReadId, Read>,
     timers: SlotMap<TimerId, Timer>,
+    sampler: wgpu::Sampler,
     ring: wgpu::Buffer,
     ring_stride: u32,
     ring_next: u32,
@@ -114,7 +116,8 @@ impl WgpuBackend {
             })
             .await
             .map_err(|e| unavailable(e.to_string()))?;
-        let wanted = wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::FLOAT32_BLENDABLE;
+        let wanted =
+            wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::FLOAT32_BLENDABLE | wgpu::Features::FLOAT32_FILTERABLE;
         let limits = wgpu::Limits {
             max_texture_dimension_2d: adapter.limits().max_texture_dimension_2d,
             ..wgpu::Limits::downlevel_defaults()
@@ -161,6 +164,13 @@ impl WgpuBackend {
         } else {
             TimerKind::Clock
         };
+        let filters_f32 = device.features().contains(wgpu::Features::FLOAT32_FILTERABLE);
+        let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
+            label: Some("welkin tables"),
+            mag_filter: wgpu::FilterMode::Linear,
+            min_filter: wgpu::FilterMode::Linear,
+            ..Default::default()
+        });
         let ring_stride = (UNIFORM_MAX as u32).next_multiple_of(limits.min_uniform_buffer_offset_alignment);
         let ring = device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("welkin uniforms"),
@@ -175,6 +185,7 @@ impl WgpuBackend {
                 driver: "user's device".into(),
                 timer,
                 max_texture_size: limits.max_texture_dimension_2d,
+                filters_f32,
             },
             device,
             queue,
@@ -184,6 +195,7 @@ impl WgpuBackend {
             bind_groups: HashMap::new(),
             reads: SlotMap::with_key(),
             timers: SlotMap::with_key(),
+            sampler,
             ring,
             ring_stride,
             ring_next: 0,
@@ -247,7 +259,11 @@ impl WgpuBackend {
         let compiled = self.programs.get(program).ok_or_else(|| unknown(NAME, "program"))?;
         check_pass(NAME, pass, compiled.program)?;
         if !self.bind_groups.contains_key(&(program, pass.textures)) {
-            let mut entries = Vec::with_capacity(1 + TEXTURES_MAX);
+            let mut entries = Vec::with_capacity(2 + TEXTURES_MAX);
+            if compiled.program.filtered() != 0 {
+                let resource = wgpu::BindingResource::Sampler(&self.sampler);
+                entries.push(wgpu::BindGroupEntry { binding: SAMPLER_BINDING, resource });
+            }
             if compiled.program.uniform_size() > 0 {
                 entries.push(wgpu::BindGroupEntry {
                     binding: 0,
@@ -531,7 +547,15 @@ impl Backend for WgpuBackend {
             label: Some(&label),
             source: wgpu::ShaderSource::Wgsl(program.wgsl().into()),
         });
-        let mut entries = Vec::with_capacity(1 + TEXTURES_MAX);
+        let mut entries = Vec::with_capacity(2 + TEXTURES_MAX);
+        if program.filtered() != 0 {
+            entries.push(wgpu::BindGroupLayoutEntry {
+                binding: SAMPLER_BINDING,
+                visibility: wgpu::ShaderStages::FRAGMENT,
+                ty: wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
+                count: None,
+            });
+        }
         if program.uniform_size() > 0 {
             entries.push(wgpu::BindGroupLayoutEntry {
                 binding: 0,
@@ -549,7 +573,9 @@ impl Backend for WgpuBackend {
                 binding,
                 visibility: wgpu::ShaderStages::FRAGMENT,
                 ty: wgpu::BindingType::Texture {
-                    sample_type: wgpu::TextureSampleType::Float { filterable: false },
+                    sample_type: wgpu::TextureSampleType::Float {
+                        filterable: program.filtered() & (1 << (binding - 1)) != 0,
+                    },
                     view_dimension: wgpu::TextureViewDimension::D2,
                     multisampled: false,
                 },

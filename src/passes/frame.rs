@@ -46,6 +46,17 @@ block! {
 }
 
 block! {
+    /// `struct DepthCode`: see [`crate::DepthConvention`].
+    #[allow(missing_docs)]
+    DepthUniform {
+        scale: f32,
+        bias: f32,
+        log: f32,
+        background: f32,
+    }
+}
+
+block! {
     /// `struct Frame`: see the fields' comments in `frame.wgsl`.
     #[allow(missing_docs)]
     FrameUniform {
@@ -61,14 +72,13 @@ block! {
         size: [f32; 2],
         sun_disk: f32,
         pixel_angle: f32,
-        depth_scale: f32,
-        depth_bias: f32,
-        depth_log: f32,
-        depth_background: f32,
+        depth: DepthUniform,
         view_samples: u32,
         light_samples: u32,
         low_resolution: u32,
         camera_altitude: f32,
+        limb: [f32; 2],
+        pad: [f32; 2],
     }
 }
 
@@ -115,6 +125,18 @@ fn vec3(v: DVec3) -> [f32; 3] {
 }
 
 impl FrameUniform {
+    /// How the sky table shares its rows above the horizon, at an altitude (metres): the part for rays that go down and
+    /// pass the ground, and how far that part is spaced as seen from outside (0 to 1), evenly in the altitude that a
+    /// ray passes. Near the ground it has as many rows as crowding at the horizon alone would give it.
+    fn limb(altitude: f64, p: &AtmosphereParams) -> [f32; 2] {
+        let radius = p.planet_radius;
+        let horizon = (altitude * (2.0 * radius + altitude)).sqrt() / (radius + altitude);
+        let s_max = (0.5 + 0.5 * horizon).sqrt();
+        let near = (0.5 * horizon / (s_max * (s_max + std::f64::consts::FRAC_1_SQRT_2))).sqrt();
+        let bend = (altitude / p.thickness()).min(1.0).powi(4);
+        [near + (1.0 - near) * bend, bend].map(|v| v as f32)
+    }
+
     /// From a scene and its [`Scene::validate`]d view. The camera's altitude counts as 0 below the ground.
     pub fn new(scene: &Scene, view: &ZenithView, options: &FrameOptions) -> Self {
         let p = &scene.atmosphere;
@@ -135,14 +157,18 @@ impl FrameUniform {
             // Uniform disk: irradiance 1 over its solid angle, 2 pi (1 - cos) = pi chord^2.
             sun_disk: (1.0 / (std::f64::consts::PI * chord * chord)) as f32,
             pixel_angle: (2.0 * view.basis.up.length() / f64::from(options.size[1].max(1))) as f32,
-            depth_scale: (scale * KM) as f32,
-            depth_bias: (bias * KM) as f32,
-            depth_log: log as f32,
-            depth_background: background as f32,
+            depth: DepthUniform {
+                scale: (scale * KM) as f32,
+                bias: (bias * KM) as f32,
+                log: log as f32,
+                background: background as f32,
+            },
             view_samples: options.view_samples,
             light_samples: options.light_samples,
             low_resolution: options.low_resolution.into(),
             camera_altitude: (view.altitude / KM) as f32,
+            limb: Self::limb(view.altitude.max(0.0), p),
+            pad: [0.0; 2],
         }
     }
 }

@@ -272,14 +272,15 @@ struct Textures {
 impl Textures {
     /// What only some scenes call for.
     fn add(&mut self, backend: &mut dyn Backend, settings: &LutSettings, mie: bool, with_air: bool) -> Result<()> {
+        let format = sampled(backend);
         if mie && self.haze.is_none() {
-            let [haze] = create(backend, [("sky table", settings.sky)])?;
+            let [haze] = create(backend, [("sky table", settings.sky, format)])?;
             self.haze = Some(haze);
         }
         if with_air && self.air.is_none() {
             let [azimuths, zeniths, slices] = settings.air;
             let size = [azimuths * slices, zeniths * AIR_KINDS];
-            self.air = Some(create(backend, [(AIR, size); 2])?);
+            self.air = Some(create(backend, [(AIR, size, format); 2])?);
         }
         Ok(())
     }
@@ -466,12 +467,13 @@ impl Luts {
                 let [suns, altitudes] = settings.moments;
                 let moments = [suns, altitudes * MOMENTS + 1];
                 let radiance = [suns * NODE_DIRECTIONS[0], altitudes * NODE_DIRECTIONS[1]];
+                let full = Format::Rgba32Float;
                 let sizes = [
-                    ("columns table", settings.columns),
-                    ("gathered radiance", radiance),
-                    ("moments table", moments),
-                    ("moments table", moments),
-                    ("sky table", settings.sky),
+                    ("columns table", settings.columns, full),
+                    ("gathered radiance", radiance, full),
+                    ("moments table", moments, full),
+                    ("moments table", moments, full),
+                    ("sky table", settings.sky, sampled(backend)),
                 ];
                 let [columns, radiance, even, odd, sky] = create(backend, sizes)?;
                 Textures { columns, radiance, moments: [even, odd], sky, haze: None, air: None }
@@ -483,10 +485,19 @@ impl Luts {
     }
 }
 
+/// Format of the tables that pixels read through the sampler. Half floats hold fourth roots of light to 0.1 % of the
+/// light, and shares and transmittances to 0.03 %.
+fn sampled(backend: &dyn Backend) -> Format {
+    if backend.info().filters_f32 { Format::Rgba32Float } else { Format::Rgba16Float }
+}
+
 /// All of the textures or none.
-fn create<const N: usize>(backend: &mut dyn Backend, sizes: [(&'static str, [u32; 2]); N]) -> Result<[TextureId; N]> {
+fn create<const N: usize>(
+    backend: &mut dyn Backend,
+    sizes: [(&'static str, [u32; 2], Format); N],
+) -> Result<[TextureId; N]> {
     let max = backend.info().max_texture_size;
-    let descs = sizes.map(|(label, [w, h])| TextureDesc::new(label, w, h, Format::Rgba32Float));
+    let descs = sizes.map(|(label, [w, h], format)| TextureDesc::new(label, w, h, format));
     descs.iter().try_for_each(|d| d.validate(max))?;
     let mut made = [TextureId::default(); N];
     for (i, desc) in descs.iter().enumerate() {

@@ -314,7 +314,7 @@ impl Program {
         text
     }
 
-    /// How many textures it reads, at bindings 1, 2, …; none is filtered.
+    /// How many textures it reads, at bindings 1, 2, …
     pub fn textures(self) -> usize {
         match self {
             Self::Sky { .. } | Self::Terrain | Self::LutColumns => 0,
@@ -326,6 +326,15 @@ impl Program {
             Self::AerialLut { air, blend } => 5 - usize::from(blend) + usize::from(air.mie.is_some()),
             #[cfg(feature = "probe")]
             Self::Probe(_) => 1,
+        }
+    }
+
+    /// Which of them the bilinear sampler reads: bit 0 stands for binding 1.
+    pub fn filtered(self) -> u32 {
+        match self {
+            Self::SkyLut { air, .. } => 0b1 | u32::from(air.mie.is_some()) << 2,
+            Self::AerialLut { air, blend } => (0b110 | u32::from(air.mie.is_some()) << 4) << u32::from(!blend),
+            _ => 0,
         }
     }
 

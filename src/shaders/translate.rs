@@ -68,11 +68,17 @@ fn stage(program: Program, stage: naga::ShaderStage, entry: &str) -> Result<(Str
             .map_err(|e| driver_error("translate", program, e))?;
     let block = reflection.uniforms.values().next().cloned().unwrap_or_default();
     let mut textures = vec![String::new(); program.textures()];
+    let mut filtered = 0;
     for (name, mapping) in &reflection.texture_mapping {
         let binding = module.global_variables[mapping.texture].binding.as_ref().map_or(0, |b| b.binding);
         if let Some(slot) = textures.get_mut((binding as usize).wrapping_sub(1)) {
             slot.clone_from(name);
         }
+        filtered |= u32::from(mapping.sampler.is_some()) << binding >> 1;
+    }
+    if stage == naga::ShaderStage::Fragment && filtered != program.filtered() {
+        let found = format!("it samples the textures {filtered:#b}, not {:#b}", program.filtered());
+        return Err(driver_error("reflect", program, found));
     }
     Ok((text, block, textures))
 }
