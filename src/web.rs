@@ -9,9 +9,9 @@ use web_sys::{HtmlCanvasElement, WebGl2RenderingContext};
 
 use crate::backend::glow::GlowBackend;
 use crate::backend::wgpu::WgpuBackend;
-use crate::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
+use crate::backend::{Backend, Format, RowOrder, TextureDesc, TextureId};
 use crate::passes::picture::{Drawn, PictureRenderer, PictureSettings};
-use crate::shaders::{Program, ToneMap};
+use crate::shaders::ToneMap;
 use crate::{
     AtmosphereParams, Camera, DepthConvention, Error, Method, Mode, Pose, Quality, Result, Scene, SkySettings,
     TerrainStyle,
@@ -77,10 +77,27 @@ impl Canvas {
         Ok(())
     }
 
-    /// Copies a texture to the canvas, the right way up.
-    fn present(&mut self, display: TextureId) -> Result<()> {
+    /// Draws a picture straight to the canvas.
+    fn draw(
+        &mut self,
+        picture: &mut PictureRenderer,
+        scene: &Scene,
+        settings: &PictureSettings,
+        [width, height]: [u32; 2],
+    ) -> Result<Drawn> {
+        let mut run = |backend: &mut dyn Backend, canvas: TextureId| {
+            let (passes, drawn) = picture.passes_to(backend, scene, settings, canvas)?;
+            backend.run(passes)?;
+            Ok(drawn)
+        };
         match self {
-            Self::WebGl2 { backend, .. } => backend.present(display, None),
+            Self::WebGl2 { backend, .. } => {
+                let desc = TextureDesc::new("canvas", width, height, Format::Rgba8);
+                let id = backend.import_framebuffer(None, TextureDesc { rows: RowOrder::BottomUp, ..desc })?;
+                let drawn = run(backend, id);
+                backend.destroy_texture(id);
+                drawn
+            }
             Self::WebGpu { backend, surface, desc, .. } => {
                 let texture = match surface.get_current_texture() {
                     wgpu::CurrentSurfaceTexture::Success(t) | wgpu::CurrentSurfaceTexture::Suboptimal(t) => t,
@@ -94,21 +111,11 @@ impl Canvas {
                 };
                 let view = texture.texture.create_view(&Default::default());
                 let id = backend.import_view(view, *desc)?;
-                let program = Some(backend.create_program(Program::Copy)?);
-                let textures = reads([display]);
-                let pass = Pass {
-                    label: "present",
-                    program,
-                    textures,
-                    uniform: Uniform::NONE,
-                    target: Target { clear: Some([0.0; 4]), ..Target::color(id) },
-                    depth: DepthUse::Always,
-                };
-                let run = backend.run(&[pass]);
+                let drawn = run(&mut **backend, id);
                 backend.destroy_texture(id);
-                run?;
+                let drawn = drawn?;
                 backend.queue().present(texture);
-                Ok(())
+                Ok(drawn)
             }
         }
     }
@@ -365,9 +372,7 @@ impl Viewer {
         if let Some(reason) = canvas.lost() {
             return Err(Error::Lost { backend: canvas.info().backend, reason }.into());
         }
-        let drawn = self.picture.draw(canvas.backend(), &scene, &self.settings, self.size)?;
-        self.drawn = Some(drawn);
-        canvas.present(drawn.display)?;
+        self.drawn = Some(canvas.draw(&mut self.picture, &scene, &self.settings, self.size)?);
         Ok(())
     }
 

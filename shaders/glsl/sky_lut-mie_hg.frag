@@ -91,7 +91,7 @@ layout(std140) uniform Uniforms_block_0Fragment { Uniforms _group_0_binding_0_fs
 
 uniform highp sampler2D _group_0_binding_1_fs;
 
-uniform highp sampler2D _group_0_binding_3_fs;
+uniform highp sampler2D _group_0_binding_2_fs;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
@@ -217,7 +217,7 @@ void main() {
     vec3 _e70 = fourth(texel.xyz);
     light = _e70;
     vec3 _e72 = light;
-    vec4 _e76 = textureLod(_group_0_binding_3_fs, vec2(_e64), 0.0);
+    vec4 _e76 = textureLod(_group_0_binding_2_fs, vec2(_e64), 0.0);
     vec3 _e78 = fourth(_e76.xyz);
     vec3 _e82 = _group_0_binding_0_fs.frame.sun;
     vec3 _e87 = _group_0_binding_0_fs.frame.medium.mie_asymmetry;
@@ -228,7 +228,9 @@ void main() {
     light = (_e91 * _e95);
     vec3 _e97 = light;
     vec3 _e102 = _group_0_binding_0_fs.frame.medium.irradiance;
-    _fs2p_location0 = vec4(min((_e97 * _e102), vec3(65000.0)), (1.0 - texel.w));
+    light = min((_e97 * _e102), vec3(65000.0));
+    vec3 _e107 = light;
+    _fs2p_location0 = vec4(_e107, (1.0 - texel.w));
     return;
 }
 

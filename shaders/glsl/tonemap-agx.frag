@@ -5,7 +5,7 @@ precision highp int;
 
 struct Tone {
     float exposure;
-    float pad0_;
+    uint flipped;
     float pad1_;
     float pad2_;
 };
@@ -34,12 +34,19 @@ vec3 srgb_encode(vec3 linear) {
 
 void main() {
     vec4 position = gl_FragCoord;
-    vec4 _e5 = texelFetch(_group_0_binding_1_fs, ivec2(position.xy), 0);
-    float _e9 = _group_0_binding_0_fs.exposure;
-    vec3 color_1 = (_e5.xyz * _e9);
-    vec3 _e14 = tone_curve(max(color_1, vec3(0.0)));
-    vec3 _e15 = srgb_encode(_e14);
-    _fs2p_location0 = vec4(_e15, 1.0);
+    ivec2 at = ivec2(0);
+    at = ivec2(position.xy);
+    int _e6 = at.y;
+    int _e14 = at.y;
+    uint _e18 = _group_0_binding_0_fs.flipped;
+    at.y = ((_e18 != 0u) ? ((int(uvec2(textureSize(_group_0_binding_1_fs, 0).xy).y) - 1) - _e14) : _e6);
+    ivec2 _e23 = at;
+    vec4 _e25 = texelFetch(_group_0_binding_1_fs, _e23, 0);
+    float _e29 = _group_0_binding_0_fs.exposure;
+    vec3 color_1 = (_e25.xyz * _e29);
+    vec3 _e34 = tone_curve(max(color_1, vec3(0.0)));
+    vec3 _e35 = srgb_encode(_e34);
+    _fs2p_location0 = vec4(_e35, 1.0);
     return;
 }
 

@@ -19,7 +19,6 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let offset = dir - frame.sun;
     var light = vec3f(0.0);
     var through = vec3f(1.0);
-    //#if AIR
     let ray = air_ray(dir, frame.altitude, m.radius, m.thickness, frame.sun);
     if ray.length > 0.0 {
         let s = single_scattering(m, ray, ray.length, 0.5 * dot(offset, offset), frame.view_samples, frame.light_samples);
@@ -27,9 +26,5 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
         // What lies behind is dimmed in full: while this pass fades, the depth-aware one only adds light.
         through = s.transmittance;
     }
-    //#endif
-    //#if SUN
-    light += through * (frame.sun_disk * disk_coverage(offset, frame.sun_chord, frame.pixel_angle));
-    //#endif
     return vec4f(min(light * m.irradiance, vec3f(HALF_MAX)), 1.0 - dot(through, vec3f(1.0 / 3.0)));
 }

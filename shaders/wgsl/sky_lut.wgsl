@@ -2,6 +2,7 @@
 //#include disk
 //#include skylight
 // The background sky from its tables: as `sky`, with all orders of scattering.
+// OVER: laid over what is in the target; ONLY: nothing is in it.
 
 struct Uniforms {
     frame: Frame,
@@ -10,9 +11,8 @@ struct Uniforms {
 
 @group(0) @binding(0) var<uniform> uniforms: Uniforms;
 @group(0) @binding(1) var sky: texture_2d<f32>;
-@group(0) @binding(2) var columns: texture_2d<f32>;
 //#if MIE
-@group(0) @binding(3) var haze: texture_2d<f32>;
+@group(0) @binding(2) var haze: texture_2d<f32>;
 //#endif
 @group(0) @binding(7) var linear: sampler;
 
@@ -24,12 +24,19 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let radius = uniforms.frame.medium.radius;
     let thickness = uniforms.frame.medium.thickness;
     let line = line_past(dir, h, radius);
+    //#if ONLY
+    if line.ground {
+        return vec4f(0.0, 0.0, 0.0, 1.0);
+    }
+    //#endif
+    //#if OVER
     if line.ground {
         if uniforms.frame.low_resolution == 0u {
             discard;
         }
         return vec4f(0.0, 0.0, 0.0, -1.0);
     }
+    //#endif
     let size = vec2f(textureDimensions(sky));
     let share = zenith_share(line, dir.z, h, radius, thickness, uniforms.frame.limb);
     let at = table_uv(azimuth_share(dir), sky_row(share, false, size.y, uniforms.tables.ground_rows), size);
@@ -41,17 +48,11 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
         * aerosol_phase(dir, uniforms.frame.sun, uniforms.frame.medium.mie_asymmetry);
     //#endif
     light *= uniforms.frame.sky_weight;
-    //#if SUN
-    let disk = disk_coverage(dir - uniforms.frame.sun, uniforms.frame.sun_chord, uniforms.frame.pixel_angle);
-    if disk > 0.0 {
-        let path = air_path(line, h, radius, thickness);
-        var through = vec3f(1.0);
-        if path.length > 0.0 {
-            let sums = columns_to_top(columns, radius, thickness, path.x, altitude_of(path.x, radius), path.b);
-            through = exp(-extinction(uniforms.frame.medium, sums));
-        }
-        light += through * (uniforms.frame.sun_disk * disk);
-    }
+    light = min(light * uniforms.frame.medium.irradiance, vec3f(HALF_MAX));
+    //#if ONLY
+    return vec4f(light, 1.0);
     //#endif
-    return vec4f(min(light * uniforms.frame.medium.irradiance, vec3f(HALF_MAX)), 1.0 - texel.a);
+    //#if OVER
+    return vec4f(light, 1.0 - texel.a);
+    //#endif
 }

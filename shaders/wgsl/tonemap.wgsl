@@ -3,7 +3,7 @@
 
 struct Tone {
     exposure: f32, // display units per unit of radiance
-    pad0: f32,
+    flipped: u32,  // 1: the target's first row is the other end of the picture
     pad1: f32,
     pad2: f32,
 }
@@ -78,6 +78,8 @@ fn srgb_encode(linear: vec3f) -> vec3f {
 
 @fragment
 fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
-    let color = textureLoad(scene, vec2i(position.xy), 0).rgb * tone.exposure;
+    var at = vec2i(position.xy);
+    at.y = select(at.y, i32(textureDimensions(scene).y) - 1 - at.y, tone.flipped != 0u);
+    let color = textureLoad(scene, at, 0).rgb * tone.exposure;
     return vec4f(srgb_encode(tone_curve(max(color, vec3f(0.0)))), 1.0);
 }

@@ -309,7 +309,7 @@ impl WgpuBackend {
                 buffers: &[],
             },
             primitive: wgpu::PrimitiveState {
-                topology: if program == Program::Terrain {
+                topology: if program.makes_vertices() {
                     wgpu::PrimitiveTopology::TriangleStrip
                 } else {
                     wgpu::PrimitiveTopology::TriangleList

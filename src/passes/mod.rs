@@ -4,5 +4,6 @@ pub mod frame;
 pub mod lut;
 pub mod picture;
 pub mod sky;
+pub mod sun;
 pub mod terrain;
 pub mod tone;

@@ -4,6 +4,7 @@ use std::fmt;
 
 use super::frame::{FrameOptions, FrameUniform};
 use super::lut::{FrameTables, LutSettings, Luts};
+use super::sun::sun_pass;
 use crate::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
 use crate::error::{Error, Result, in_range};
 use crate::shaders::{Constituents, Program};
@@ -243,7 +244,8 @@ impl SkyRenderer {
     /// The background sky, to be drawn first: depth ALWAYS, no depth write. Rays that meet the planet
     /// draw nothing. Above 50 km only the sun is left of it; [`Self::aerial`] draws the rest.
     ///
-    /// The colour is laid over what is in the target (stars, say), which the air dims by its grey mean.
+    /// The colour is laid over what is in the target (stars, say), which the air dims by its grey mean. The first pass
+    /// that draws to the target clears it as `target` says; opaque black is fastest, as the sky is then just written.
     ///
     /// # Errors
     /// [`Error::Invalid`] from [`Scene::validate`], before anything is created; errors of the backend.
@@ -253,46 +255,64 @@ impl SkyRenderer {
         let desc = texture(backend, target.color)?;
         let mut options = self.options(&desc, &view);
         let air = if options.sky_weight > 0.0 { Constituents::of(&scene.atmosphere) } else { Constituents::default() };
-        let sun = self.settings.sun_disk && scene.atmosphere.sun_intensity > 0.0 && sun_in_view(scene, &view);
-        if !self.settings.enabled || !(air.any() || sun) {
-            self.free_low(backend);
-            return Ok(&self.passes);
-        }
+        let sun = self.settings.enabled && self.settings.sun_disk && scene.atmosphere.sun_intensity > 0.0;
         let frame = FrameUniform::new(scene, &view, &options);
-        let label = "background sky";
-        let side = |s: u32| ((f64::from(s) * self.settings.render_scale).ceil() as u32).max(1);
-        let small = [side(desc.width), side(desc.height)];
-        let full = small == options.size;
-        options.size = small;
-        options.low_resolution = !full;
-        let drawn = FrameUniform::new(scene, &view, &options);
-        let (program, textures, uniform) = match &self.settings.method {
-            Method::Lut(lut) if air.any() => {
-                let passes = &mut self.passes;
-                let (t, tables) = self.luts.update(backend, &scene.atmosphere, lut, &frame, false, passes)?;
-                let textures = t.haze.map_or(reads([t.sky, t.columns]), |haze| reads([t.sky, t.columns, haze]));
-                (Program::SkyLut { air, sun }, textures, Uniform::new(&FrameTables { frame: drawn, tables }))
-            }
-            _ => (Program::Sky { air, sun }, reads([]), Uniform::new(&drawn)),
-        };
-        let program = Some(backend.create_program(program)?);
-        if full {
+        let small = self.low_size(&desc);
+        if small == options.size || !(self.settings.enabled && air.any()) {
             self.free_low(backend);
-            self.passes.push(Pass { label, program, textures, uniform, target, depth: DepthUse::Always });
-            return Ok(&self.passes);
         }
-        let low = self.low_texture(backend, small)?;
-        let clear = Target { clear: Some([0.0; 4]), ..Target::color(low) };
-        self.passes.push(Pass { label, program, textures, uniform, target: clear, depth: DepthUse::Always });
-        self.passes.push(Pass {
-            label: "upsample sky",
-            program: Some(backend.create_program(Program::Upsample)?),
-            textures: reads([low]),
-            uniform: Uniform::new(&frame),
-            target,
-            depth: DepthUse::Always,
-        });
+        if self.settings.enabled && air.any() {
+            let label = "background sky";
+            let full = small == options.size;
+            options.size = small;
+            options.low_resolution = !full;
+            let drawn = FrameUniform::new(scene, &view, &options);
+            // Nothing but black is behind the sky: no need to clear it first, nor to blend.
+            let only = full && target.clear == Some([0.0, 0.0, 0.0, 1.0]);
+            let mut target = target;
+            let (program, textures, uniform) = match &self.settings.method {
+                Method::Lut(lut) => {
+                    let passes = &mut self.passes;
+                    let (t, tables) = self.luts.update(backend, &scene.atmosphere, lut, &frame, false, passes)?;
+                    let textures = t.haze.map_or(reads([t.sky]), |haze| reads([t.sky, haze]));
+                    if only {
+                        target.clear = None;
+                    }
+                    let program = Program::SkyLut { mie: air.mie, only };
+                    (program, textures, Uniform::new(&FrameTables { frame: drawn, tables }))
+                }
+                Method::Single { .. } => (Program::Sky { air }, reads([]), Uniform::new(&drawn)),
+            };
+            let program = Some(backend.create_program(program)?);
+            let depth = DepthUse::Always;
+            if full {
+                self.passes.push(Pass { label, program, textures, uniform, target, depth });
+            } else {
+                let low = self.low_texture(backend, small)?;
+                let clear = Target { clear: Some([0.0; 4]), ..Target::color(low) };
+                self.passes.push(Pass { label, program, textures, uniform, target: clear, depth });
+                self.passes.push(Pass {
+                    label: "upsample sky",
+                    program: Some(backend.create_program(Program::Upsample)?),
+                    textures: reads([low]),
+                    uniform: Uniform::new(&frame),
+                    target,
+                    depth,
+                });
+            }
+        }
+        if sun {
+            let drawn = self.passes.iter().any(|p| p.target.color == target.color);
+            let target = if drawn { Target { clear: None, clear_depth: None, ..target } } else { target };
+            self.passes.extend(sun_pass(backend, scene, &view, &frame, air, target)?);
+        }
         Ok(&self.passes)
+    }
+
+    /// Size of the background.
+    fn low_size(&self, desc: &TextureDesc) -> [u32; 2] {
+        let side = |s: u32| ((f64::from(s) * self.settings.render_scale).ceil() as u32).max(1);
+        [side(desc.width), side(desc.height)]
     }
 
     /// Air between the camera and the scene: reads the scene's colour and depth and writes to another
@@ -370,7 +390,7 @@ impl SkyRenderer {
                         (None, Some(haze)) => reads([depth, t.sky, t.air, t.columns, haze]),
                         (None, None) => reads([depth, t.sky, t.air, t.columns]),
                     };
-                    (Program::AerialLut { air, blend }, textures, Uniform::new(&FrameTables { frame, tables }))
+                    (Program::AerialLut { mie: air.mie, blend }, textures, Uniform::new(&FrameTables { frame, tables }))
                 }
                 _ => {
                     let textures = color.map_or(reads([depth]), |color| reads([color, depth]));
@@ -412,20 +432,6 @@ impl SkyRenderer {
 
 /// Label of the sky in low resolution.
 const LOW: &str = "low-resolution sky";
-
-/// Whether the sun's disk can touch the picture: whether it lies within the cone around the axis that holds the
-/// picture's corners, widened by the disk's radius and a few pixels.
-fn sun_in_view(scene: &Scene, view: &ZenithView) -> bool {
-    let b = &view.basis;
-    let corners = [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)];
-    let axis = b.forward.normalize_or_zero();
-    let widest = corners
-        .map(|(x, y)| (b.forward + b.right * x + b.up * y).normalize_or_zero().dot(axis).clamp(-1.0, 1.0).acos())
-        .into_iter()
-        .fold(0.0, f64::max);
-    let pixel = b.up.length().max(b.right.length()) * 4e-3;
-    axis.dot(view.sun).clamp(-1.0, 1.0).acos() <= widest + scene.atmosphere.sun_angular_radius + pixel
-}
 
 /// Checks that a texture covers the same pixels as the target.
 fn same_size(backend: &dyn Backend, name: &str, id: TextureId, target: &TextureDesc) -> Result<()> {

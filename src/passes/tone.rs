@@ -2,7 +2,7 @@
 
 use super::frame::block;
 use crate::backend::{Backend, DepthUse, Pass, Target, TextureId, Uniform, reads};
-use crate::error::{Result, in_range};
+use crate::error::{Error, Result, in_range};
 use crate::shaders::Program;
 pub use crate::shaders::ToneMap;
 
@@ -11,14 +11,16 @@ block! {
     #[allow(missing_docs)]
     ToneUniform {
         exposure: f32,
-        pad: [f32; 3],
+        flipped: u32,
+        pad: [f32; 2],
     }
 }
 
-/// A pass that tone-maps `from` to `to` (usually [`crate::backend::Format::Rgba8`], same size).
+/// A pass that tone-maps `from` to `to` (usually [`crate::backend::Format::Rgba8`], same size); their row orders may
+/// differ.
 ///
 /// # Errors
-/// [`crate::Error::Invalid`] unless `exposure` is from 0 to 1e9.
+/// [`crate::Error::Invalid`] unless `exposure` is from 0 to 1e9 and the sizes are equal.
 pub fn tone_pass(
     backend: &mut dyn Backend,
     tone_map: ToneMap,
@@ -27,11 +29,20 @@ pub fn tone_pass(
     to: TextureId,
 ) -> Result<Pass> {
     in_range("exposure", exposure, 0.0, 1e9, "")?;
+    let [source, target] = [super::sky::texture(backend, from)?, super::sky::texture(backend, to)?];
+    if (source.width, source.height) != (target.width, target.height) {
+        return Err(Error::invalid(
+            "tone mapping target",
+            format_args!("{} × {}", target.width, target.height),
+            format_args!("as large as the radiance: {} × {}", source.width, source.height),
+        ));
+    }
+    let flipped = (source.rows != target.rows).into();
     Ok(Pass {
         label: "tone mapping",
         program: Some(backend.create_program(Program::ToneMap(tone_map))?),
         textures: reads([from]),
-        uniform: Uniform::new(&ToneUniform { exposure: exposure as f32, pad: [0.0; 3] }),
+        uniform: Uniform::new(&ToneUniform { exposure: exposure as f32, flipped, pad: [0.0; 2] }),
         target: Target::color(to),
         depth: DepthUse::Always,
     })

@@ -22,9 +22,9 @@ pub(super) static PARTS: &[&str] = &[
 ];
 
 pub(super) static GLSL: &[Glsl] = &[
-    Glsl { name: "probe-geometry", vertex: &[152, 0], fragment: &[1, 4, 15, 11, 3, 12, 256, 98, 34, 92, 124, 234, 236, 140, 28, 30, 147, 133, 267, 265, 258, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-medium", vertex: &[152, 0], fragment: &[1, 257, 112, 182, 202, 130, 58, 263, 260, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-path", vertex: &[152, 0], fragment: &[1, 255, 98, 34, 92, 60, 112, 251, 188, 238, 264, 259, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-scatter_hg", vertex: &[152, 0], fragment: &[1, 4, 15, 11, 3, 12, 13, 255, 98, 34, 92, 124, 234, 236, 141, 28, 30, 148, 210, 68, 112, 251, 248, 189, 182, 202, 130, 239, 268, 266, 261, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-scatter_cs", vertex: &[152, 0], fragment: &[1, 4, 15, 11, 3, 12, 13, 255, 98, 34, 92, 124, 234, 236, 141, 28, 30, 148, 210, 68, 112, 251, 248, 189, 182, 202, 130, 58, 239, 269, 266, 262, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-geometry", vertex: &[151, 0], fragment: &[1, 4, 15, 11, 3, 12, 254, 102, 35, 96, 122, 233, 235, 139, 29, 31, 146, 131, 265, 263, 256, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-medium", vertex: &[151, 0], fragment: &[1, 255, 111, 181, 201, 128, 56, 261, 258, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-path", vertex: &[151, 0], fragment: &[1, 253, 102, 35, 96, 58, 111, 250, 187, 237, 262, 257, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-scatter_hg", vertex: &[151, 0], fragment: &[1, 4, 15, 11, 3, 12, 13, 253, 102, 35, 96, 122, 233, 235, 140, 29, 31, 147, 209, 73, 111, 250, 247, 189, 181, 201, 128, 238, 266, 264, 259, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-scatter_cs", vertex: &[151, 0], fragment: &[1, 4, 15, 11, 3, 12, 13, 253, 102, 35, 96, 122, 233, 235, 140, 29, 31, 147, 209, 73, 111, 250, 247, 189, 181, 201, 128, 56, 238, 267, 264, 260, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
 ];

@@ -114,10 +114,13 @@ impl ToneMap {
 pub enum Program {
     /// The background sky, `sky.wgsl`.
     Sky {
-        /// What the air holds; none of them leaves the sun's disk in empty space.
+        /// What the air holds.
         air: Constituents,
-        /// Whether the sun's disk is drawn.
-        sun: bool,
+    },
+    /// The sun's disk, `sun.wgsl`; any aerosol stands for both phase functions.
+    Sun {
+        /// What dims it.
+        air: Constituents,
     },
     /// Air before the scene, `aerial.wgsl`.
     Aerial {
@@ -128,15 +131,15 @@ pub enum Program {
     },
     /// The background sky from its tables, `sky_lut.wgsl`.
     SkyLut {
-        /// What the air holds.
-        air: Constituents,
-        /// Whether the sun's disk is drawn.
-        sun: bool,
+        /// Phase function of the aerosol, if there is one.
+        mie: Option<MiePhase>,
+        /// The target holds nothing: written, instead of laid over it.
+        only: bool,
     },
     /// Air before the scene from its tables, `aerial_lut.wgsl`.
     AerialLut {
-        /// What the air holds.
-        air: Constituents,
+        /// Phase function of the aerosol, if there is one.
+        mie: Option<MiePhase>,
         /// Laid over the scene instead of reading its colour.
         blend: bool,
     },
@@ -187,19 +190,23 @@ impl Program {
         all.extend([Self::LutColumns, Self::LutRadiance, Self::LutMoments]);
         all.extend([false, true].map(|finish| Self::LutScan { finish }));
         all.extend(ToneMap::ALL.map(Self::ToneMap));
+        for mie in [None, Some(MiePhase::HenyeyGreenstein), Some(MiePhase::CornetteShanks)] {
+            all.extend([false, true].map(|only| Self::SkyLut { mie, only }));
+            all.extend([false, true].map(|blend| Self::AerialLut { mie, blend }));
+        }
         for air in Constituents::each() {
             if air.any() {
-                all.push(Self::Sky { air, sun: false });
-                all.extend([false, true].map(|sun| Self::SkyLut { air, sun }));
+                all.push(Self::Sky { air });
                 all.extend([false, true].map(|blend| Self::Aerial { air, blend }));
-                all.extend([false, true].map(|blend| Self::AerialLut { air, blend }));
+            }
+            if air == air.without_phase() {
+                all.push(Self::Sun { air });
             }
             if air.any() && air == air.without_phase() {
                 all.push(Self::LutSky { air, aerosol: false });
                 all.extend(air.mie.map(|_| Self::LutSky { air, aerosol: true }));
                 all.push(Self::LutAir { air });
             }
-            all.push(Self::Sky { air, sun: true });
         }
         // Last: what only they need is kept apart from what pictures need.
         #[cfg(feature = "probe")]
@@ -219,7 +226,7 @@ impl Program {
             Self::ToneMap(t) => format!("tonemap-{}", t.name()),
             #[cfg(feature = "probe")]
             Self::Probe(p) => format!("probe-{}", p.name()),
-            Self::LutSky { .. } | Self::LutAir { .. } => [
+            Self::Sun { .. } | Self::LutSky { .. } | Self::LutAir { .. } => [
                 self.module(),
                 part("RAYLEIGH", "-rayleigh"),
                 part("MIE", "-mie"),
@@ -233,7 +240,7 @@ impl Program {
                 part("MIE_HG", "-mie_hg"),
                 part("MIE_CS", "-mie_cs"),
                 part("OZONE", "-ozone"),
-                part("SUN", "-sun"),
+                part("ONLY", "-only"),
                 part("BLEND", "-blend"),
             ]
             .concat(),
@@ -244,6 +251,7 @@ impl Program {
     pub fn module(self) -> &'static str {
         match self {
             Self::Sky { .. } => "sky",
+            Self::Sun { .. } => "sun",
             Self::Aerial { .. } => "aerial",
             Self::SkyLut { .. } => "sky_lut",
             Self::AerialLut { .. } => "aerial_lut",
@@ -265,14 +273,18 @@ impl Program {
     fn flags(self) -> Vec<&'static str> {
         let mut flags = Vec::new();
         match self {
-            Self::Sky { air, sun } | Self::SkyLut { air, sun } => {
-                air.flags(&mut flags);
-                if sun {
-                    flags.push("SUN");
-                }
+            Self::Sky { air } | Self::Sun { air } => air.flags(&mut flags),
+            Self::SkyLut { mie, only } => {
+                Constituents { mie, ..Constituents::default() }.flags(&mut flags);
+                flags.push(if only { "ONLY" } else { "OVER" });
             }
-            Self::Aerial { air, blend } | Self::AerialLut { air, blend } => {
+            Self::Aerial { air, blend } => {
                 air.flags(&mut flags);
+                flags.push(if blend { "BLEND" } else { "READ" });
+            }
+            Self::AerialLut { mie, blend } => {
+                // Gas and absorber are in the tables; what is left of them is a factor each.
+                Constituents { rayleigh: true, mie, ozone: true }.flags(&mut flags);
                 flags.push(if blend { "BLEND" } else { "READ" });
             }
             Self::LutSky { air, aerosol } => {
@@ -307,7 +319,7 @@ impl Program {
     pub fn wgsl(self) -> String {
         let mut text = String::new();
         let mut seen = Vec::new();
-        if self != Self::Terrain {
+        if !self.makes_vertices() {
             link("fullscreen", &[], &mut seen, &mut text);
         }
         link(self.module(), &self.flags(), &mut seen, &mut text);
@@ -317,13 +329,13 @@ impl Program {
     /// How many textures it reads, at bindings 1, 2, …
     pub fn textures(self) -> usize {
         match self {
-            Self::Sky { .. } | Self::Terrain | Self::LutColumns => 0,
+            Self::Sky { .. } | Self::Sun { .. } | Self::Terrain | Self::LutColumns => 0,
             Self::Upsample | Self::ToneMap(_) | Self::Copy | Self::LutMoments | Self::LutScan { .. } => 1,
-            Self::SkyLut { air, .. } => 2 + usize::from(air.mie.is_some()),
+            Self::SkyLut { mie, .. } => 1 + usize::from(mie.is_some()),
             Self::LutRadiance | Self::LutAir { .. } => 2,
             Self::LutSky { aerosol, .. } => 2 - usize::from(aerosol),
             Self::Aerial { blend, .. } => 2 - usize::from(blend),
-            Self::AerialLut { air, blend } => 5 - usize::from(blend) + usize::from(air.mie.is_some()),
+            Self::AerialLut { mie, blend } => 5 - usize::from(blend) + usize::from(mie.is_some()),
             #[cfg(feature = "probe")]
             Self::Probe(_) => 1,
         }
@@ -332,8 +344,8 @@ impl Program {
     /// Which of them the bilinear sampler reads: bit 0 stands for binding 1.
     pub fn filtered(self) -> u32 {
         match self {
-            Self::SkyLut { air, .. } => 0b1 | u32::from(air.mie.is_some()) << 2,
-            Self::AerialLut { air, blend } => (0b110 | u32::from(air.mie.is_some()) << 4) << u32::from(!blend),
+            Self::SkyLut { mie, .. } => 0b1 | u32::from(mie.is_some()) << 1,
+            Self::AerialLut { mie, blend } => (0b110 | u32::from(mie.is_some()) << 4) << u32::from(!blend),
             _ => 0,
         }
     }
@@ -343,6 +355,7 @@ impl Program {
         use crate::passes::{frame::FrameUniform, lut, terrain::TerrainUniform, tone::ToneUniform};
         match self {
             Self::Sky { .. } | Self::Aerial { .. } | Self::Upsample => size_of::<FrameUniform>(),
+            Self::Sun { .. } => size_of::<crate::passes::sun::SunUniform>(),
             Self::Terrain => size_of::<TerrainUniform>(),
             Self::ToneMap(_) => size_of::<ToneUniform>(),
             Self::LutColumns | Self::LutRadiance | Self::LutMoments => size_of::<lut::MediumTables>(),
@@ -361,14 +374,21 @@ impl Program {
     pub fn vertices(self) -> u32 {
         match self {
             Self::Terrain => TERRAIN_RINGS * (2 * (TERRAIN_SEGMENTS + 1) + 2),
+            Self::Sun { .. } => 4,
             _ => 3,
         }
+    }
+
+    /// Whether it has a vertex shader of its own, which makes a triangle strip; the others cover their target.
+    pub fn makes_vertices(self) -> bool {
+        matches!(self, Self::Terrain | Self::Sun { .. })
     }
 
     /// Whether the output is laid over the target by its (premultiplied) alpha.
     pub fn blends(self) -> bool {
         match self {
-            Self::Sky { .. } | Self::SkyLut { .. } | Self::Upsample => true,
+            Self::Sky { .. } | Self::Sun { .. } | Self::Upsample => true,
+            Self::SkyLut { only, .. } => !only,
             Self::Aerial { blend, .. } | Self::AerialLut { blend, .. } => blend,
             _ => false,
         }
@@ -508,6 +528,7 @@ pub const MODULES: &[(&str, &str)] = modules![
     "sky_lut",
     "skylight",
     "skyview",
+    "sun",
     "tables",
     "terrain",
     "tonemap",
@@ -584,11 +605,10 @@ mod tests {
         for program in all {
             let text = program.wgsl();
             assert!(!text.contains("#error"), "{}", program.name());
-            if let Program::Sky { air, sun } = program {
+            if let Program::Sky { air } | Program::Sun { air } = program {
                 assert_eq!(text.contains("m.ozone "), air.ozone, "{}", program.name());
                 assert_eq!(text.contains("rayleigh_inv_height)"), air.rayleigh, "{}", program.name());
                 assert_eq!(text.contains("mie_inv_height)"), air.mie.is_some(), "{}", program.name());
-                assert_eq!(text.contains("disk_coverage(offset, frame"), sun, "{}", program.name());
             }
         }
     }

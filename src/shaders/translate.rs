@@ -43,7 +43,7 @@ fn validate(program: Program, module: &naga::Module) -> Result<ModuleInfo> {
 pub fn translate(program: Program) -> Result<Translated> {
     // naga leaves unused structs in; the full-screen triangle is the same for all, so it is taken from the
     // program that has none.
-    let triangle = if program == Program::Terrain { program } else { Program::Copy };
+    let triangle = if program.makes_vertices() { program } else { Program::Copy };
     let (vertex, vertex_block, _) = stage(triangle, naga::ShaderStage::Vertex, "vertex_main")?;
     let (fragment, fragment_block, textures) = stage(program, naga::ShaderStage::Fragment, "fragment_main")?;
     Ok(Translated { name: program.name(), vertex, fragment, blocks: [vertex_block, fragment_block], textures })
@@ -93,7 +93,7 @@ pub fn generate() -> Result<Vec<(String, String)>> {
     for program in Program::all() {
         let t = translate(program)?;
         let own = format!("{}.vert", program.module());
-        let vertex_file = if program == Program::Terrain { own } else { "fullscreen.vert".to_owned() };
+        let vertex_file = if program.makes_vertices() { own } else { "fullscreen.vert".to_owned() };
         let fragment_file = format!("{}.frag", t.name);
         for (file, text) in [(&vertex_file, &t.vertex), (&fragment_file, &t.fragment)] {
             match files.iter().find(|(f, _)| f == file) {

@@ -91,6 +91,8 @@ layout(std140) uniform Uniforms_block_0Fragment { Uniforms _group_0_binding_0_fs
 
 uniform highp sampler2D _group_0_binding_1_fs;
 
+uniform highp sampler2D _group_0_binding_2_fs;
+
 layout(location = 0) out vec4 _fs2p_location0;
 
 vec3 pixel_ray(vec2 pixel, vec2 size, vec3 forward, vec3 right, vec3 up) {
@@ -163,9 +165,30 @@ float sky_row(float share, bool ground, float rows, float ground_rows) {
     return (ground ? (share * (ground_rows - 1.0)) : (ground_rows + (share * ((rows - ground_rows) - 1.0))));
 }
 
+vec3 henyey_greenstein_phase(float away, float toward, vec3 g) {
+    vec3 rest_1 = (vec3(1.0) - abs(g));
+    vec3 base = ((rest_1 * rest_1) + ((2.0 * abs(g)) * mix(vec3(toward), vec3(away), greaterThanEqual(g, vec3(0.0)))));
+    return ((INV_4PI * (vec3(1.0) - (g * g))) / (base * sqrt(base)));
+}
+
+vec3 cornette_shanks_phase(float away_1, float toward_1, vec3 g_1) {
+    float mu_1 = (1.0 - away_1);
+    vec3 _e16 = henyey_greenstein_phase(away_1, toward_1, g_1);
+    return ((vec3((1.5 * (1.0 + (mu_1 * mu_1)))) / (vec3(2.0) + (g_1 * g_1))) * _e16);
+}
+
 vec3 fourth(vec3 v) {
     vec3 square = (v * v);
     return (square * square);
+}
+
+vec3 aerosol_phase(vec3 dir_2, vec3 sun, vec3 asymmetry) {
+    vec3 apart = (dir_2 - sun);
+    vec3 together = (dir_2 + sun);
+    float away_2 = (0.5 * dot(apart, apart));
+    float toward_2 = (0.5 * dot(together, together));
+    vec3 _e11 = cornette_shanks_phase(away_2, toward_2, asymmetry);
+    return _e11;
 }
 
 void main() {
@@ -176,35 +199,40 @@ void main() {
     vec3 _e13 = _group_0_binding_0_fs.frame.ray_right;
     vec3 _e17 = _group_0_binding_0_fs.frame.ray_up;
     vec3 _e18 = pixel_ray(position.xy, _e5, _e9, _e13, _e17);
-    vec3 dir_2 = normalize(_e18);
+    vec3 dir_3 = normalize(_e18);
     float h_3 = _group_0_binding_0_fs.frame.altitude;
     float radius_3 = _group_0_binding_0_fs.frame.medium.radius;
     float thickness_1 = _group_0_binding_0_fs.frame.medium.thickness;
-    Line _e34 = line_past(dir_2, h_3, radius_3);
+    Line _e34 = line_past(dir_3, h_3, radius_3);
     if (_e34.ground) {
-        uint _e39 = _group_0_binding_0_fs.frame.low_resolution;
-        if ((_e39 == 0u)) {
-            discard;
-        }
-        _fs2p_location0 = vec4(0.0, 0.0, 0.0, -1.0);
+        _fs2p_location0 = vec4(0.0, 0.0, 0.0, 1.0);
         return;
     }
     vec2 size_2 = vec2(uvec2(textureSize(_group_0_binding_1_fs, 0).xy));
-    vec2 _e54 = _group_0_binding_0_fs.frame.limb;
-    float _e55 = zenith_share(_e34, dir_2.z, h_3, radius_3, thickness_1, _e54);
-    float _e56 = azimuth_share(dir_2);
-    float _e62 = _group_0_binding_0_fs.tables.ground_rows;
-    float _e63 = sky_row(_e55, false, size_2.y, _e62);
-    vec2 _e64 = table_uv(_e56, _e63, size_2);
-    vec4 texel = textureLod(_group_0_binding_1_fs, vec2(_e64), 0.0);
-    vec3 _e70 = fourth(texel.xyz);
-    light = _e70;
-    vec3 _e72 = light;
-    float _e76 = _group_0_binding_0_fs.frame.sky_weight;
-    light = (_e72 * _e76);
-    vec3 _e78 = light;
-    vec3 _e83 = _group_0_binding_0_fs.frame.medium.irradiance;
-    _fs2p_location0 = vec4(min((_e78 * _e83), vec3(65000.0)), (1.0 - texel.w));
+    vec2 _e48 = _group_0_binding_0_fs.frame.limb;
+    float _e49 = zenith_share(_e34, dir_3.z, h_3, radius_3, thickness_1, _e48);
+    float _e50 = azimuth_share(dir_3);
+    float _e56 = _group_0_binding_0_fs.tables.ground_rows;
+    float _e57 = sky_row(_e49, false, size_2.y, _e56);
+    vec2 _e58 = table_uv(_e50, _e57, size_2);
+    vec4 texel = textureLod(_group_0_binding_1_fs, vec2(_e58), 0.0);
+    vec3 _e64 = fourth(texel.xyz);
+    light = _e64;
+    vec3 _e66 = light;
+    vec4 _e70 = textureLod(_group_0_binding_2_fs, vec2(_e58), 0.0);
+    vec3 _e72 = fourth(_e70.xyz);
+    vec3 _e76 = _group_0_binding_0_fs.frame.sun;
+    vec3 _e81 = _group_0_binding_0_fs.frame.medium.mie_asymmetry;
+    vec3 _e82 = aerosol_phase(dir_3, _e76, _e81);
+    light = (_e66 + (_e72 * _e82));
+    vec3 _e85 = light;
+    float _e89 = _group_0_binding_0_fs.frame.sky_weight;
+    light = (_e85 * _e89);
+    vec3 _e91 = light;
+    vec3 _e96 = _group_0_binding_0_fs.frame.medium.irradiance;
+    light = min((_e91 * _e96), vec3(65000.0));
+    vec3 _e101 = light;
+    _fs2p_location0 = vec4(_e101, 1.0);
     return;
 }
 

@@ -204,7 +204,9 @@ void main() {
     light = (_e72 * _e76);
     vec3 _e78 = light;
     vec3 _e83 = _group_0_binding_0_fs.frame.medium.irradiance;
-    _fs2p_location0 = vec4(min((_e78 * _e83), vec3(65000.0)), (1.0 - texel.w));
+    light = min((_e78 * _e83), vec3(65000.0));
+    vec3 _e88 = light;
+    _fs2p_location0 = vec4(_e88, (1.0 - texel.w));
     return;
 }
 

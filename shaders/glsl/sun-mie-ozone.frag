@@ -1,0 +1,246 @@
+#version 300 es
+
+precision highp float;
+precision highp int;
+
+struct Medium {
+    vec3 rayleigh;
+    float rayleigh_inv_height;
+    vec3 mie_scattering;
+    float mie_inv_height;
+    vec3 mie_extinction;
+    float ozone_center;
+    vec3 mie_asymmetry;
+    float ozone_inv_half_width;
+    vec3 ozone;
+    float radius;
+    vec3 irradiance;
+    float thickness;
+};
+struct DepthCode {
+    float scale;
+    float bias;
+    float log_;
+    float background;
+};
+struct Frame {
+    Medium medium;
+    vec3 ray_forward;
+    float altitude;
+    vec3 ray_right;
+    float sky_weight;
+    vec3 ray_up;
+    float shell_weight;
+    vec3 sun;
+    float sun_chord;
+    vec2 size;
+    float sun_disk;
+    float pixel_angle;
+    DepthCode depth;
+    uint view_samples;
+    uint light_samples;
+    uint low_resolution;
+    float camera_altitude;
+    vec2 limb;
+    float pad0_;
+    float pad1_;
+};
+struct Line {
+    float b;
+    float p;
+    float x_closest;
+    bool ground;
+};
+struct AirPath {
+    float start;
+    float length_;
+    float x;
+    float b;
+};
+struct Uniforms {
+    Frame frame;
+    vec4 rect;
+};
+const float HALF_MAX = 65000.0;
+const uint STEPS = 64u;
+
+layout(std140) uniform Uniforms_block_0Fragment { Uniforms _group_0_binding_0_fs; };
+
+layout(location = 0) out vec4 _fs2p_location0;
+
+vec3 pixel_ray(vec2 pixel, vec2 size, vec3 forward, vec3 right, vec3 up) {
+    vec2 ndc = (((pixel / size) * vec2(2.0, -2.0)) + vec2(-1.0, 1.0));
+    return ((forward + (right * ndc.x)) + (up * ndc.y));
+}
+
+float disk_coverage(vec3 offset, float chord, float pixel_1) {
+    return clamp((((chord - length(offset)) / pixel_1) + 0.5), 0.0, 1.0);
+}
+
+float altitude_of(float x, float radius) {
+    return (x / (radius + sqrt(max(((radius * radius) + x), 0.0))));
+}
+
+float excess_of(float h, float radius_1) {
+    return (h * ((2.0 * radius_1) + h));
+}
+
+float altitude_after(float x_1, float b, float t, float radius_2) {
+    float _e9 = altitude_of((x_1 + (t * ((2.0 * b) + t))), radius_2);
+    return max(_e9, 0.0);
+}
+
+float distance_to_top(float x_2, float b_1, float x_top) {
+    float c = max((x_top - x_2), 0.0);
+    float root = sqrt(((b_1 * b_1) + c));
+    if ((b_1 > 0.0)) {
+        return (c / (b_1 + root));
+    }
+    return (root - b_1);
+}
+
+float half_chord2_(float b_2, float above, float depth, float p) {
+    float sphere = (depth + p);
+    if ((abs(b_2) < sphere)) {
+        return ((b_2 * b_2) - above);
+    }
+    return (depth * (sphere + p));
+}
+
+Line line_past(vec3 dir, float h_1, float radius_3) {
+    bool local_1 = false;
+    float r = (radius_3 + h_1);
+    float b_4 = (r * dir.z);
+    float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
+    float _e11 = excess_of(h_1, radius_3);
+    float _e13 = half_chord2_(b_4, _e11, (radius_3 - p_1), p_1);
+    if ((b_4 < 0.0)) {
+        local_1 = (_e13 >= 0.0);
+    } else {
+        local_1 = false;
+    }
+    bool _e22 = local_1;
+    return Line(b_4, p_1, -(_e13), _e22);
+}
+
+AirPath air_path(Line line, float h_2, float radius_4, float thickness) {
+    bool local_2 = false;
+    float _e4 = excess_of(thickness, radius_4);
+    float ground_root = sqrt(max(-(line.x_closest), 0.0));
+    if ((h_2 <= thickness)) {
+        float _e11 = excess_of(h_2, radius_4);
+        float _e13 = distance_to_top(_e11, line.b, _e4);
+        float reach = (line.ground ? (_e11 / (ground_root - line.b)) : _e13);
+        return AirPath(0.0, reach, _e11, line.b);
+    }
+    float above_1 = ((h_2 - thickness) * (((2.0 * radius_4) + thickness) + h_2));
+    float b2_ = (line.b * line.b);
+    float top2_ = ((b2_ < _e4) ? (b2_ - above_1) : (_e4 - line.x_closest));
+    if (!((line.b >= 0.0))) {
+        local_2 = (top2_ <= 0.0);
+    } else {
+        local_2 = true;
+    }
+    bool _e45 = local_2;
+    if (_e45) {
+        return AirPath(0.0, -1.0, 0.0, 0.0);
+    }
+    float half_ = sqrt(top2_);
+    return AirPath((above_1 / (half_ - line.b)), (line.ground ? (_e4 / (half_ + ground_root)) : (2.0 * half_)), _e4, -(half_));
+}
+
+vec3 densities(Medium m, float h_3) {
+    vec3 d = vec3(0.0);
+    d.y = exp((-(h_3) * m.mie_inv_height));
+    d.z = max(0.0, (1.0 - (abs((h_3 - m.ozone_center)) * m.ozone_inv_half_width)));
+    vec3 _e20 = d;
+    return _e20;
+}
+
+vec3 extinction(Medium m_1, vec3 d_1) {
+    vec3 sum = vec3(0.0);
+    vec3 _e5 = sum;
+    sum = (_e5 + (m_1.mie_extinction * d_1.y));
+    vec3 _e10 = sum;
+    sum = (_e10 + (m_1.ozone * d_1.z));
+    vec3 _e15 = sum;
+    return _e15;
+}
+
+float warp(float low, float u) {
+    return (low + (u * abs(u)));
+}
+
+vec3 path_densities(Medium m_2, float x_3, float b_3, float distance_, uint samples) {
+    vec3 sum_1 = vec3(0.0);
+    float t0_ = 0.0;
+    uint i = 0u;
+    float low_1 = clamp(-(b_3), 0.0, distance_);
+    float u0_ = -(sqrt(low_1));
+    float du = ((sqrt((distance_ - low_1)) - u0_) / float(samples));
+    bool loop_init = true;
+    while(true) {
+        if (!loop_init) {
+            uint _e43 = i;
+            i = (_e43 + 1u);
+        }
+        loop_init = false;
+        uint _e22 = i;
+        if ((_e22 < samples)) {
+        } else {
+            break;
+        }
+        {
+            uint _e24 = i;
+            float u_1 = (u0_ + (du * float(_e24)));
+            float _e31 = warp(low_1, (u_1 + (0.5 * du)));
+            float _e33 = warp(low_1, (u_1 + du));
+            float _e35 = altitude_after(x_3, b_3, _e31, m_2.radius);
+            vec3 _e36 = sum_1;
+            vec3 _e37 = densities(m_2, _e35);
+            float _e38 = t0_;
+            sum_1 = (_e36 + (_e37 * (_e33 - _e38)));
+            t0_ = _e33;
+        }
+    }
+    vec3 _e45 = sum_1;
+    return _e45;
+}
+
+void main() {
+    vec4 position = gl_FragCoord;
+    bool local = false;
+    vec3 light = vec3(0.0);
+    Frame f = _group_0_binding_0_fs.frame;
+    Medium m_3 = f.medium;
+    vec3 _e10 = pixel_ray(position.xy, f.size, f.ray_forward, f.ray_right, f.ray_up);
+    vec3 dir_1 = normalize(_e10);
+    Line _e14 = line_past(dir_1, f.altitude, m_3.radius);
+    float _e19 = disk_coverage((dir_1 - f.sun), f.sun_chord, f.pixel_angle);
+    if (!(_e14.ground)) {
+        local = (_e19 <= 0.0);
+    } else {
+        local = true;
+    }
+    bool _e27 = local;
+    if (_e27) {
+        discard;
+    }
+    light = (m_3.irradiance * (f.sun_disk * _e19));
+    AirPath _e36 = air_path(_e14, f.altitude, m_3.radius, m_3.thickness);
+    if ((_e36.length_ > 0.0)) {
+        vec3 _e40 = light;
+        vec3 _e45 = path_densities(m_3, _e36.x, _e36.b, _e36.length_, STEPS);
+        vec3 _e46 = extinction(m_3, _e45);
+        light = (_e40 * exp(-(_e46)));
+    }
+    vec3 _e50 = light;
+    light = min(_e50, vec3(65000.0));
+    vec3 _e54 = light;
+    float _e56 = light.x;
+    float _e58 = light.y;
+    float _e60 = light.z;
+    _fs2p_location0 = vec4(_e54, (max(_e56, max(_e58, _e60)) * 1.5384616e-5));
+    return;
+}
+

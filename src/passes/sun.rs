@@ -1,0 +1,73 @@
+//! The sun's disk: a rectangle around it, laid over the sky.
+
+use std::f64::consts::FRAC_PI_2;
+
+use super::frame::{FrameUniform, block};
+use crate::backend::{Backend, DepthUse, Pass, Target, Uniform, reads};
+use crate::error::Result;
+use crate::shaders::{Constituents, Program};
+use crate::view::{RayBasis, Scene, ZenithView};
+
+block! {
+    /// `struct Uniforms` in `sun.wgsl`.
+    #[allow(missing_docs)]
+    SunUniform {
+        frame: FrameUniform,
+        rect: [f32; 4],
+    }
+}
+
+/// Where in the picture (left, bottom, right, top, -1 to 1) the disk may touch a pixel; `None` outside of it.
+/// radius: of the disk, radians; size: of the target, pixels.
+fn rectangle(basis: &RayBasis, sun: glam::DVec3, radius: f64, size: [u32; 2]) -> Option<[f64; 4]> {
+    let axis = basis.right.cross(basis.up).normalize_or_zero();
+    let axis = if axis.dot(basis.forward) < 0.0 { -axis } else { axis };
+    let along = axis.dot(sun);
+    let angle = axis.cross(sun).length().atan2(along);
+    if angle + radius > FRAC_PI_2 - 0.01 {
+        // A cone that reaches the camera's plane has no outline in the picture.
+        let corner = |x: f64, y: f64| axis.angle_between(basis.forward + basis.right * x + basis.up * y);
+        let widest = [corner(-1.0, -1.0), corner(-1.0, 1.0), corner(1.0, -1.0), corner(1.0, 1.0)];
+        let seen = widest.into_iter().fold(0.0, f64::max) + 0.01 > angle - radius;
+        return seen.then_some([-1.0, -1.0, 1.0, 1.0]);
+    }
+    // On the camera's plane at distance 1 the disk lies within a circle around its centre.
+    let reach = (angle + radius).tan() - angle.tan();
+    let span = |side: glam::DVec3, pixels: u32| {
+        let length2 = side.length_squared();
+        let middle = (sun / along - basis.forward).dot(side) / length2;
+        let half = reach / length2.sqrt() + 4.0 / f64::from(pixels.max(1)); // two pixels
+        (middle - half, middle + half)
+    };
+    let ((left, right), (bottom, top)) = (span(basis.right, size[0]), span(basis.up, size[1]));
+    let outside = left > 1.0 || right < -1.0 || bottom > 1.0 || top < -1.0;
+    (!outside).then(|| [left, bottom, right, top].map(|v| v.clamp(-1.0, 1.0)))
+}
+
+/// The pass that draws the disk, dimmed by `air`; `None` where the picture does not show it.
+pub(crate) fn sun_pass(
+    backend: &mut dyn Backend,
+    scene: &Scene,
+    view: &ZenithView,
+    frame: &FrameUniform,
+    air: Constituents,
+    target: Target,
+) -> Result<Option<Pass>> {
+    let size = frame.size.map(|s| s as u32);
+    let p = &scene.atmosphere;
+    let Some([left, bottom, right, top]) = rectangle(&view.basis, view.sun, p.sun_angular_radius, size) else {
+        return Ok(None);
+    };
+    // The frame's up points to the target's first row.
+    let flipped = glam::Vec3::from(frame.ray_up).as_dvec3().dot(view.basis.up) < 0.0;
+    let rect = if flipped { [left, -top, right, -bottom] } else { [left, bottom, right, top] };
+    let uniform = SunUniform { frame: *frame, rect: rect.map(|v| v as f32) };
+    Ok(Some(Pass {
+        label: "sun",
+        program: Some(backend.create_program(Program::Sun { air: air.without_phase() })?),
+        textures: reads([]),
+        uniform: Uniform::new(&uniform),
+        target,
+        depth: DepthUse::Always,
+    }))
+}
