@@ -4,6 +4,7 @@
 use std::path::Path;
 
 use welkin::passes::frame::{DepthUniform, FrameUniform, MediumUniform};
+use welkin::passes::lut::TablesUniform;
 use welkin::passes::terrain::TerrainUniform;
 use welkin::passes::tone::ToneUniform;
 use welkin::shaders::{Program, translate};
@@ -43,6 +44,7 @@ fn rust_layout(name: &str) -> (Vec<(String, u32)>, u32) {
     let frame = nest(frame, "depth", own(DepthUniform::offsets()));
     match name {
         "Frame" => (frame, size_of::<FrameUniform>() as u32),
+        "Tables" => (own(TablesUniform::offsets()), size_of::<TablesUniform>() as u32),
         "Terrain" => (nest(own(TerrainUniform::offsets()), "frame", frame), size_of::<TerrainUniform>() as u32),
         _ => (own(ToneUniform::offsets()), size_of::<ToneUniform>() as u32),
     }
@@ -52,7 +54,7 @@ fn rust_layout(name: &str) -> (Vec<(String, u32)>, u32) {
 fn uniform_blocks_have_the_layout_that_naga_gives_them() {
     let mut checked = 0;
     for program in Program::all() {
-        for name in ["Frame", "Terrain", "Tone"] {
+        for name in ["Frame", "Tables", "Terrain", "Tone"] {
             let Some((mut members, size)) = translate::struct_layout(program, name).unwrap() else { continue };
             let (mut ours, our_size) = rust_layout(name);
             // Padding is one array in Rust and three scalars in WGSL.

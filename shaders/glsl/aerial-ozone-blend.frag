@@ -286,17 +286,25 @@ Low lowest(AirRay ray, float length_1, float radius_9) {
     return Low(length_1, (far ? (ray.x_closest + (b_5 * b_5)) : (ray.x + (length_1 * ((2.0 * ray.b) + length_1)))), b_5);
 }
 
-vec3 densities(Medium m, float h_4) {
+vec4 layers_of(Medium m) {
+    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+}
+
+mat3x3 coefficients_of(Medium m_1) {
+    return mat3x3(m_1.rayleigh, m_1.mie_extinction, m_1.ozone);
+}
+
+vec3 densities(vec4 layers, float h_4) {
     vec3 d = vec3(0.0);
-    d.z = max(0.0, (1.0 - (abs((h_4 - m.ozone_center)) * m.ozone_inv_half_width)));
+    d.z = max(0.0, (1.0 - (abs((h_4 - layers.z)) * layers.w)));
     vec3 _e15 = d;
     return _e15;
 }
 
-vec3 extinction(Medium m_1, vec3 d_1) {
+vec3 extinction(mat3x3 coefficients, vec3 d_1) {
     vec3 sum = vec3(0.0);
     vec3 _e5 = sum;
-    sum = (_e5 + (m_1.ozone * d_1.z));
+    sum = (_e5 + (coefficients[2] * d_1.z));
     vec3 _e10 = sum;
     return _e10;
 }
@@ -311,40 +319,42 @@ Scattered single_scattering(Medium m_2, AirRay ray_1, float length_2, float away
     uint i = 0u;
     out_.radiance = vec3(0.0);
     out_.transmittance = vec3(1.0);
-    Low _e14 = lowest(ray_1, length_2, m_2.radius);
-    float low_1 = _e14.t;
+    vec4 _e13 = layers_of(m_2);
+    mat3x3 _e14 = coefficients_of(m_2);
+    Low _e16 = lowest(ray_1, length_2, m_2.radius);
+    float low_1 = _e16.t;
     float u0_ = -(sqrt(low_1));
     float du = ((sqrt((length_2 - low_1)) - u0_) / float(view_samples));
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e55 = i;
-            i = (_e55 + 1u);
+            uint _e57 = i;
+            i = (_e57 + 1u);
         }
         loop_init = false;
-        uint _e27 = i;
-        if ((_e27 < view_samples)) {
+        uint _e29 = i;
+        if ((_e29 < view_samples)) {
         } else {
             break;
         }
         {
-            uint _e29 = i;
-            float u_1 = (u0_ + (du * float(_e29)));
-            float _e34 = warp(low_1, (u_1 + du));
-            float _e35 = t0_;
-            float step_ = (_e34 - _e35);
-            float _e40 = warp(low_1, (u_1 + (0.5 * du)));
-            float _e45 = altitude_after(_e14.x, _e14.b, (_e40 - low_1), m_2.radius);
-            vec3 _e46 = densities(m_2, _e45);
-            vec3 _e47 = extinction(m_2, _e46);
-            vec3 tau = (_e47 * step_);
-            vec3 _e50 = out_.transmittance;
-            out_.transmittance = (_e50 * exp(-(tau)));
-            t0_ = _e34;
+            uint _e31 = i;
+            float u_1 = (u0_ + (du * float(_e31)));
+            float _e36 = warp(low_1, (u_1 + du));
+            float _e37 = t0_;
+            float step_ = (_e36 - _e37);
+            float _e42 = warp(low_1, (u_1 + (0.5 * du)));
+            float _e47 = altitude_after(_e16.x, _e16.b, (_e42 - low_1), m_2.radius);
+            vec3 _e48 = densities(_e13, _e47);
+            vec3 _e49 = extinction(_e14, _e48);
+            vec3 tau = (_e49 * step_);
+            vec3 _e52 = out_.transmittance;
+            out_.transmittance = (_e52 * exp(-(tau)));
+            t0_ = _e36;
         }
     }
-    Scattered _e57 = out_;
-    return _e57;
+    Scattered _e59 = out_;
+    return _e59;
 }
 
 void main() {

@@ -67,7 +67,7 @@ struct Tables {
     vec3 mie_moment2_;
     float sun_width;
     vec3 mie_asymmetry;
-    float altitude_pad;
+    uint steps_per_source;
     vec3 albedo;
     float sun_first;
     float sun_span;
@@ -213,14 +213,14 @@ AirPath air_path(Line line, float h_2, float radius_4, float thickness) {
     return AirPath((above_1 / (half_ - line.b)), (line.ground ? (_e4 / (half_ + ground_root)) : (2.0 * half_)), _e4, -(half_));
 }
 
-vec3 extinction(Medium m, vec3 d) {
+vec3 extinction(mat3x3 coefficients, vec3 d) {
     vec3 sum = vec3(0.0);
     vec3 _e5 = sum;
-    sum = (_e5 + (m.rayleigh * d.x));
+    sum = (_e5 + (coefficients[0] * d.x));
     vec3 _e10 = sum;
-    sum = (_e10 + (m.mie_extinction * d.y));
+    sum = (_e10 + (coefficients[1] * d.y));
     vec3 _e15 = sum;
-    sum = (_e15 + (m.ozone * d.z));
+    sum = (_e15 + (coefficients[2] * d.z));
     vec3 _e20 = sum;
     return _e20;
 }
@@ -416,45 +416,48 @@ void main() {
         if (_e152) {
             float _e156 = altitude_of(_e50.x, radius_7);
             vec3 _e158 = columns_to_top(_group_0_binding_4_fs, radius_7, thickness_3, _e50.x, _e156, _e50.b);
-            Medium _e162 = _group_0_binding_0_fs.frame.medium;
-            vec3 _e163 = extinction(_e162, _e158);
-            through = exp(-(_e163));
+            vec3 _e163 = _group_0_binding_0_fs.frame.medium.rayleigh;
+            vec3 _e168 = _group_0_binding_0_fs.frame.medium.mie_extinction;
+            vec3 _e173 = _group_0_binding_0_fs.frame.medium.ozone;
+            mat3x3 medium = mat3x3(_e163, _e168, _e173);
+            vec3 _e175 = extinction(medium, _e158);
+            through = exp(-(_e175));
         }
     } else {
-        uint _e169 = _group_0_binding_0_fs.tables.slices;
-        float slices = float(_e169);
+        uint _e181 = _group_0_binding_0_fs.tables.slices;
+        float slices = float(_e181);
         vec2 table_3 = (vec2(uvec2(textureSize(_group_0_binding_3_fs, 0).xy)) / vec2(slices, 4.0));
-        float _e185 = _group_0_binding_0_fs.tables.air_ground_rows;
-        float _e186 = sky_row(_e100, ground_2, table_3.y, _e185);
-        vec2 texel_1 = vec2((_e94 * (table_3.x - 1.0)), _e186);
+        float _e197 = _group_0_binding_0_fs.tables.air_ground_rows;
+        float _e198 = sky_row(_e100, ground_2, table_3.y, _e197);
+        vec2 texel_1 = vec2((_e94 * (table_3.x - 1.0)), _e198);
         float low_3 = clamp(-(_e50.b), 0.0, _e50.length_);
-        float _e194 = unwarp(low_3, 0.0);
-        float _e195 = end;
-        float _e196 = unwarp(low_3, _e195);
-        float _e199 = unwarp(low_3, _e50.length_);
-        float at_2 = ((((_e196 - _e194) / (_e199 - _e194)) * slices) - 1.0);
-        float _e205 = end;
-        if ((_e205 < _e50.length_)) {
-            vec3 _e208 = light;
-            vec3 _e215 = air_between(_group_0_binding_3_fs, texel_1, at_2, (slices - 1.0), AIR_SMOOTH, table_3, 0.0);
-            light = (_e208 * _e215);
-            vec3 _e217 = aerosol;
-            vec3 _e224 = air_between(_group_0_binding_3_fs, texel_1, at_2, (slices - 1.0), AIR_AEROSOL, table_3, 0.0);
-            aerosol = (_e217 * _e224);
+        float _e206 = unwarp(low_3, 0.0);
+        float _e207 = end;
+        float _e208 = unwarp(low_3, _e207);
+        float _e211 = unwarp(low_3, _e50.length_);
+        float at_2 = ((((_e208 - _e206) / (_e211 - _e206)) * slices) - 1.0);
+        float _e217 = end;
+        if ((_e217 < _e50.length_)) {
+            vec3 _e220 = light;
+            vec3 _e227 = air_between(_group_0_binding_3_fs, texel_1, at_2, (slices - 1.0), AIR_SMOOTH, table_3, 0.0);
+            light = (_e220 * _e227);
+            vec3 _e229 = aerosol;
+            vec3 _e236 = air_between(_group_0_binding_3_fs, texel_1, at_2, (slices - 1.0), AIR_AEROSOL, table_3, 0.0);
+            aerosol = (_e229 * _e236);
         }
-        vec3 _e232 = air_between(_group_0_binding_3_fs, texel_1, at_2, (slices - 1.0), AIR_THROUGH, table_3, 1.0);
-        through = _e232;
+        vec3 _e244 = air_between(_group_0_binding_3_fs, texel_1, at_2, (slices - 1.0), AIR_THROUGH, table_3, 1.0);
+        through = _e244;
     }
-    vec3 _e233 = light;
-    vec3 _e234 = aerosol;
-    light = (_e233 + _e234);
-    vec3 _e236 = light;
-    vec3 _e241 = _group_0_binding_0_fs.frame.medium.irradiance;
-    float _e242 = weight;
-    light = (_e236 * (_e241 * _e242));
     vec3 _e245 = light;
-    vec3 _e246 = through;
-    _fs2p_location0 = vec4(_e245, (1.0 - dot(_e246, vec3(0.33333334))));
+    vec3 _e246 = aerosol;
+    light = (_e245 + _e246);
+    vec3 _e248 = light;
+    vec3 _e253 = _group_0_binding_0_fs.frame.medium.irradiance;
+    float _e254 = weight;
+    light = (_e248 * (_e253 * _e254));
+    vec3 _e257 = light;
+    vec3 _e258 = through;
+    _fs2p_location0 = vec4(_e257, (1.0 - dot(_e258, vec3(0.33333334))));
     return;
 }
 

@@ -67,7 +67,7 @@ struct Tables {
     vec3 mie_moment2_;
     float sun_width;
     vec3 mie_asymmetry;
-    float altitude_pad;
+    uint steps_per_source;
     vec3 albedo;
     float sun_first;
     float sun_span;
@@ -215,14 +215,14 @@ AirPath air_path(Line line, float h_2, float radius_4, float thickness) {
     return AirPath((above_1 / (half_ - line.b)), (line.ground ? (_e4 / (half_ + ground_root)) : (2.0 * half_)), _e4, -(half_));
 }
 
-vec3 extinction(Medium m, vec3 d) {
+vec3 extinction(mat3x3 coefficients, vec3 d) {
     vec3 sum = vec3(0.0);
     vec3 _e5 = sum;
-    sum = (_e5 + (m.rayleigh * d.x));
+    sum = (_e5 + (coefficients[0] * d.x));
     vec3 _e10 = sum;
-    sum = (_e10 + (m.mie_extinction * d.y));
+    sum = (_e10 + (coefficients[1] * d.y));
     vec3 _e15 = sum;
-    sum = (_e15 + (m.ozone * d.z));
+    sum = (_e15 + (coefficients[2] * d.z));
     vec3 _e20 = sum;
     return _e20;
 }
@@ -418,45 +418,48 @@ void main() {
         if (_e153) {
             float _e157 = altitude_of(_e51.x, radius_7);
             vec3 _e159 = columns_to_top(_group_0_binding_5_fs, radius_7, thickness_3, _e51.x, _e157, _e51.b);
-            Medium _e163 = _group_0_binding_0_fs.frame.medium;
-            vec3 _e164 = extinction(_e163, _e159);
-            through = exp(-(_e164));
+            vec3 _e164 = _group_0_binding_0_fs.frame.medium.rayleigh;
+            vec3 _e169 = _group_0_binding_0_fs.frame.medium.mie_extinction;
+            vec3 _e174 = _group_0_binding_0_fs.frame.medium.ozone;
+            mat3x3 medium = mat3x3(_e164, _e169, _e174);
+            vec3 _e176 = extinction(medium, _e159);
+            through = exp(-(_e176));
         }
     } else {
-        uint _e170 = _group_0_binding_0_fs.tables.slices;
-        float slices = float(_e170);
+        uint _e182 = _group_0_binding_0_fs.tables.slices;
+        float slices = float(_e182);
         vec2 table_3 = (vec2(uvec2(textureSize(_group_0_binding_4_fs, 0).xy)) / vec2(slices, 4.0));
-        float _e186 = _group_0_binding_0_fs.tables.air_ground_rows;
-        float _e187 = sky_row(_e101, ground_2, table_3.y, _e186);
-        vec2 texel_1 = vec2((_e95 * (table_3.x - 1.0)), _e187);
+        float _e198 = _group_0_binding_0_fs.tables.air_ground_rows;
+        float _e199 = sky_row(_e101, ground_2, table_3.y, _e198);
+        vec2 texel_1 = vec2((_e95 * (table_3.x - 1.0)), _e199);
         float low_3 = clamp(-(_e51.b), 0.0, _e51.length_);
-        float _e195 = unwarp(low_3, 0.0);
-        float _e196 = end;
-        float _e197 = unwarp(low_3, _e196);
-        float _e200 = unwarp(low_3, _e51.length_);
-        float at_2 = ((((_e197 - _e195) / (_e200 - _e195)) * slices) - 1.0);
-        float _e206 = end;
-        if ((_e206 < _e51.length_)) {
-            vec3 _e209 = light;
-            vec3 _e216 = air_between(_group_0_binding_4_fs, texel_1, at_2, (slices - 1.0), AIR_SMOOTH, table_3, 0.0);
-            light = (_e209 * _e216);
-            vec3 _e218 = aerosol;
-            vec3 _e225 = air_between(_group_0_binding_4_fs, texel_1, at_2, (slices - 1.0), AIR_AEROSOL, table_3, 0.0);
-            aerosol = (_e218 * _e225);
+        float _e207 = unwarp(low_3, 0.0);
+        float _e208 = end;
+        float _e209 = unwarp(low_3, _e208);
+        float _e212 = unwarp(low_3, _e51.length_);
+        float at_2 = ((((_e209 - _e207) / (_e212 - _e207)) * slices) - 1.0);
+        float _e218 = end;
+        if ((_e218 < _e51.length_)) {
+            vec3 _e221 = light;
+            vec3 _e228 = air_between(_group_0_binding_4_fs, texel_1, at_2, (slices - 1.0), AIR_SMOOTH, table_3, 0.0);
+            light = (_e221 * _e228);
+            vec3 _e230 = aerosol;
+            vec3 _e237 = air_between(_group_0_binding_4_fs, texel_1, at_2, (slices - 1.0), AIR_AEROSOL, table_3, 0.0);
+            aerosol = (_e230 * _e237);
         }
-        vec3 _e233 = air_between(_group_0_binding_4_fs, texel_1, at_2, (slices - 1.0), AIR_THROUGH, table_3, 1.0);
-        through = _e233;
+        vec3 _e245 = air_between(_group_0_binding_4_fs, texel_1, at_2, (slices - 1.0), AIR_THROUGH, table_3, 1.0);
+        through = _e245;
     }
-    vec3 _e234 = light;
-    vec3 _e235 = aerosol;
-    light = (_e234 + _e235);
-    vec3 _e237 = light;
-    vec3 _e242 = _group_0_binding_0_fs.frame.medium.irradiance;
-    float _e243 = weight;
-    light = (_e237 * (_e242 * _e243));
-    vec3 _e247 = through;
+    vec3 _e246 = light;
+    vec3 _e247 = aerosol;
+    light = (_e246 + _e247);
     vec3 _e249 = light;
-    _fs2p_location0 = vec4(((behind.xyz * _e247) + _e249), behind.w);
+    vec3 _e254 = _group_0_binding_0_fs.frame.medium.irradiance;
+    float _e255 = weight;
+    light = (_e249 * (_e254 * _e255));
+    vec3 _e259 = through;
+    vec3 _e261 = light;
+    _fs2p_location0 = vec4(((behind.xyz * _e259) + _e261), behind.w);
     return;
 }
 

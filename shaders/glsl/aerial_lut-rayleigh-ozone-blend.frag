@@ -67,7 +67,7 @@ struct Tables {
     vec3 mie_moment2_;
     float sun_width;
     vec3 mie_asymmetry;
-    float altitude_pad;
+    uint steps_per_source;
     vec3 albedo;
     float sun_first;
     float sun_span;
@@ -211,12 +211,12 @@ AirPath air_path(Line line, float h_2, float radius_4, float thickness) {
     return AirPath((above_1 / (half_ - line.b)), (line.ground ? (_e4 / (half_ + ground_root)) : (2.0 * half_)), _e4, -(half_));
 }
 
-vec3 extinction(Medium m, vec3 d) {
+vec3 extinction(mat3x3 coefficients, vec3 d) {
     vec3 sum = vec3(0.0);
     vec3 _e5 = sum;
-    sum = (_e5 + (m.rayleigh * d.x));
+    sum = (_e5 + (coefficients[0] * d.x));
     vec3 _e10 = sum;
-    sum = (_e10 + (m.ozone * d.z));
+    sum = (_e10 + (coefficients[2] * d.z));
     vec3 _e15 = sum;
     return _e15;
 }
@@ -390,39 +390,42 @@ void main() {
         if (_e133) {
             float _e137 = altitude_of(_e50.x, radius_7);
             vec3 _e139 = columns_to_top(_group_0_binding_4_fs, radius_7, thickness_3, _e50.x, _e137, _e50.b);
-            Medium _e143 = _group_0_binding_0_fs.frame.medium;
-            vec3 _e144 = extinction(_e143, _e139);
-            through = exp(-(_e144));
+            vec3 _e144 = _group_0_binding_0_fs.frame.medium.rayleigh;
+            vec3 _e149 = _group_0_binding_0_fs.frame.medium.mie_extinction;
+            vec3 _e154 = _group_0_binding_0_fs.frame.medium.ozone;
+            mat3x3 medium = mat3x3(_e144, _e149, _e154);
+            vec3 _e156 = extinction(medium, _e139);
+            through = exp(-(_e156));
         }
     } else {
-        uint _e150 = _group_0_binding_0_fs.tables.slices;
-        float slices = float(_e150);
+        uint _e162 = _group_0_binding_0_fs.tables.slices;
+        float slices = float(_e162);
         vec2 table_3 = (vec2(uvec2(textureSize(_group_0_binding_3_fs, 0).xy)) / vec2(slices, 4.0));
-        float _e166 = _group_0_binding_0_fs.tables.air_ground_rows;
-        float _e167 = sky_row(_e100, ground_2, table_3.y, _e166);
-        vec2 texel_1 = vec2((_e94 * (table_3.x - 1.0)), _e167);
+        float _e178 = _group_0_binding_0_fs.tables.air_ground_rows;
+        float _e179 = sky_row(_e100, ground_2, table_3.y, _e178);
+        vec2 texel_1 = vec2((_e94 * (table_3.x - 1.0)), _e179);
         float low_3 = clamp(-(_e50.b), 0.0, _e50.length_);
-        float _e175 = unwarp(low_3, 0.0);
-        float _e176 = end;
-        float _e177 = unwarp(low_3, _e176);
-        float _e180 = unwarp(low_3, _e50.length_);
-        float at_2 = ((((_e177 - _e175) / (_e180 - _e175)) * slices) - 1.0);
-        float _e186 = end;
-        if ((_e186 < _e50.length_)) {
-            vec3 _e189 = light;
-            vec3 _e196 = air_between(_group_0_binding_3_fs, texel_1, at_2, (slices - 1.0), AIR_SMOOTH, table_3, 0.0);
-            light = (_e189 * _e196);
+        float _e187 = unwarp(low_3, 0.0);
+        float _e188 = end;
+        float _e189 = unwarp(low_3, _e188);
+        float _e192 = unwarp(low_3, _e50.length_);
+        float at_2 = ((((_e189 - _e187) / (_e192 - _e187)) * slices) - 1.0);
+        float _e198 = end;
+        if ((_e198 < _e50.length_)) {
+            vec3 _e201 = light;
+            vec3 _e208 = air_between(_group_0_binding_3_fs, texel_1, at_2, (slices - 1.0), AIR_SMOOTH, table_3, 0.0);
+            light = (_e201 * _e208);
         }
-        vec3 _e204 = air_between(_group_0_binding_3_fs, texel_1, at_2, (slices - 1.0), AIR_THROUGH, table_3, 1.0);
-        through = _e204;
+        vec3 _e216 = air_between(_group_0_binding_3_fs, texel_1, at_2, (slices - 1.0), AIR_THROUGH, table_3, 1.0);
+        through = _e216;
     }
-    vec3 _e205 = light;
-    vec3 _e210 = _group_0_binding_0_fs.frame.medium.irradiance;
-    float _e211 = weight;
-    light = (_e205 * (_e210 * _e211));
-    vec3 _e214 = light;
-    vec3 _e215 = through;
-    _fs2p_location0 = vec4(_e214, (1.0 - dot(_e215, vec3(0.33333334))));
+    vec3 _e217 = light;
+    vec3 _e222 = _group_0_binding_0_fs.frame.medium.irradiance;
+    float _e223 = weight;
+    light = (_e217 * (_e222 * _e223));
+    vec3 _e226 = light;
+    vec3 _e227 = through;
+    _fs2p_location0 = vec4(_e226, (1.0 - dot(_e227, vec3(0.33333334))));
     return;
 }
 

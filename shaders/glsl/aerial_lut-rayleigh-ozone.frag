@@ -67,7 +67,7 @@ struct Tables {
     vec3 mie_moment2_;
     float sun_width;
     vec3 mie_asymmetry;
-    float altitude_pad;
+    uint steps_per_source;
     vec3 albedo;
     float sun_first;
     float sun_span;
@@ -213,12 +213,12 @@ AirPath air_path(Line line, float h_2, float radius_4, float thickness) {
     return AirPath((above_1 / (half_ - line.b)), (line.ground ? (_e4 / (half_ + ground_root)) : (2.0 * half_)), _e4, -(half_));
 }
 
-vec3 extinction(Medium m, vec3 d) {
+vec3 extinction(mat3x3 coefficients, vec3 d) {
     vec3 sum = vec3(0.0);
     vec3 _e5 = sum;
-    sum = (_e5 + (m.rayleigh * d.x));
+    sum = (_e5 + (coefficients[0] * d.x));
     vec3 _e10 = sum;
-    sum = (_e10 + (m.ozone * d.z));
+    sum = (_e10 + (coefficients[2] * d.z));
     vec3 _e15 = sum;
     return _e15;
 }
@@ -392,39 +392,42 @@ void main() {
         if (_e134) {
             float _e138 = altitude_of(_e51.x, radius_7);
             vec3 _e140 = columns_to_top(_group_0_binding_5_fs, radius_7, thickness_3, _e51.x, _e138, _e51.b);
-            Medium _e144 = _group_0_binding_0_fs.frame.medium;
-            vec3 _e145 = extinction(_e144, _e140);
-            through = exp(-(_e145));
+            vec3 _e145 = _group_0_binding_0_fs.frame.medium.rayleigh;
+            vec3 _e150 = _group_0_binding_0_fs.frame.medium.mie_extinction;
+            vec3 _e155 = _group_0_binding_0_fs.frame.medium.ozone;
+            mat3x3 medium = mat3x3(_e145, _e150, _e155);
+            vec3 _e157 = extinction(medium, _e140);
+            through = exp(-(_e157));
         }
     } else {
-        uint _e151 = _group_0_binding_0_fs.tables.slices;
-        float slices = float(_e151);
+        uint _e163 = _group_0_binding_0_fs.tables.slices;
+        float slices = float(_e163);
         vec2 table_3 = (vec2(uvec2(textureSize(_group_0_binding_4_fs, 0).xy)) / vec2(slices, 4.0));
-        float _e167 = _group_0_binding_0_fs.tables.air_ground_rows;
-        float _e168 = sky_row(_e101, ground_2, table_3.y, _e167);
-        vec2 texel_1 = vec2((_e95 * (table_3.x - 1.0)), _e168);
+        float _e179 = _group_0_binding_0_fs.tables.air_ground_rows;
+        float _e180 = sky_row(_e101, ground_2, table_3.y, _e179);
+        vec2 texel_1 = vec2((_e95 * (table_3.x - 1.0)), _e180);
         float low_3 = clamp(-(_e51.b), 0.0, _e51.length_);
-        float _e176 = unwarp(low_3, 0.0);
-        float _e177 = end;
-        float _e178 = unwarp(low_3, _e177);
-        float _e181 = unwarp(low_3, _e51.length_);
-        float at_2 = ((((_e178 - _e176) / (_e181 - _e176)) * slices) - 1.0);
-        float _e187 = end;
-        if ((_e187 < _e51.length_)) {
-            vec3 _e190 = light;
-            vec3 _e197 = air_between(_group_0_binding_4_fs, texel_1, at_2, (slices - 1.0), AIR_SMOOTH, table_3, 0.0);
-            light = (_e190 * _e197);
+        float _e188 = unwarp(low_3, 0.0);
+        float _e189 = end;
+        float _e190 = unwarp(low_3, _e189);
+        float _e193 = unwarp(low_3, _e51.length_);
+        float at_2 = ((((_e190 - _e188) / (_e193 - _e188)) * slices) - 1.0);
+        float _e199 = end;
+        if ((_e199 < _e51.length_)) {
+            vec3 _e202 = light;
+            vec3 _e209 = air_between(_group_0_binding_4_fs, texel_1, at_2, (slices - 1.0), AIR_SMOOTH, table_3, 0.0);
+            light = (_e202 * _e209);
         }
-        vec3 _e205 = air_between(_group_0_binding_4_fs, texel_1, at_2, (slices - 1.0), AIR_THROUGH, table_3, 1.0);
-        through = _e205;
+        vec3 _e217 = air_between(_group_0_binding_4_fs, texel_1, at_2, (slices - 1.0), AIR_THROUGH, table_3, 1.0);
+        through = _e217;
     }
-    vec3 _e206 = light;
-    vec3 _e211 = _group_0_binding_0_fs.frame.medium.irradiance;
-    float _e212 = weight;
-    light = (_e206 * (_e211 * _e212));
-    vec3 _e216 = through;
     vec3 _e218 = light;
-    _fs2p_location0 = vec4(((behind.xyz * _e216) + _e218), behind.w);
+    vec3 _e223 = _group_0_binding_0_fs.frame.medium.irradiance;
+    float _e224 = weight;
+    light = (_e218 * (_e223 * _e224));
+    vec3 _e228 = through;
+    vec3 _e230 = light;
+    _fs2p_location0 = vec4(((behind.xyz * _e228) + _e230), behind.w);
     return;
 }
 

@@ -27,7 +27,7 @@ struct Tables {
     vec3 mie_moment2_;
     float sun_width;
     vec3 mie_asymmetry;
-    float altitude_pad;
+    uint steps_per_source;
     vec3 albedo;
     float sun_first;
     float sun_span;
@@ -67,11 +67,15 @@ float altitude_after(float x_1, float b, float t, float radius_2) {
     return max(_e9, 0.0);
 }
 
-vec3 densities(Medium m, float h_1) {
+vec4 layers_of(Medium m) {
+    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+}
+
+vec3 densities(vec4 layers, float h_1) {
     vec3 d = vec3(0.0);
-    d.x = exp((-(h_1) * m.rayleigh_inv_height));
-    d.y = exp((-(h_1) * m.mie_inv_height));
-    d.z = max(0.0, (1.0 - (abs((h_1 - m.ozone_center)) * m.ozone_inv_half_width)));
+    d.x = exp((-(h_1) * layers.x));
+    d.y = exp((-(h_1) * layers.y));
+    d.z = max(0.0, (1.0 - (abs((h_1 - layers.z)) * layers.w)));
     vec3 _e25 = d;
     return _e25;
 }
@@ -93,7 +97,7 @@ float warp(float low, float u) {
     return (low + (u * abs(u)));
 }
 
-vec3 path_densities(Medium m_2, float x_2, float b_1, float distance_, uint samples) {
+vec3 path_densities(vec4 layers_1, float radius_3, float x_2, float b_1, float distance_, uint samples) {
     vec3 sum = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
@@ -107,22 +111,22 @@ vec3 path_densities(Medium m_2, float x_2, float b_1, float distance_, uint samp
             i = (_e43 + 1u);
         }
         loop_init = false;
-        uint _e22 = i;
-        if ((_e22 < samples)) {
+        uint _e23 = i;
+        if ((_e23 < samples)) {
         } else {
             break;
         }
         {
-            uint _e24 = i;
-            float u_1 = (u0_ + (du * float(_e24)));
-            float _e31 = warp(low_1, (u_1 + (0.5 * du)));
-            float _e33 = warp(low_1, (u_1 + du));
-            float _e35 = altitude_after(x_2, b_1, _e31, m_2.radius);
+            uint _e25 = i;
+            float u_1 = (u0_ + (du * float(_e25)));
+            float _e32 = warp(low_1, (u_1 + (0.5 * du)));
+            float _e34 = warp(low_1, (u_1 + du));
+            float _e35 = altitude_after(x_2, b_1, _e32, radius_3);
             vec3 _e36 = sum;
-            vec3 _e37 = densities(m_2, _e35);
+            vec3 _e37 = densities(layers_1, _e35);
             float _e38 = t0_;
-            sum = (_e36 + (_e37 * (_e33 - _e38)));
-            t0_ = _e33;
+            sum = (_e36 + (_e37 * (_e34 - _e38)));
+            t0_ = _e34;
         }
     }
     vec3 _e45 = sum;
@@ -131,13 +135,14 @@ vec3 path_densities(Medium m_2, float x_2, float b_1, float distance_, uint samp
 
 void main() {
     vec4 position = gl_FragCoord;
-    Medium m_3 = _group_0_binding_0_fs.medium;
+    Medium m_2 = _group_0_binding_0_fs.medium;
     uvec2 _e7 = _group_0_binding_0_fs.tables.size;
     vec2 size_1 = vec2(_e7);
-    vec3 _e11 = columns_ray(floor(position.xy), size_1, m_3);
-    uint _e18 = _group_0_binding_0_fs.tables.steps;
-    vec3 _e19 = path_densities(m_3, _e11.x, _e11.y, _e11.z, _e18);
-    _fs2p_location0 = vec4(max(log2(max(_e19, vec3(1e-37))), vec3(-100.0)), 0.0);
+    vec3 _e11 = columns_ray(floor(position.xy), size_1, m_2);
+    vec4 _e12 = layers_of(m_2);
+    uint _e20 = _group_0_binding_0_fs.tables.steps;
+    vec3 _e21 = path_densities(_e12, m_2.radius, _e11.x, _e11.y, _e11.z, _e20);
+    _fs2p_location0 = vec4(max(log2(max(_e21, vec3(1e-37))), vec3(-100.0)), 0.0);
     return;
 }
 

@@ -52,7 +52,7 @@ struct Tables {
     vec3 mie_moment2_;
     float sun_width;
     vec3 mie_asymmetry;
-    float altitude_pad;
+    uint steps_per_source;
     vec3 albedo;
     float sun_first;
     float sun_span;
@@ -67,6 +67,10 @@ struct Corner {
     ivec2 low;
     ivec2 high;
     vec2 part;
+};
+struct Source {
+    vec3 gas;
+    vec3 aerosol;
 };
 struct Gathered {
     vec3 radiance;
@@ -197,13 +201,13 @@ vec2 shadow_stretch(AirRay ray_1) {
             return none;
         }
     } else {
-        float t_9 = (-(ray_1.sun_b) / ray_1.nu);
+        float t_7 = (-(ray_1.sun_b) / ray_1.nu);
         if ((ray_1.nu > 0.0)) {
             float _e53 = stretch.y;
-            stretch.y = min(_e53, t_9);
+            stretch.y = min(_e53, t_7);
         } else {
             float _e57 = stretch.x;
-            stretch.x = max(_e57, t_9);
+            stretch.x = max(_e57, t_7);
         }
     }
     vec2 _e59 = stretch;
@@ -231,23 +235,27 @@ AirRay inner_ray(vec3 dir_1, float h_1, float radius_5, float thickness, vec3 su
     return AirRay(0.0, reach, _e7, b_6, -(_e16), _e17.sun_b, _e17.nu, _e17.cross2_, _e17.shadow_b, _e17.shadow_c, ground);
 }
 
-vec3 densities(Medium m, float h_2) {
+vec4 layers_of(Medium m) {
+    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+}
+
+vec3 densities(vec4 layers, float h_2) {
     vec3 d = vec3(0.0);
-    d.x = exp((-(h_2) * m.rayleigh_inv_height));
-    d.y = exp((-(h_2) * m.mie_inv_height));
-    d.z = max(0.0, (1.0 - (abs((h_2 - m.ozone_center)) * m.ozone_inv_half_width)));
+    d.x = exp((-(h_2) * layers.x));
+    d.y = exp((-(h_2) * layers.y));
+    d.z = max(0.0, (1.0 - (abs((h_2 - layers.z)) * layers.w)));
     vec3 _e25 = d;
     return _e25;
 }
 
-vec3 extinction(Medium m_1, vec3 d_1) {
+vec3 extinction(mat3x3 coefficients, vec3 d_1) {
     vec3 sum = vec3(0.0);
     vec3 _e5 = sum;
-    sum = (_e5 + (m_1.rayleigh * d_1.x));
+    sum = (_e5 + (coefficients[0] * d_1.x));
     vec3 _e10 = sum;
-    sum = (_e10 + (m_1.mie_extinction * d_1.y));
+    sum = (_e10 + (coefficients[1] * d_1.y));
     vec3 _e15 = sum;
-    sum = (_e15 + (m_1.ozone * d_1.z));
+    sum = (_e15 + (coefficients[2] * d_1.z));
     vec3 _e20 = sum;
     return _e20;
 }
@@ -283,108 +291,79 @@ vec3 columns_to_top(highp sampler2D table_1, float radius_6, float thickness_1, 
     return exp2(_e33.xyz);
 }
 
-float altitude_share(Tables t_1, float h_4, float thickness_2) {
-    return sqrt((log((1.0 + ((max(h_4, 0.0) / thickness_2) * t_1.altitude_growth))) / t_1.altitude_steepness));
+float altitude_share(float steepness, float growth, float h_4, float thickness_2) {
+    return sqrt((log((1.0 + ((max(h_4, 0.0) / thickness_2) * growth))) / steepness));
 }
 
-float share_altitude(Tables t_2, float share, float thickness_3) {
-    float s_1 = ((t_2.altitude_steepness * share) * share);
+float share_altitude(Tables t_1, float share, float thickness_3) {
+    float s_1 = ((t_1.altitude_steepness * share) * share);
     float grown = ((s_1 < 0.02) ? (s_1 * (1.0 + (s_1 * (0.5 + (s_1 * 0.16666667))))) : (exp(s_1) - 1.0));
-    return (thickness_3 * min((grown / t_2.altitude_growth), 1.0));
+    return (thickness_3 * min((grown / t_1.altitude_growth), 1.0));
 }
 
-float sun_share(Tables t_3, float mu) {
-    float y = ((mu - t_3.sun_middle) / t_3.sun_width);
-    return (((sign(y) * log((abs(y) + sqrt(((y * y) + 1.0))))) - t_3.sun_first) / t_3.sun_span);
+vec4 sun_axis(Tables t_2) {
+    return vec4(t_2.sun_middle, t_2.sun_width, t_2.sun_first, t_2.sun_span);
 }
 
-float share_sun(Tables t_4, float share_1) {
-    return clamp((t_4.sun_middle + (t_4.sun_width * sinh((t_4.sun_first + (share_1 * t_4.sun_span))))), -1.0, 1.0);
+float sun_share(vec4 axis, float mu) {
+    float y = ((mu - axis.x) / axis.y);
+    return (((sign(y) * log((abs(y) + sqrt(((y * y) + 1.0))))) - axis.z) / axis.w);
 }
 
-float harmonic(int index, float mu_1, float along) {
-    switch(index) {
-        case 0: {
-            return SH0_;
-        }
-        case 1: {
-            return (SH1_ * mu_1);
-        }
-        case 2: {
-            return (SH1_ * along);
-        }
-        case 3: {
-            return (SH20_ * (((3.0 * mu_1) * mu_1) - 1.0));
-        }
-        case 4: {
-            return ((SH21_ * mu_1) * along);
-        }
-        default: {
-            return (SH22_ * ((((2.0 * along) * along) + (mu_1 * mu_1)) - 1.0));
-        }
-    }
+float share_sun(Tables t_3, float share_1) {
+    return clamp((t_3.sun_middle + (t_3.sun_width * sinh((t_3.sun_first + (share_1 * t_3.sun_span))))), -1.0, 1.0);
 }
 
-vec3 diffuse_source(highp sampler2D table_2, Medium m_2, Tables t_5, vec3 d_2, float h_5, float mu_2, float mu_sun, float nu) {
+Source diffuse_source(highp sampler2D table_2, vec2 at_1, vec3 gas, mat3x3 aerosol, float mu_1, float mu_sun, float nu) {
     Corner c_1 = Corner(ivec2(0), ivec2(0), vec2(0.0));
-    vec3 source = vec3(0.0);
+    Source source = Source(vec3(0.0), vec3(0.0));
     ivec2 dims = ivec2(uvec2(textureSize(table_2, 0).xy));
-    ivec2 size_2 = ivec2(dims.x, ((dims.y - 1) / MOMENTS));
-    float _e17 = sun_share(t_5, mu_sun);
-    float _e19 = altitude_share(t_5, h_5, m_2.thickness);
-    vec2 at_1 = (vec2(_e17, _e19) * vec2((size_2 - ivec2(1))));
-    Corner _e26 = corner(at_1, size_2);
-    c_1 = _e26;
-    int _e30 = c_1.low.y;
-    c_1.low.y = (_e30 * MOMENTS);
-    int _e35 = c_1.high.y;
-    c_1.high.y = (_e35 * MOMENTS);
-    Corner _e38 = c_1;
-    vec4 _e41 = bilinear(table_2, _e38, ivec2(0));
-    vec3 mean = exp2(_e41.xyz);
+    Corner _e16 = corner(at_1, ivec2(dims.x, ((dims.y - 1) / MOMENTS)));
+    c_1 = _e16;
+    int _e20 = c_1.low.y;
+    c_1.low.y = (_e20 * MOMENTS);
+    int _e25 = c_1.high.y;
+    c_1.high.y = (_e25 * MOMENTS);
+    Corner _e28 = c_1;
+    vec4 _e31 = bilinear(table_2, _e28, ivec2(0));
+    vec3 mean = exp2(_e31.xyz);
     float sin_sun = sqrt(max(((1.0 - mu_sun) * (1.0 + mu_sun)), 1e-12));
-    float sin_view = sqrt(max(((1.0 - mu_2) * (1.0 + mu_2)), 0.0));
-    float along_1 = clamp(((nu - (mu_2 * mu_sun)) / sin_sun), -(sin_view), sin_view);
-    Corner _e65 = c_1;
-    vec4 _e69 = bilinear(table_2, _e65, ivec2(0, 3));
-    float _e72 = harmonic(3, mu_2, along_1);
-    Corner _e74 = c_1;
-    vec4 _e78 = bilinear(table_2, _e74, ivec2(0, 4));
-    float _e81 = harmonic(4, mu_2, along_1);
-    Corner _e84 = c_1;
-    vec4 _e88 = bilinear(table_2, _e84, ivec2(0, 5));
-    float _e91 = harmonic(5, mu_2, along_1);
-    vec3 l2_ = (((_e69.xyz * _e72) + (_e78.xyz * _e81)) + (_e88.xyz * _e91));
-    vec3 _e97 = source;
-    source = (_e97 + ((m_2.rayleigh * d_2.x) * (vec3(0.2820948) + (0.1 * l2_))));
-    Corner _e108 = c_1;
-    vec4 _e112 = bilinear(table_2, _e108, ivec2(0, 1));
-    float _e115 = harmonic(1, mu_2, along_1);
-    Corner _e117 = c_1;
-    vec4 _e121 = bilinear(table_2, _e117, ivec2(0, 2));
-    float _e124 = harmonic(2, mu_2, along_1);
-    vec3 l1_ = ((_e112.xyz * _e115) + (_e121.xyz * _e124));
-    vec3 _e127 = source;
-    source = (_e127 + ((m_2.mie_scattering * d_2.y) * (((SH0_ * t_5.mie_moment0_) + (l1_ * t_5.mie_moment1_)) + (l2_ * t_5.mie_moment2_))));
-    vec3 _e142 = source;
-    return (_e142 * mean);
+    float sin_view = sqrt(max(((1.0 - mu_1) * (1.0 + mu_1)), 0.0));
+    float along = clamp(((nu - (mu_1 * mu_sun)) / sin_sun), -(sin_view), sin_view);
+    Corner _e55 = c_1;
+    vec4 _e59 = bilinear(table_2, _e55, ivec2(0, 3));
+    Corner _e69 = c_1;
+    vec4 _e73 = bilinear(table_2, _e69, ivec2(0, 4));
+    Corner _e80 = c_1;
+    vec4 _e84 = bilinear(table_2, _e80, ivec2(0, 5));
+    vec3 l2_ = (((_e59.xyz * (SH20_ * (((3.0 * mu_1) * mu_1) - 1.0))) + (_e73.xyz * ((SH21_ * mu_1) * along))) + (_e84.xyz * (SH22_ * ((((2.0 * along) * along) + (mu_1 * mu_1)) - 1.0))));
+    source.gas = ((gas * (vec3(0.2820948) + (0.1 * l2_))) * mean);
+    Corner _e111 = c_1;
+    vec4 _e115 = bilinear(table_2, _e111, ivec2(0, 1));
+    Corner _e120 = c_1;
+    vec4 _e124 = bilinear(table_2, _e120, ivec2(0, 2));
+    vec3 l1_ = ((_e115.xyz * (SH1_ * mu_1)) + (_e124.xyz * (SH1_ * along)));
+    source.aerosol = ((((SH0_ * aerosol[0]) + (l1_ * aerosol[1])) + (l2_ * aerosol[2])) * mean);
+    Source _e141 = source;
+    return _e141;
 }
 
-vec3 ground_irradiance(highp sampler2D table_3, Tables t_6, float mu_sun_1) {
+vec3 ground_irradiance(highp sampler2D table_3, Tables t_4, float mu_sun_1) {
     ivec2 dims_1 = ivec2(uvec2(textureSize(table_3, 0).xy));
-    float _e5 = sun_share(t_6, mu_sun_1);
-    vec2 at_2 = vec2((_e5 * float((dims_1.x - 1))), 0.0);
-    Corner _e16 = corner(at_2, ivec2(dims_1.x, 1));
-    vec4 _e22 = bilinear(table_3, _e16, ivec2(0, (dims_1.y - 1)));
-    return exp2(_e22.xyz);
+    vec4 _e5 = sun_axis(t_4);
+    float _e6 = sun_share(_e5, mu_sun_1);
+    vec2 at_2 = vec2((_e6 * float((dims_1.x - 1))), 0.0);
+    Corner _e17 = corner(at_2, ivec2(dims_1.x, 1));
+    vec4 _e23 = bilinear(table_3, _e17, ivec2(0, (dims_1.y - 1)));
+    return exp2(_e23.xyz);
 }
 
 float warp(float low, float u) {
     return (low + (u * abs(u)));
 }
 
-float unwarp(float low_1, float t_7) {
-    return (sign((t_7 - low_1)) * sqrt(abs((t_7 - low_1))));
+float unwarp(float low_1, float t_5) {
+    return (sign((t_5 - low_1)) * sqrt(abs((t_5 - low_1))));
 }
 
 vec3 mean_transmittance(vec3 tau) {
@@ -408,86 +387,106 @@ vec2 lit_part(vec2 shadow, float low_2, float t0_, float t1_, float mid) {
     return vec2(((t1_ - t0_) - dark), _e33);
 }
 
-Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium, Tables t_8, AirRay ray_2, Low lowest_1, float u_from, float u_to, vec3 gas, vec3 aerosol, float diffuse) {
-    Medium m_3 = Medium(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
+Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium, Tables t_6, AirRay ray_2, Low lowest_1, float u_from, float u_to, vec3 gas_1, vec3 aerosol_1, float diffuse) {
     Gathered out_ = Gathered(vec3(0.0), vec3(1.0), vec3(0.0));
     float t0_1 = 0.0;
+    uint group = 0u;
     uint i = 0u;
-    m_3 = medium;
-    m_3.mie_extinction = t_8.mie_extinction;
-    vec2 _e22 = shadow_stretch(ray_2);
+    float radius_8 = medium.radius;
+    float thickness_4 = medium.thickness;
+    vec4 _e13 = layers_of(medium);
+    mat3x3 coefficients_1 = mat3x3(medium.rayleigh, t_6.mie_extinction, medium.ozone);
+    vec2 _e26 = shadow_stretch(ray_2);
+    vec4 _e27 = sun_axis(t_6);
+    ivec2 dims_2 = ivec2(uvec2(textureSize(moments, 0).xy));
+    vec2 nodes = (vec2(float(dims_2.x), float(((dims_2.y - 1) / MOMENTS))) - vec2(1.0));
+    mat3x3 scattered = mat3x3((medium.mie_scattering * t_6.mie_moment0_), (medium.mie_scattering * t_6.mie_moment1_), (medium.mie_scattering * t_6.mie_moment2_));
     float low_5 = lowest_1.t;
-    float du = ((u_to - u_from) / float(t_8.steps));
-    float _e28 = warp(low_5, u_from);
-    t0_1 = _e28;
+    uint each = t_6.steps_per_source;
+    uint groups = (((t_6.steps + each) - 1u) / each);
+    float du = ((u_to - u_from) / float((groups * each)));
+    float _e63 = warp(low_5, u_from);
+    t0_1 = _e63;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e146 = i;
-            i = (_e146 + 1u);
+            uint _e201 = group;
+            group = (_e201 + 1u);
         }
         loop_init = false;
-        uint _e32 = i;
-        if ((_e32 < t_8.steps)) {
+        uint _e67 = group;
+        if ((_e67 < groups)) {
         } else {
             break;
         }
         {
-            uint _e35 = i;
-            float u_1 = (u_from + (du * float(_e35)));
-            float _e40 = warp(low_5, (u_1 + du));
-            float _e41 = t0_1;
-            float step_ = (_e40 - _e41);
-            float _e46 = warp(low_5, (u_1 + (0.5 * du)));
-            float _e51 = m_3.radius;
-            float _e52 = altitude_after(lowest_1.x, lowest_1.b, (_e46 - low_5), _e51);
-            Medium _e53 = m_3;
-            vec3 _e54 = densities(_e53, _e52);
-            Medium _e55 = m_3;
-            vec3 _e56 = extinction(_e55, _e54);
-            vec3 tau_1 = (_e56 * step_);
-            vec3 _e59 = out_.transmittance;
-            vec3 _e60 = mean_transmittance(tau_1);
-            vec3 share_3 = (_e59 * _e60);
-            float _e62 = t0_1;
-            vec2 _e63 = lit_part(_e22, low_5, _e62, _e40, _e46);
-            if ((_e63.x > 0.0)) {
-                float past = (_e63.y - low_5);
-                float lit_x = max((lowest_1.x + (past * ((2.0 * lowest_1.b) + past))), 0.0);
-                float _e79 = m_3.radius;
-                float _e80 = altitude_of(lit_x, _e79);
-                Medium _e81 = m_3;
-                vec3 _e82 = densities(_e81, _e80);
-                float _e84 = m_3.radius;
-                float _e86 = m_3.thickness;
-                vec3 _e92 = columns_to_top(columns, _e84, _e86, lit_x, _e80, (ray_2.sun_b + (ray_2.nu * _e63.y)));
-                Medium _e98 = m_3;
-                vec3 _e99 = extinction(_e98, _e92);
-                vec3 source_1 = (((gas * _e82.x) + (aerosol * _e82.y)) * exp(-(_e99)));
-                vec3 _e104 = out_.radiance;
-                out_.radiance = (_e104 + ((share_3 * source_1) * _e63.x));
+            uint _e69 = group;
+            float u_group = (u_from + (du * float((each * _e69))));
+            float _e79 = warp(low_5, (u_group + ((0.5 * float(each)) * du)));
+            float _e83 = altitude_after(lowest_1.x, lowest_1.b, (_e79 - low_5), radius_8);
+            float r_2 = (radius_8 + _e83);
+            float mu_3 = clamp((((lowest_1.b + _e79) - low_5) / r_2), -1.0, 1.0);
+            float mu_sun_2 = clamp(((ray_2.sun_b + (ray_2.nu * _e79)) / r_2), -1.0, 1.0);
+            float _e102 = altitude_share(t_6.altitude_steepness, t_6.altitude_growth, _e83, thickness_4);
+            float _e103 = sun_share(_e27, mu_sun_2);
+            Source _e108 = diffuse_source(moments, (vec2(_e103, _e102) * nodes), medium.rayleigh, scattered, mu_3, mu_sun_2, ray_2.nu);
+            i = 0u;
+            bool loop_init_1 = true;
+            while(true) {
+                if (!loop_init_1) {
+                    uint _e198 = i;
+                    i = (_e198 + 1u);
+                }
+                loop_init_1 = false;
+                uint _e111 = i;
+                if ((_e111 < each)) {
+                } else {
+                    break;
+                }
+                {
+                    uint _e113 = i;
+                    float u_1 = (u_group + (du * float(_e113)));
+                    float _e118 = warp(low_5, (u_1 + du));
+                    float _e119 = t0_1;
+                    float step_ = (_e118 - _e119);
+                    float _e124 = warp(low_5, (u_1 + (0.5 * du)));
+                    float _e128 = altitude_after(lowest_1.x, lowest_1.b, (_e124 - low_5), radius_8);
+                    vec3 _e129 = densities(_e13, _e128);
+                    vec3 _e130 = extinction(coefficients_1, _e129);
+                    vec3 tau_1 = (_e130 * step_);
+                    vec3 _e133 = out_.transmittance;
+                    vec3 _e134 = mean_transmittance(tau_1);
+                    vec3 share_3 = (_e133 * _e134);
+                    float _e136 = t0_1;
+                    vec2 _e137 = lit_part(_e26, low_5, _e136, _e118, _e124);
+                    if ((_e137.x > 0.0)) {
+                        float past = (_e137.y - low_5);
+                        float lit_x = max((lowest_1.x + (past * ((2.0 * lowest_1.b) + past))), 0.0);
+                        float _e152 = altitude_of(lit_x, radius_8);
+                        vec3 _e153 = densities(_e13, _e152);
+                        vec3 _e159 = columns_to_top(columns, radius_8, thickness_4, lit_x, _e152, (ray_2.sun_b + (ray_2.nu * _e137.y)));
+                        vec3 _e165 = extinction(coefficients_1, _e159);
+                        vec3 source_1 = (((gas_1 * _e153.x) + (aerosol_1 * _e153.y)) * exp(-(_e165)));
+                        vec3 _e170 = out_.radiance;
+                        out_.radiance = (_e170 + ((share_3 * source_1) * _e137.x));
+                    }
+                    vec3 _e176 = out_.radiance;
+                    out_.radiance = (_e176 + ((share_3 * (step_ * diffuse)) * ((_e108.gas * _e129.x) + (_e108.aerosol * _e129.y))));
+                    vec3 _e189 = out_.transmittance;
+                    out_.transmittance = (_e189 * exp(-(tau_1)));
+                    vec3 _e194 = out_.columns;
+                    out_.columns = (_e194 + (_e129 * step_));
+                    t0_1 = _e118;
+                }
             }
-            float _e110 = m_3.radius;
-            float r_2 = (_e110 + _e52);
-            float mu_4 = clamp((((lowest_1.b + _e46) - low_5) / r_2), -1.0, 1.0);
-            float mu_sun_2 = clamp(((ray_2.sun_b + (ray_2.nu * _e46)) / r_2), -1.0, 1.0);
-            vec3 _e128 = out_.radiance;
-            Medium _e131 = m_3;
-            vec3 _e133 = diffuse_source(moments, _e131, t_8, _e54, _e52, mu_4, mu_sun_2, ray_2.nu);
-            out_.radiance = (_e128 + ((share_3 * (step_ * diffuse)) * _e133));
-            vec3 _e137 = out_.transmittance;
-            out_.transmittance = (_e137 * exp(-(tau_1)));
-            vec3 _e142 = out_.columns;
-            out_.columns = (_e142 + (_e54 * step_));
-            t0_1 = _e40;
         }
     }
-    Gathered _e148 = out_;
-    return _e148;
+    Gathered _e203 = out_;
+    return _e203;
 }
 
-float rayleigh_phase(float mu_3) {
-    return (0.0596831 * (1.0 + (mu_3 * mu_3)));
+float rayleigh_phase(float mu_2) {
+    return (0.0596831 * (1.0 + (mu_2 * mu_2)));
 }
 
 vec3 henyey_greenstein_phase(float away, float toward, vec3 g) {
@@ -525,61 +524,58 @@ vec2 gauss8_(int i_1) {
     }
 }
 
-Direction node_direction(int zenith, int azimuth, float h_6, float radius_7) {
+Direction node_direction(int zenith, int azimuth, float h_5, float radius_7) {
     bool above_1 = (zenith < 8);
     vec2 _e8 = gauss8_((above_1 ? zenith : (zenith - 8)));
-    float _e9 = excess_of(h_6, radius_7);
-    float horizon = (-(sqrt(_e9)) / (radius_7 + h_6));
+    float _e9 = excess_of(h_5, radius_7);
+    float horizon = (-(sqrt(_e9)) / (radius_7 + h_5));
     float span = (above_1 ? (1.0 - horizon) : (-1.0 - horizon));
-    float mu_5 = clamp((horizon + ((span * _e8.x) * _e8.x)), -1.0, 1.0);
-    return Direction(mu_5, ((float(azimuth) + 0.5) * 0.3926991), above_1, (((((abs(span) * 2.0) * _e8.x) * _e8.y) * 2.0) * 0.3926991));
+    float mu_4 = clamp((horizon + ((span * _e8.x) * _e8.x)), -1.0, 1.0);
+    return Direction(mu_4, ((float(azimuth) + 0.5) * 0.3926991), above_1, (((((abs(span) * 2.0) * _e8.x) * _e8.y) * 2.0) * 0.3926991));
 }
 
 void main() {
     vec4 position = gl_FragCoord;
     vec3 radiance = vec3(0.0);
     vec3 light = vec3(0.0);
-    Medium scaled = Medium(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
-    Medium m_4 = _group_0_binding_0_fs.medium;
-    Tables t_10 = _group_0_binding_0_fs.tables;
+    Medium m_1 = _group_0_binding_0_fs.medium;
+    Tables t_8 = _group_0_binding_0_fs.tables;
     ivec2 at_3 = ivec2(position.xy);
-    ivec2 dims_2 = ivec2(uvec2(textureSize(_group_0_binding_2_fs, 0).xy));
-    ivec2 size_3 = ivec2(dims_2.x, ((dims_2.y - 1) / MOMENTS));
+    ivec2 dims_3 = ivec2(uvec2(textureSize(_group_0_binding_2_fs, 0).xy));
+    ivec2 size_2 = ivec2(dims_3.x, ((dims_3.y - 1) / MOMENTS));
     ivec2 node = ivec2((at_3.x / AZIMUTHS), (at_3.y / ZENITHS));
-    float _e33 = share_sun(t_10, (float(node.x) / float((size_3.x - 1))));
-    float _e42 = share_altitude(t_10, (float(node.y) / float((size_3.y - 1))), m_4.thickness);
+    float _e33 = share_sun(t_8, (float(node.x) / float((size_2.x - 1))));
+    float _e42 = share_altitude(t_8, (float(node.y) / float((size_2.y - 1))), m_1.thickness);
     vec3 sun_2 = vec3(sqrt(max(((1.0 - _e33) * (1.0 + _e33)), 0.0)), 0.0, _e33);
-    Direction _e60 = node_direction((at_3.y % ZENITHS), (at_3.x % AZIMUTHS), _e42, m_4.radius);
+    Direction _e60 = node_direction((at_3.y % ZENITHS), (at_3.x % AZIMUTHS), _e42, m_1.radius);
     float sine = sqrt(max(((1.0 - _e60.mu) * (1.0 + _e60.mu)), 0.0));
     vec3 dir_2 = vec3((sine * cos(_e60.azimuth)), (sine * sin(_e60.azimuth)), _e60.mu);
-    AirRay _e83 = inner_ray(dir_2, _e42, m_4.radius, m_4.thickness, sun_2, !(_e60.above));
+    AirRay _e83 = inner_ray(dir_2, _e42, m_1.radius, m_1.thickness, sun_2, !(_e60.above));
     float nu_1 = _e83.nu;
     float _e86 = rayleigh_phase(nu_1);
-    vec3 gas_1 = (m_4.rayleigh * _e86);
-    vec3 _e96 = henyey_greenstein_phase((1.0 - nu_1), (1.0 + nu_1), t_10.mie_asymmetry);
-    vec3 aerosol_1 = ((m_4.mie_scattering * t_10.mie_moment0_) * _e96);
-    Low _e100 = lowest(_e83, _e83.length_, m_4.radius);
+    vec3 gas_2 = (m_1.rayleigh * _e86);
+    vec3 _e96 = henyey_greenstein_phase((1.0 - nu_1), (1.0 + nu_1), t_8.mie_asymmetry);
+    vec3 aerosol_2 = ((m_1.mie_scattering * t_8.mie_moment0_) * _e96);
+    Low _e100 = lowest(_e83, _e83.length_, m_1.radius);
     float _e105 = unwarp(_e100.t, 0.0);
     float _e108 = unwarp(_e100.t, _e83.length_);
-    Gathered _e110 = gather(_group_0_binding_1_fs, _group_0_binding_2_fs, m_4, t_10, _e83, _e100, _e105, _e108, gas_1, aerosol_1, 1.0);
+    Gathered _e110 = gather(_group_0_binding_1_fs, _group_0_binding_2_fs, m_1, t_8, _e83, _e100, _e105, _e108, gas_2, aerosol_2, 1.0);
     radiance = _e110.radiance;
     if (_e83.ground) {
         float sun_b = (_e83.sun_b + (_e83.nu * _e83.length_));
-        float mu_ground = clamp((sun_b / m_4.radius), -1.0, 1.0);
-        vec3 _e125 = ground_irradiance(_group_0_binding_2_fs, t_10, mu_ground);
+        float mu_ground = clamp((sun_b / m_1.radius), -1.0, 1.0);
+        vec3 _e125 = ground_irradiance(_group_0_binding_2_fs, t_8, mu_ground);
         light = _e125;
         if ((mu_ground > 0.0)) {
-            scaled = m_4;
-            scaled.mie_extinction = t_10.mie_extinction;
-            vec3 _e132 = light;
-            Medium _e133 = scaled;
-            vec3 _e139 = columns_to_top(_group_0_binding_1_fs, m_4.radius, m_4.thickness, 0.0, 0.0, sun_b);
-            vec3 _e140 = extinction(_e133, _e139);
-            light = (_e132 + (mu_ground * exp(-(_e140))));
+            mat3x3 coefficients_2 = mat3x3(m_1.rayleigh, t_8.mie_extinction, m_1.ozone);
+            vec3 _e133 = light;
+            vec3 _e139 = columns_to_top(_group_0_binding_1_fs, m_1.radius, m_1.thickness, 0.0, 0.0, sun_b);
+            vec3 _e140 = extinction(coefficients_2, _e139);
+            light = (_e133 + (mu_ground * exp(-(_e140))));
         }
         vec3 _e145 = radiance;
         vec3 _e147 = light;
-        radiance = (_e145 + (((_e110.transmittance * _e147) * t_10.albedo) * 0.31830987));
+        radiance = (_e145 + (((_e110.transmittance * _e147) * t_8.albedo) * 0.31830987));
     }
     vec3 _e154 = radiance;
     _fs2p_location0 = vec4(_e154, 0.0);

@@ -80,7 +80,7 @@ struct Tables {
     vec3 mie_moment2_;
     float sun_width;
     vec3 mie_asymmetry;
-    float altitude_pad;
+    uint steps_per_source;
     vec3 albedo;
     float sun_first;
     float sun_span;
@@ -95,6 +95,10 @@ struct Corner {
     ivec2 low;
     ivec2 high;
     vec2 part;
+};
+struct Source {
+    vec3 gas;
+    vec3 aerosol;
 };
 struct Gathered {
     vec3 radiance;
@@ -243,13 +247,13 @@ vec2 shadow_stretch(AirRay ray_1) {
             return none;
         }
     } else {
-        float t_6 = (-(ray_1.sun_b) / ray_1.nu);
+        float t_4 = (-(ray_1.sun_b) / ray_1.nu);
         if ((ray_1.nu > 0.0)) {
             float _e53 = stretch.y;
-            stretch.y = min(_e53, t_6);
+            stretch.y = min(_e53, t_4);
         } else {
             float _e57 = stretch.x;
-            stretch.x = max(_e57, t_6);
+            stretch.x = max(_e57, t_4);
         }
     }
     vec2 _e59 = stretch;
@@ -277,20 +281,28 @@ AirRay inner_ray(vec3 dir_2, float h_1, float radius_6, float thickness, vec3 su
     return AirRay(0.0, reach, _e7, b_6, -(_e16), _e17.sun_b, _e17.nu, _e17.cross2_, _e17.shadow_b, _e17.shadow_c, ground);
 }
 
-vec3 densities(Medium m, float h_2) {
+vec4 layers_of(Medium m) {
+    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+}
+
+mat3x3 coefficients_of(Medium m_1) {
+    return mat3x3(m_1.rayleigh, m_1.mie_extinction, m_1.ozone);
+}
+
+vec3 densities(vec4 layers, float h_2) {
     vec3 d = vec3(0.0);
-    d.y = exp((-(h_2) * m.mie_inv_height));
-    d.z = max(0.0, (1.0 - (abs((h_2 - m.ozone_center)) * m.ozone_inv_half_width)));
+    d.y = exp((-(h_2) * layers.y));
+    d.z = max(0.0, (1.0 - (abs((h_2 - layers.z)) * layers.w)));
     vec3 _e20 = d;
     return _e20;
 }
 
-vec3 extinction(Medium m_1, vec3 d_1) {
+vec3 extinction(mat3x3 coefficients, vec3 d_1) {
     vec3 sum = vec3(0.0);
     vec3 _e5 = sum;
-    sum = (_e5 + (m_1.mie_extinction * d_1.y));
+    sum = (_e5 + (coefficients[1] * d_1.y));
     vec3 _e10 = sum;
-    sum = (_e10 + (m_1.ozone * d_1.z));
+    sum = (_e10 + (coefficients[2] * d_1.z));
     vec3 _e15 = sum;
     return _e15;
 }
@@ -326,87 +338,58 @@ vec3 columns_to_top(highp sampler2D table_1, float radius_7, float thickness_1, 
     return exp2(_e33.xyz);
 }
 
-float altitude_share(Tables t_1, float h_4, float thickness_2) {
-    return sqrt((log((1.0 + ((max(h_4, 0.0) / thickness_2) * t_1.altitude_growth))) / t_1.altitude_steepness));
+float altitude_share(float steepness, float growth, float h_4, float thickness_2) {
+    return sqrt((log((1.0 + ((max(h_4, 0.0) / thickness_2) * growth))) / steepness));
 }
 
-float sun_share(Tables t_2, float mu) {
-    float y = ((mu - t_2.sun_middle) / t_2.sun_width);
-    return (((sign(y) * log((abs(y) + sqrt(((y * y) + 1.0))))) - t_2.sun_first) / t_2.sun_span);
+vec4 sun_axis(Tables t_1) {
+    return vec4(t_1.sun_middle, t_1.sun_width, t_1.sun_first, t_1.sun_span);
 }
 
-float harmonic(int index, float mu_1, float along) {
-    switch(index) {
-        case 0: {
-            return SH0_;
-        }
-        case 1: {
-            return (SH1_ * mu_1);
-        }
-        case 2: {
-            return (SH1_ * along);
-        }
-        case 3: {
-            return (SH20_ * (((3.0 * mu_1) * mu_1) - 1.0));
-        }
-        case 4: {
-            return ((SH21_ * mu_1) * along);
-        }
-        default: {
-            return (SH22_ * ((((2.0 * along) * along) + (mu_1 * mu_1)) - 1.0));
-        }
-    }
+float sun_share(vec4 axis, float mu) {
+    float y = ((mu - axis.x) / axis.y);
+    return (((sign(y) * log((abs(y) + sqrt(((y * y) + 1.0))))) - axis.z) / axis.w);
 }
 
-vec3 diffuse_source(highp sampler2D table_2, Medium m_2, Tables t_3, vec3 d_2, float h_5, float mu_2, float mu_sun, float nu) {
+Source diffuse_source(highp sampler2D table_2, vec2 at_1, vec3 gas, mat3x3 aerosol, float mu_1, float mu_sun, float nu) {
     Corner c_1 = Corner(ivec2(0), ivec2(0), vec2(0.0));
-    vec3 source = vec3(0.0);
+    Source source = Source(vec3(0.0), vec3(0.0));
     ivec2 dims = ivec2(uvec2(textureSize(table_2, 0).xy));
-    ivec2 size_2 = ivec2(dims.x, ((dims.y - 1) / MOMENTS));
-    float _e17 = sun_share(t_3, mu_sun);
-    float _e19 = altitude_share(t_3, h_5, m_2.thickness);
-    vec2 at_1 = (vec2(_e17, _e19) * vec2((size_2 - ivec2(1))));
-    Corner _e26 = corner(at_1, size_2);
-    c_1 = _e26;
-    int _e30 = c_1.low.y;
-    c_1.low.y = (_e30 * MOMENTS);
-    int _e35 = c_1.high.y;
-    c_1.high.y = (_e35 * MOMENTS);
-    Corner _e38 = c_1;
-    vec4 _e41 = bilinear(table_2, _e38, ivec2(0));
-    vec3 mean = exp2(_e41.xyz);
+    Corner _e16 = corner(at_1, ivec2(dims.x, ((dims.y - 1) / MOMENTS)));
+    c_1 = _e16;
+    int _e20 = c_1.low.y;
+    c_1.low.y = (_e20 * MOMENTS);
+    int _e25 = c_1.high.y;
+    c_1.high.y = (_e25 * MOMENTS);
+    Corner _e28 = c_1;
+    vec4 _e31 = bilinear(table_2, _e28, ivec2(0));
+    vec3 mean = exp2(_e31.xyz);
     float sin_sun = sqrt(max(((1.0 - mu_sun) * (1.0 + mu_sun)), 1e-12));
-    float sin_view = sqrt(max(((1.0 - mu_2) * (1.0 + mu_2)), 0.0));
-    float along_1 = clamp(((nu - (mu_2 * mu_sun)) / sin_sun), -(sin_view), sin_view);
-    Corner _e65 = c_1;
-    vec4 _e69 = bilinear(table_2, _e65, ivec2(0, 3));
-    float _e72 = harmonic(3, mu_2, along_1);
-    Corner _e74 = c_1;
-    vec4 _e78 = bilinear(table_2, _e74, ivec2(0, 4));
-    float _e81 = harmonic(4, mu_2, along_1);
-    Corner _e84 = c_1;
-    vec4 _e88 = bilinear(table_2, _e84, ivec2(0, 5));
-    float _e91 = harmonic(5, mu_2, along_1);
-    vec3 l2_ = (((_e69.xyz * _e72) + (_e78.xyz * _e81)) + (_e88.xyz * _e91));
-    Corner _e97 = c_1;
-    vec4 _e101 = bilinear(table_2, _e97, ivec2(0, 1));
-    float _e104 = harmonic(1, mu_2, along_1);
-    Corner _e106 = c_1;
-    vec4 _e110 = bilinear(table_2, _e106, ivec2(0, 2));
-    float _e113 = harmonic(2, mu_2, along_1);
-    vec3 l1_ = ((_e101.xyz * _e104) + (_e110.xyz * _e113));
-    vec3 _e116 = source;
-    source = (_e116 + ((m_2.mie_scattering * d_2.y) * (((SH0_ * t_3.mie_moment0_) + (l1_ * t_3.mie_moment1_)) + (l2_ * t_3.mie_moment2_))));
-    vec3 _e131 = source;
-    return (_e131 * mean);
+    float sin_view = sqrt(max(((1.0 - mu_1) * (1.0 + mu_1)), 0.0));
+    float along = clamp(((nu - (mu_1 * mu_sun)) / sin_sun), -(sin_view), sin_view);
+    Corner _e55 = c_1;
+    vec4 _e59 = bilinear(table_2, _e55, ivec2(0, 3));
+    Corner _e69 = c_1;
+    vec4 _e73 = bilinear(table_2, _e69, ivec2(0, 4));
+    Corner _e80 = c_1;
+    vec4 _e84 = bilinear(table_2, _e80, ivec2(0, 5));
+    vec3 l2_ = (((_e59.xyz * (SH20_ * (((3.0 * mu_1) * mu_1) - 1.0))) + (_e73.xyz * ((SH21_ * mu_1) * along))) + (_e84.xyz * (SH22_ * ((((2.0 * along) * along) + (mu_1 * mu_1)) - 1.0))));
+    Corner _e103 = c_1;
+    vec4 _e107 = bilinear(table_2, _e103, ivec2(0, 1));
+    Corner _e112 = c_1;
+    vec4 _e116 = bilinear(table_2, _e112, ivec2(0, 2));
+    vec3 l1_ = ((_e107.xyz * (SH1_ * mu_1)) + (_e116.xyz * (SH1_ * along)));
+    source.aerosol = ((((SH0_ * aerosol[0]) + (l1_ * aerosol[1])) + (l2_ * aerosol[2])) * mean);
+    Source _e133 = source;
+    return _e133;
 }
 
 float warp(float low, float u) {
     return (low + (u * abs(u)));
 }
 
-float unwarp(float low_1, float t_4) {
-    return (sign((t_4 - low_1)) * sqrt(abs((t_4 - low_1))));
+float unwarp(float low_1, float t_2) {
+    return (sign((t_2 - low_1)) * sqrt(abs((t_2 - low_1))));
 }
 
 vec3 mean_transmittance(vec3 tau) {
@@ -430,82 +413,102 @@ vec2 lit_part(vec2 shadow, float low_2, float t0_, float t1_, float mid) {
     return vec2(((t1_ - t0_) - dark), _e33);
 }
 
-Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium, Tables t_5, AirRay ray_2, Low lowest_1, float u_from, float u_to, vec3 gas, vec3 aerosol, float diffuse) {
-    Medium m_3 = Medium(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
+Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium, Tables t_3, AirRay ray_2, Low lowest_1, float u_from, float u_to, vec3 gas_1, vec3 aerosol_1, float diffuse) {
     Gathered out_ = Gathered(vec3(0.0), vec3(1.0), vec3(0.0));
     float t0_1 = 0.0;
+    uint group = 0u;
     uint i = 0u;
-    m_3 = medium;
-    m_3.mie_extinction = t_5.mie_extinction;
-    vec2 _e22 = shadow_stretch(ray_2);
+    float radius_9 = medium.radius;
+    float thickness_4 = medium.thickness;
+    vec4 _e13 = layers_of(medium);
+    mat3x3 coefficients_1 = mat3x3(medium.rayleigh, t_3.mie_extinction, medium.ozone);
+    vec2 _e26 = shadow_stretch(ray_2);
+    vec4 _e27 = sun_axis(t_3);
+    ivec2 dims_1 = ivec2(uvec2(textureSize(moments, 0).xy));
+    vec2 nodes = (vec2(float(dims_1.x), float(((dims_1.y - 1) / MOMENTS))) - vec2(1.0));
+    mat3x3 scattered = mat3x3((medium.mie_scattering * t_3.mie_moment0_), (medium.mie_scattering * t_3.mie_moment1_), (medium.mie_scattering * t_3.mie_moment2_));
     float low_5 = lowest_1.t;
-    float du = ((u_to - u_from) / float(t_5.steps));
-    float _e28 = warp(low_5, u_from);
-    t0_1 = _e28;
+    uint each = t_3.steps_per_source;
+    uint groups = (((t_3.steps + each) - 1u) / each);
+    float du = ((u_to - u_from) / float((groups * each)));
+    float _e63 = warp(low_5, u_from);
+    t0_1 = _e63;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e146 = i;
-            i = (_e146 + 1u);
+            uint _e201 = group;
+            group = (_e201 + 1u);
         }
         loop_init = false;
-        uint _e32 = i;
-        if ((_e32 < t_5.steps)) {
+        uint _e67 = group;
+        if ((_e67 < groups)) {
         } else {
             break;
         }
         {
-            uint _e35 = i;
-            float u_1 = (u_from + (du * float(_e35)));
-            float _e40 = warp(low_5, (u_1 + du));
-            float _e41 = t0_1;
-            float step_ = (_e40 - _e41);
-            float _e46 = warp(low_5, (u_1 + (0.5 * du)));
-            float _e51 = m_3.radius;
-            float _e52 = altitude_after(lowest_1.x, lowest_1.b, (_e46 - low_5), _e51);
-            Medium _e53 = m_3;
-            vec3 _e54 = densities(_e53, _e52);
-            Medium _e55 = m_3;
-            vec3 _e56 = extinction(_e55, _e54);
-            vec3 tau_1 = (_e56 * step_);
-            vec3 _e59 = out_.transmittance;
-            vec3 _e60 = mean_transmittance(tau_1);
-            vec3 share_3 = (_e59 * _e60);
-            float _e62 = t0_1;
-            vec2 _e63 = lit_part(_e22, low_5, _e62, _e40, _e46);
-            if ((_e63.x > 0.0)) {
-                float past = (_e63.y - low_5);
-                float lit_x = max((lowest_1.x + (past * ((2.0 * lowest_1.b) + past))), 0.0);
-                float _e79 = m_3.radius;
-                float _e80 = altitude_of(lit_x, _e79);
-                Medium _e81 = m_3;
-                vec3 _e82 = densities(_e81, _e80);
-                float _e84 = m_3.radius;
-                float _e86 = m_3.thickness;
-                vec3 _e92 = columns_to_top(columns, _e84, _e86, lit_x, _e80, (ray_2.sun_b + (ray_2.nu * _e63.y)));
-                Medium _e98 = m_3;
-                vec3 _e99 = extinction(_e98, _e92);
-                vec3 source_1 = (((gas * _e82.x) + (aerosol * _e82.y)) * exp(-(_e99)));
-                vec3 _e104 = out_.radiance;
-                out_.radiance = (_e104 + ((share_3 * source_1) * _e63.x));
+            uint _e69 = group;
+            float u_group = (u_from + (du * float((each * _e69))));
+            float _e79 = warp(low_5, (u_group + ((0.5 * float(each)) * du)));
+            float _e83 = altitude_after(lowest_1.x, lowest_1.b, (_e79 - low_5), radius_9);
+            float r_3 = (radius_9 + _e83);
+            float mu_4 = clamp((((lowest_1.b + _e79) - low_5) / r_3), -1.0, 1.0);
+            float mu_sun_1 = clamp(((ray_2.sun_b + (ray_2.nu * _e79)) / r_3), -1.0, 1.0);
+            float _e102 = altitude_share(t_3.altitude_steepness, t_3.altitude_growth, _e83, thickness_4);
+            float _e103 = sun_share(_e27, mu_sun_1);
+            Source _e108 = diffuse_source(moments, (vec2(_e103, _e102) * nodes), medium.rayleigh, scattered, mu_4, mu_sun_1, ray_2.nu);
+            i = 0u;
+            bool loop_init_1 = true;
+            while(true) {
+                if (!loop_init_1) {
+                    uint _e198 = i;
+                    i = (_e198 + 1u);
+                }
+                loop_init_1 = false;
+                uint _e111 = i;
+                if ((_e111 < each)) {
+                } else {
+                    break;
+                }
+                {
+                    uint _e113 = i;
+                    float u_1 = (u_group + (du * float(_e113)));
+                    float _e118 = warp(low_5, (u_1 + du));
+                    float _e119 = t0_1;
+                    float step_ = (_e118 - _e119);
+                    float _e124 = warp(low_5, (u_1 + (0.5 * du)));
+                    float _e128 = altitude_after(lowest_1.x, lowest_1.b, (_e124 - low_5), radius_9);
+                    vec3 _e129 = densities(_e13, _e128);
+                    vec3 _e130 = extinction(coefficients_1, _e129);
+                    vec3 tau_1 = (_e130 * step_);
+                    vec3 _e133 = out_.transmittance;
+                    vec3 _e134 = mean_transmittance(tau_1);
+                    vec3 share_3 = (_e133 * _e134);
+                    float _e136 = t0_1;
+                    vec2 _e137 = lit_part(_e26, low_5, _e136, _e118, _e124);
+                    if ((_e137.x > 0.0)) {
+                        float past = (_e137.y - low_5);
+                        float lit_x = max((lowest_1.x + (past * ((2.0 * lowest_1.b) + past))), 0.0);
+                        float _e152 = altitude_of(lit_x, radius_9);
+                        vec3 _e153 = densities(_e13, _e152);
+                        vec3 _e159 = columns_to_top(columns, radius_9, thickness_4, lit_x, _e152, (ray_2.sun_b + (ray_2.nu * _e137.y)));
+                        vec3 _e165 = extinction(coefficients_1, _e159);
+                        vec3 source_1 = (((gas_1 * _e153.x) + (aerosol_1 * _e153.y)) * exp(-(_e165)));
+                        vec3 _e170 = out_.radiance;
+                        out_.radiance = (_e170 + ((share_3 * source_1) * _e137.x));
+                    }
+                    vec3 _e176 = out_.radiance;
+                    out_.radiance = (_e176 + ((share_3 * (step_ * diffuse)) * ((_e108.gas * _e129.x) + (_e108.aerosol * _e129.y))));
+                    vec3 _e189 = out_.transmittance;
+                    out_.transmittance = (_e189 * exp(-(tau_1)));
+                    vec3 _e194 = out_.columns;
+                    out_.columns = (_e194 + (_e129 * step_));
+                    t0_1 = _e118;
+                }
             }
-            float _e110 = m_3.radius;
-            float r_3 = (_e110 + _e52);
-            float mu_5 = clamp((((lowest_1.b + _e46) - low_5) / r_3), -1.0, 1.0);
-            float mu_sun_1 = clamp(((ray_2.sun_b + (ray_2.nu * _e46)) / r_3), -1.0, 1.0);
-            vec3 _e128 = out_.radiance;
-            Medium _e131 = m_3;
-            vec3 _e133 = diffuse_source(moments, _e131, t_5, _e54, _e52, mu_5, mu_sun_1, ray_2.nu);
-            out_.radiance = (_e128 + ((share_3 * (step_ * diffuse)) * _e133));
-            vec3 _e137 = out_.transmittance;
-            out_.transmittance = (_e137 * exp(-(tau_1)));
-            vec3 _e142 = out_.columns;
-            out_.columns = (_e142 + (_e54 * step_));
-            t0_1 = _e40;
         }
     }
-    Gathered _e148 = out_;
-    return _e148;
+    Gathered _e203 = out_;
+    return _e203;
 }
 
 vec2 share_azimuth(float share) {
@@ -514,19 +517,19 @@ vec2 share_azimuth(float share) {
     return (vec2(((c_4 - share) * (c_4 + share)), ((2.0 * share) * c_4)) * norm);
 }
 
-TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_6, float radius_8, float thickness_3, vec2 limb, vec3 sun_3) {
+TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_5, float radius_8, float thickness_3, vec2 limb, vec3 sun_3) {
     bool local_2 = false;
     float c2_ = 0.0;
-    float mu_3 = 0.0;
+    float mu_2 = 0.0;
     float from_camera = 0.0;
     float from_start = 0.0;
     SunSide s_2 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
     float start = 0.0;
-    float r_4 = (radius_8 + h_6);
-    float _e9 = excess_of(h_6, radius_8);
+    float r_4 = (radius_8 + h_5);
+    float _e9 = excess_of(h_5, radius_8);
     float _e10 = excess_of(thickness_3, radius_8);
     vec2 _e11 = share_azimuth(azimuth);
-    bool outside = (h_6 > thickness_3);
+    bool outside = (h_5 > thickness_3);
     if (!(ground_1)) {
         local_2 = (share_1 > limb.x);
     } else {
@@ -536,24 +539,24 @@ TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_6, float
     if (_e19) {
         float u_2 = ((share_1 - limb.x) / (1.0 - limb.x));
         float s_3 = (SQRT_HALF * (1.0 - (u_2 * u_2)));
-        float mu_6 = (1.0 - ((2.0 * s_3) * s_3));
-        vec3 dir_3 = vec3((_e11 * ((2.0 * s_3) * sqrt(max((1.0 - (s_3 * s_3)), 0.0)))), mu_6);
-        AirRay _e48 = inner_ray(dir_3, h_6, radius_8, thickness_3, sun_3, false);
+        float mu_5 = (1.0 - ((2.0 * s_3) * s_3));
+        vec3 dir_3 = vec3((_e11 * ((2.0 * s_3) * sqrt(max((1.0 - (s_3 * s_3)), 0.0)))), mu_5);
+        AirRay _e48 = inner_ray(dir_3, h_5, radius_8, thickness_3, sun_3, false);
         return TableRay(dir_3, _e48);
     }
     float start_x = (outside ? _e10 : _e9);
     if (ground_1) {
         float s_4 = (SQRT_HALF * (1.0 - (share_1 * share_1)));
-        mu_3 = max((1.0 - ((2.0 * s_4) * s_4)), 0.0);
-        float _e73 = mu_3;
-        float _e75 = mu_3;
+        mu_2 = max((1.0 - ((2.0 * s_4) * s_4)), 0.0);
+        float _e73 = mu_2;
+        float _e75 = mu_2;
         c2_ = (((-(radius_8) * radius_8) * _e73) * _e75);
         float _e77 = c2_;
         from_camera = (_e9 - _e77);
         float _e79 = c2_;
         from_start = (start_x - _e79);
     } else {
-        float limit = min(h_6, thickness_3);
+        float limit = min(h_5, thickness_3);
         float s_5 = min((share_1 / max(limb.x, 1e-20)), 1.0);
         float y_1 = ((1.0 - s_5) * (1.0 + s_5));
         float k = (1.0 - limb.y);
@@ -563,7 +566,7 @@ TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_6, float
         c2_ = _e121;
         from_start = (((limit * v) * v) * (((2.0 * radius_8) + limit) + lowest_2));
         float _e129 = from_start;
-        from_camera = (outside ? ((h_6 - lowest_2) * (((2.0 * radius_8) + h_6) + lowest_2)) : _e129);
+        from_camera = (outside ? ((h_5 - lowest_2) * (((2.0 * radius_8) + h_5) + lowest_2)) : _e129);
     }
     float _e137 = from_start;
     float b_7 = -(sqrt(max(_e137, 0.0)));
@@ -574,7 +577,7 @@ TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_6, float
     float down = (-(sqrt(max(_e151, 0.0))) / r_4);
     vec3 dir_4 = vec3((_e11 * sine), down);
     if (outside) {
-        start = (((h_6 - thickness_3) * (((2.0 * radius_8) + thickness_3) + h_6)) / (-(b_7) - (r_4 * down)));
+        start = (((h_5 - thickness_3) * (((2.0 * radius_8) + thickness_3) + h_5)) / (-(b_7) - (r_4 * down)));
         SunSide _e173 = sun_side_outside(dir_4, sun_3, r_4, -(b_7), _e10, radius_8);
         s_2 = _e173;
     } else {
@@ -582,7 +585,7 @@ TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_6, float
         s_2 = _e174;
     }
     float _e175 = distance_to_top(start_x, b_7, _e10);
-    float _e176 = mu_3;
+    float _e176 = mu_2;
     float reach_1 = (ground_1 ? (start_x / ((radius_8 * _e176) - b_7)) : _e175);
     float _e181 = start;
     float _e182 = c2_;
@@ -595,37 +598,38 @@ TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_6, float
     return TableRay(dir_4, ray_3);
 }
 
-float rayleigh_phase(float mu_4) {
-    return (0.0596831 * (1.0 + (mu_4 * mu_4)));
+float rayleigh_phase(float mu_3) {
+    return (0.0596831 * (1.0 + (mu_3 * mu_3)));
 }
 
 void main() {
     vec4 position = gl_FragCoord;
     Frame f = _group_0_binding_0_fs.frame;
-    Tables t_7 = _group_0_binding_0_fs.tables;
-    Medium m_4 = f.medium;
+    Tables t_5 = _group_0_binding_0_fs.tables;
+    Medium m_2 = f.medium;
     ivec2 at_2 = ivec2(position.xy);
-    ivec2 size_3 = ivec2(t_7.size);
-    float azimuth_1 = (float(at_2.x) / float((size_3.x - 1)));
-    int ground_rows = int(t_7.ground_rows);
+    ivec2 size_2 = ivec2(t_5.size);
+    float azimuth_1 = (float(at_2.x) / float((size_2.x - 1)));
+    int ground_rows = int(t_5.ground_rows);
     bool ground_2 = (at_2.y < ground_rows);
     int first_1 = (ground_2 ? 0 : ground_rows);
-    int rows = (ground_2 ? ground_rows : (size_3.y - ground_rows));
+    int rows = (ground_2 ? ground_rows : (size_2.y - ground_rows));
     float share_4 = (float((at_2.y - first_1)) / float((rows - 1)));
-    TableRay _e40 = table_ray(azimuth_1, share_4, ground_2, f.altitude, m_4.radius, m_4.thickness, f.limb, f.sun);
+    TableRay _e40 = table_ray(azimuth_1, share_4, ground_2, f.altitude, m_2.radius, m_2.thickness, f.limb, f.sun);
     AirRay ray_4 = _e40.ray;
     if ((ray_4.length_ <= 0.0)) {
         _fs2p_location0 = vec4(0.0, 0.0, 0.0, 1.0);
         return;
     }
-    Low _e52 = lowest(ray_4, ray_4.length_, m_4.radius);
+    Low _e52 = lowest(ray_4, ray_4.length_, m_2.radius);
     float _e55 = unwarp(_e52.t, 0.0);
     float _e58 = unwarp(_e52.t, ray_4.length_);
     float _e61 = rayleigh_phase(ray_4.nu);
-    vec3 gas_1 = (m_4.rayleigh * _e61);
-    Gathered _e68 = gather(_group_0_binding_1_fs, _group_0_binding_2_fs, m_4, t_7, ray_4, _e52, _e55, _e58, gas_1, vec3(0.0), 1.0);
-    vec3 _e70 = extinction(m_4, _e68.columns);
-    float grey = dot(exp(-(_e70)), vec3(0.33333334));
+    vec3 gas_2 = (m_2.rayleigh * _e61);
+    Gathered _e68 = gather(_group_0_binding_1_fs, _group_0_binding_2_fs, m_2, t_5, ray_4, _e52, _e55, _e58, gas_2, vec3(0.0), 1.0);
+    mat3x3 _e69 = coefficients_of(m_2);
+    vec3 _e71 = extinction(_e69, _e68.columns);
+    float grey = dot(exp(-(_e71)), vec3(0.33333334));
     float scale = (ground_2 ? (1.0 / ray_4.length_) : 1.0);
     _fs2p_location0 = vec4(sqrt(sqrt((max(_e68.radiance, vec3(0.0)) * scale))), grey);
     return;

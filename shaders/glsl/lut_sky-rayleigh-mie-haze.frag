@@ -80,7 +80,7 @@ struct Tables {
     vec3 mie_moment2_;
     float sun_width;
     vec3 mie_asymmetry;
-    float altitude_pad;
+    uint steps_per_source;
     vec3 albedo;
     float sun_first;
     float sun_span;
@@ -275,20 +275,28 @@ AirRay inner_ray(vec3 dir_2, float h_1, float radius_6, float thickness, vec3 su
     return AirRay(0.0, reach, _e7, b_6, -(_e16), _e17.sun_b, _e17.nu, _e17.cross2_, _e17.shadow_b, _e17.shadow_c, ground);
 }
 
-vec3 densities(Medium m, float h_2) {
+vec4 layers_of(Medium m) {
+    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+}
+
+mat3x3 coefficients_of(Medium m_1) {
+    return mat3x3(m_1.rayleigh, m_1.mie_extinction, m_1.ozone);
+}
+
+vec3 densities(vec4 layers, float h_2) {
     vec3 d = vec3(0.0);
-    d.x = exp((-(h_2) * m.rayleigh_inv_height));
-    d.y = exp((-(h_2) * m.mie_inv_height));
+    d.x = exp((-(h_2) * layers.x));
+    d.y = exp((-(h_2) * layers.y));
     vec3 _e15 = d;
     return _e15;
 }
 
-vec3 extinction(Medium m_1, vec3 d_1) {
+vec3 extinction(mat3x3 coefficients, vec3 d_1) {
     vec3 sum = vec3(0.0);
     vec3 _e5 = sum;
-    sum = (_e5 + (m_1.rayleigh * d_1.x));
+    sum = (_e5 + (coefficients[0] * d_1.x));
     vec3 _e10 = sum;
-    sum = (_e10 + (m_1.mie_extinction * d_1.y));
+    sum = (_e10 + (coefficients[1] * d_1.y));
     vec3 _e15 = sum;
     return _e15;
 }
@@ -354,73 +362,87 @@ vec2 lit_part(vec2 shadow, float low_2, float t0_, float t1_, float mid) {
 }
 
 Gathered gather_direct(highp sampler2D columns, Medium medium, Tables t_2, AirRay ray_2, Low lowest_1, float u_from, float u_to, vec3 gas, vec3 aerosol) {
-    Medium m_2 = Medium(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
     Gathered out_ = Gathered(vec3(0.0), vec3(1.0), vec3(0.0));
     float t0_1 = 0.0;
+    uint group = 0u;
     uint i = 0u;
-    m_2 = medium;
-    m_2.mie_extinction = t_2.mie_extinction;
-    vec2 _e20 = shadow_stretch(ray_2);
+    float radius_9 = medium.radius;
+    float thickness_3 = medium.thickness;
+    vec4 _e11 = layers_of(medium);
+    mat3x3 coefficients_1 = mat3x3(medium.rayleigh, t_2.mie_extinction, medium.ozone);
+    vec2 _e24 = shadow_stretch(ray_2);
     float low_5 = lowest_1.t;
-    float du = ((u_to - u_from) / float(t_2.steps));
-    float _e26 = warp(low_5, u_from);
-    t0_1 = _e26;
+    uint each = t_2.steps_per_source;
+    uint groups = (((t_2.steps + each) - 1u) / each);
+    float du = ((u_to - u_from) / float((groups * each)));
+    float _e36 = warp(low_5, u_from);
+    t0_1 = _e36;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e117 = i;
-            i = (_e117 + 1u);
+            uint _e126 = group;
+            group = (_e126 + 1u);
         }
         loop_init = false;
-        uint _e30 = i;
-        if ((_e30 < t_2.steps)) {
+        uint _e40 = group;
+        if ((_e40 < groups)) {
         } else {
             break;
         }
         {
-            uint _e33 = i;
-            float u_1 = (u_from + (du * float(_e33)));
-            float _e38 = warp(low_5, (u_1 + du));
-            float _e39 = t0_1;
-            float step_ = (_e38 - _e39);
-            float _e44 = warp(low_5, (u_1 + (0.5 * du)));
-            float _e49 = m_2.radius;
-            float _e50 = altitude_after(lowest_1.x, lowest_1.b, (_e44 - low_5), _e49);
-            Medium _e51 = m_2;
-            vec3 _e52 = densities(_e51, _e50);
-            Medium _e53 = m_2;
-            vec3 _e54 = extinction(_e53, _e52);
-            vec3 tau_1 = (_e54 * step_);
-            vec3 _e57 = out_.transmittance;
-            vec3 _e58 = mean_transmittance(tau_1);
-            vec3 share_3 = (_e57 * _e58);
-            float _e60 = t0_1;
-            vec2 _e61 = lit_part(_e20, low_5, _e60, _e38, _e44);
-            if ((_e61.x > 0.0)) {
-                float past = (_e61.y - low_5);
-                float lit_x = max((lowest_1.x + (past * ((2.0 * lowest_1.b) + past))), 0.0);
-                float _e77 = m_2.radius;
-                float _e78 = altitude_of(lit_x, _e77);
-                Medium _e79 = m_2;
-                vec3 _e80 = densities(_e79, _e78);
-                float _e82 = m_2.radius;
-                float _e84 = m_2.thickness;
-                vec3 _e90 = columns_to_top(columns, _e82, _e84, lit_x, _e78, (ray_2.sun_b + (ray_2.nu * _e61.y)));
-                Medium _e96 = m_2;
-                vec3 _e97 = extinction(_e96, _e90);
-                vec3 source = (((gas * _e80.x) + (aerosol * _e80.y)) * exp(-(_e97)));
-                vec3 _e102 = out_.radiance;
-                out_.radiance = (_e102 + ((share_3 * source) * _e61.x));
+            uint _e42 = group;
+            float u_group = (u_from + (du * float((each * _e42))));
+            i = 0u;
+            bool loop_init_1 = true;
+            while(true) {
+                if (!loop_init_1) {
+                    uint _e123 = i;
+                    i = (_e123 + 1u);
+                }
+                loop_init_1 = false;
+                uint _e49 = i;
+                if ((_e49 < each)) {
+                } else {
+                    break;
+                }
+                {
+                    uint _e51 = i;
+                    float u_1 = (u_group + (du * float(_e51)));
+                    float _e56 = warp(low_5, (u_1 + du));
+                    float _e57 = t0_1;
+                    float step_ = (_e56 - _e57);
+                    float _e62 = warp(low_5, (u_1 + (0.5 * du)));
+                    float _e66 = altitude_after(lowest_1.x, lowest_1.b, (_e62 - low_5), radius_9);
+                    vec3 _e67 = densities(_e11, _e66);
+                    vec3 _e68 = extinction(coefficients_1, _e67);
+                    vec3 tau_1 = (_e68 * step_);
+                    vec3 _e71 = out_.transmittance;
+                    vec3 _e72 = mean_transmittance(tau_1);
+                    vec3 share_3 = (_e71 * _e72);
+                    float _e74 = t0_1;
+                    vec2 _e75 = lit_part(_e24, low_5, _e74, _e56, _e62);
+                    if ((_e75.x > 0.0)) {
+                        float past = (_e75.y - low_5);
+                        float lit_x = max((lowest_1.x + (past * ((2.0 * lowest_1.b) + past))), 0.0);
+                        float _e90 = altitude_of(lit_x, radius_9);
+                        vec3 _e91 = densities(_e11, _e90);
+                        vec3 _e97 = columns_to_top(columns, radius_9, thickness_3, lit_x, _e90, (ray_2.sun_b + (ray_2.nu * _e75.y)));
+                        vec3 _e103 = extinction(coefficients_1, _e97);
+                        vec3 source = (((gas * _e91.x) + (aerosol * _e91.y)) * exp(-(_e103)));
+                        vec3 _e108 = out_.radiance;
+                        out_.radiance = (_e108 + ((share_3 * source) * _e75.x));
+                    }
+                    vec3 _e114 = out_.transmittance;
+                    out_.transmittance = (_e114 * exp(-(tau_1)));
+                    vec3 _e119 = out_.columns;
+                    out_.columns = (_e119 + (_e67 * step_));
+                    t0_1 = _e56;
+                }
             }
-            vec3 _e108 = out_.transmittance;
-            out_.transmittance = (_e108 * exp(-(tau_1)));
-            vec3 _e113 = out_.columns;
-            out_.columns = (_e113 + (_e52 * step_));
-            t0_1 = _e38;
         }
     }
-    Gathered _e119 = out_;
-    return _e119;
+    Gathered _e128 = out_;
+    return _e128;
 }
 
 vec2 share_azimuth(float share) {
@@ -514,7 +536,7 @@ void main() {
     vec4 position = gl_FragCoord;
     Frame f = _group_0_binding_0_fs.frame;
     Tables t_4 = _group_0_binding_0_fs.tables;
-    Medium m_3 = f.medium;
+    Medium m_2 = f.medium;
     ivec2 at_1 = ivec2(position.xy);
     ivec2 size_2 = ivec2(t_4.size);
     float azimuth_1 = (float(at_1.x) / float((size_2.x - 1)));
@@ -523,18 +545,19 @@ void main() {
     int first_1 = (ground_2 ? 0 : ground_rows);
     int rows = (ground_2 ? ground_rows : (size_2.y - ground_rows));
     float share_4 = (float((at_1.y - first_1)) / float((rows - 1)));
-    TableRay _e40 = table_ray(azimuth_1, share_4, ground_2, f.altitude, m_3.radius, m_3.thickness, f.limb, f.sun);
+    TableRay _e40 = table_ray(azimuth_1, share_4, ground_2, f.altitude, m_2.radius, m_2.thickness, f.limb, f.sun);
     AirRay ray_4 = _e40.ray;
     if ((ray_4.length_ <= 0.0)) {
         _fs2p_location0 = vec4(0.0, 0.0, 0.0, 1.0);
         return;
     }
-    Low _e52 = lowest(ray_4, ray_4.length_, m_3.radius);
+    Low _e52 = lowest(ray_4, ray_4.length_, m_2.radius);
     float _e55 = unwarp(_e52.t, 0.0);
     float _e58 = unwarp(_e52.t, ray_4.length_);
-    Gathered _e63 = gather_direct(_group_0_binding_1_fs, m_3, t_4, ray_4, _e52, _e55, _e58, vec3(0.0), m_3.mie_scattering);
-    vec3 _e65 = extinction(m_3, _e63.columns);
-    float grey = dot(exp(-(_e65)), vec3(0.33333334));
+    Gathered _e63 = gather_direct(_group_0_binding_1_fs, m_2, t_4, ray_4, _e52, _e55, _e58, vec3(0.0), m_2.mie_scattering);
+    mat3x3 _e64 = coefficients_of(m_2);
+    vec3 _e66 = extinction(_e64, _e63.columns);
+    float grey = dot(exp(-(_e66)), vec3(0.33333334));
     float scale = (ground_2 ? (1.0 / ray_4.length_) : 1.0);
     _fs2p_location0 = vec4(sqrt(sqrt((max(_e63.radiance, vec3(0.0)) * scale))), grey);
     return;

@@ -25,23 +25,31 @@ uniform highp sampler2D _group_0_binding_1_fs;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
-vec3 densities(Medium m, float h) {
+vec4 layers_of(Medium m) {
+    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+}
+
+mat3x3 coefficients_of(Medium m_1) {
+    return mat3x3(m_1.rayleigh, m_1.mie_extinction, m_1.ozone);
+}
+
+vec3 densities(vec4 layers, float h) {
     vec3 d = vec3(0.0);
-    d.x = exp((-(h) * m.rayleigh_inv_height));
-    d.y = exp((-(h) * m.mie_inv_height));
-    d.z = max(0.0, (1.0 - (abs((h - m.ozone_center)) * m.ozone_inv_half_width)));
+    d.x = exp((-(h) * layers.x));
+    d.y = exp((-(h) * layers.y));
+    d.z = max(0.0, (1.0 - (abs((h - layers.z)) * layers.w)));
     vec3 _e25 = d;
     return _e25;
 }
 
-vec3 extinction(Medium m_1, vec3 d_1) {
+vec3 extinction(mat3x3 coefficients, vec3 d_1) {
     vec3 sum = vec3(0.0);
     vec3 _e5 = sum;
-    sum = (_e5 + (m_1.rayleigh * d_1.x));
+    sum = (_e5 + (coefficients[0] * d_1.x));
     vec3 _e10 = sum;
-    sum = (_e10 + (m_1.mie_extinction * d_1.y));
+    sum = (_e10 + (coefficients[1] * d_1.y));
     vec3 _e15 = sum;
-    sum = (_e15 + (m_1.ozone * d_1.z));
+    sum = (_e15 + (coefficients[2] * d_1.z));
     vec3 _e20 = sum;
     return _e20;
 }
@@ -88,30 +96,33 @@ void main() {
     vec4 light = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(7, 0)), 0);
     vec4 path = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(8, 0)), 0);
     vec4 angle = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(9, 0)), 0);
-    vec3 _e44 = densities(_e14, view.w);
+    vec4 _e43 = layers_of(_e14);
+    vec3 _e45 = densities(_e43, view.w);
     if ((answer == 0)) {
-        float _e50 = rayleigh_phase((1.0 - angle.x));
-        _fs2p_location0 = vec4(_e44, _e50);
+        float _e51 = rayleigh_phase((1.0 - angle.x));
+        _fs2p_location0 = vec4(_e45, _e51);
         return;
     }
     if ((answer == 1)) {
-        vec3 _e54 = extinction(_e14, _e44);
-        _fs2p_location0 = vec4(_e54, 0.0);
+        mat3x3 _e55 = coefficients_of(_e14);
+        vec3 _e56 = extinction(_e55, _e45);
+        _fs2p_location0 = vec4(_e56, 0.0);
         return;
     }
     if ((answer == 2)) {
-        vec3 _e64 = henyey_greenstein_phase(angle.x, (2.0 - angle.x), _e14.mie_asymmetry);
-        _fs2p_location0 = vec4(_e64, 0.0);
+        vec3 _e66 = henyey_greenstein_phase(angle.x, (2.0 - angle.x), _e14.mie_asymmetry);
+        _fs2p_location0 = vec4(_e66, 0.0);
         return;
     }
     if ((answer == 3)) {
-        vec3 _e74 = cornette_shanks_phase(angle.x, (2.0 - angle.x), _e14.mie_asymmetry);
-        _fs2p_location0 = vec4(_e74, 0.0);
+        vec3 _e76 = cornette_shanks_phase(angle.x, (2.0 - angle.x), _e14.mie_asymmetry);
+        _fs2p_location0 = vec4(_e76, 0.0);
         return;
     }
-    vec3 _e77 = extinction(_e14, _e44);
-    vec3 _e80 = mean_transmittance((_e77 * path.z));
-    _fs2p_location0 = vec4(_e80, 0.0);
+    mat3x3 _e79 = coefficients_of(_e14);
+    vec3 _e80 = extinction(_e79, _e45);
+    vec3 _e83 = mean_transmittance((_e80 * path.z));
+    _fs2p_location0 = vec4(_e83, 0.0);
     return;
 }
 

@@ -47,23 +47,31 @@ float distance_to_top(float x_2, float b_1, float x_top) {
     return (root - b_1);
 }
 
-vec3 densities(Medium m, float h_1) {
+vec4 layers_of(Medium m) {
+    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+}
+
+mat3x3 coefficients_of(Medium m_1) {
+    return mat3x3(m_1.rayleigh, m_1.mie_extinction, m_1.ozone);
+}
+
+vec3 densities(vec4 layers, float h_1) {
     vec3 d = vec3(0.0);
-    d.x = exp((-(h_1) * m.rayleigh_inv_height));
-    d.y = exp((-(h_1) * m.mie_inv_height));
-    d.z = max(0.0, (1.0 - (abs((h_1 - m.ozone_center)) * m.ozone_inv_half_width)));
+    d.x = exp((-(h_1) * layers.x));
+    d.y = exp((-(h_1) * layers.y));
+    d.z = max(0.0, (1.0 - (abs((h_1 - layers.z)) * layers.w)));
     vec3 _e25 = d;
     return _e25;
 }
 
-vec3 extinction(Medium m_1, vec3 d_1) {
+vec3 extinction(mat3x3 coefficients, vec3 d_1) {
     vec3 sum = vec3(0.0);
     vec3 _e5 = sum;
-    sum = (_e5 + (m_1.rayleigh * d_1.x));
+    sum = (_e5 + (coefficients[0] * d_1.x));
     vec3 _e10 = sum;
-    sum = (_e10 + (m_1.mie_extinction * d_1.y));
+    sum = (_e10 + (coefficients[1] * d_1.y));
     vec3 _e15 = sum;
-    sum = (_e15 + (m_1.ozone * d_1.z));
+    sum = (_e15 + (coefficients[2] * d_1.z));
     vec3 _e20 = sum;
     return _e20;
 }
@@ -72,7 +80,7 @@ float warp(float low, float u) {
     return (low + (u * abs(u)));
 }
 
-vec3 path_densities(Medium m_2, float x_3, float b_2, float distance_, uint samples) {
+vec3 path_densities(vec4 layers_1, float radius_3, float x_3, float b_2, float distance_, uint samples) {
     vec3 sum_1 = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
@@ -86,34 +94,34 @@ vec3 path_densities(Medium m_2, float x_3, float b_2, float distance_, uint samp
             i = (_e43 + 1u);
         }
         loop_init = false;
-        uint _e22 = i;
-        if ((_e22 < samples)) {
+        uint _e23 = i;
+        if ((_e23 < samples)) {
         } else {
             break;
         }
         {
-            uint _e24 = i;
-            float u_1 = (u0_ + (du * float(_e24)));
-            float _e31 = warp(low_1, (u_1 + (0.5 * du)));
-            float _e33 = warp(low_1, (u_1 + du));
-            float _e35 = altitude_after(x_3, b_2, _e31, m_2.radius);
+            uint _e25 = i;
+            float u_1 = (u0_ + (du * float(_e25)));
+            float _e32 = warp(low_1, (u_1 + (0.5 * du)));
+            float _e34 = warp(low_1, (u_1 + du));
+            float _e35 = altitude_after(x_3, b_2, _e32, radius_3);
             vec3 _e36 = sum_1;
-            vec3 _e37 = densities(m_2, _e35);
+            vec3 _e37 = densities(layers_1, _e35);
             float _e38 = t0_;
-            sum_1 = (_e36 + (_e37 * (_e33 - _e38)));
-            t0_ = _e33;
+            sum_1 = (_e36 + (_e37 * (_e34 - _e38)));
+            t0_ = _e34;
         }
     }
     vec3 _e45 = sum_1;
     return _e45;
 }
 
-vec3 sun_transmittance(Medium m_3, float x_4, float sun_b, uint samples_1) {
-    float _e6 = excess_of(m_3.thickness, m_3.radius);
-    float _e7 = distance_to_top(x_4, sun_b, _e6);
-    vec3 _e8 = path_densities(m_3, x_4, sun_b, _e7, samples_1);
-    vec3 _e9 = extinction(m_3, _e8);
-    return exp(-(_e9));
+vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_4, float thickness, float x_4, float sun_b, uint samples_1) {
+    float _e7 = excess_of(thickness, radius_4);
+    float _e8 = distance_to_top(x_4, sun_b, _e7);
+    vec3 _e9 = path_densities(layers_2, radius_4, x_4, sun_b, _e8, samples_1);
+    vec3 _e10 = extinction(coefficients_1, _e9);
+    return exp(-(_e10));
 }
 
 Medium medium_of(ivec2 first) {
@@ -138,12 +146,15 @@ void main() {
     vec4 path = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(8, 0)), 0);
     vec4 angle = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(9, 0)), 0);
     if ((answer == 0)) {
-        vec3 _e50 = path_densities(_e14, path.x, path.y, path.z, uint(path.w));
-        _fs2p_location0 = vec4(_e50, 0.0);
+        vec4 _e45 = layers_of(_e14);
+        vec3 _e52 = path_densities(_e45, _e14.radius, path.x, path.y, path.z, uint(path.w));
+        _fs2p_location0 = vec4(_e52, 0.0);
         return;
     }
-    vec3 _e57 = sun_transmittance(_e14, path.x, path.y, uint(path.w));
-    _fs2p_location0 = vec4(_e57, 0.0);
+    mat3x3 _e55 = coefficients_of(_e14);
+    vec4 _e56 = layers_of(_e14);
+    vec3 _e63 = sun_transmittance(_e55, _e56, _e14.radius, _e14.thickness, path.x, path.y, uint(path.w));
+    _fs2p_location0 = vec4(_e63, 0.0);
     return;
 }
 

@@ -304,20 +304,28 @@ vec2 shadow_stretch(AirRay ray_1) {
     return _e59;
 }
 
-vec3 densities(Medium m, float h_5) {
+vec4 layers_of(Medium m) {
+    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+}
+
+mat3x3 coefficients_of(Medium m_1) {
+    return mat3x3(m_1.rayleigh, m_1.mie_extinction, m_1.ozone);
+}
+
+vec3 densities(vec4 layers, float h_5) {
     vec3 d = vec3(0.0);
-    d.y = exp((-(h_5) * m.mie_inv_height));
-    d.z = max(0.0, (1.0 - (abs((h_5 - m.ozone_center)) * m.ozone_inv_half_width)));
+    d.y = exp((-(h_5) * layers.y));
+    d.z = max(0.0, (1.0 - (abs((h_5 - layers.z)) * layers.w)));
     vec3 _e20 = d;
     return _e20;
 }
 
-vec3 extinction(Medium m_1, vec3 d_1) {
+vec3 extinction(mat3x3 coefficients, vec3 d_1) {
     vec3 sum = vec3(0.0);
     vec3 _e5 = sum;
-    sum = (_e5 + (m_1.mie_extinction * d_1.y));
+    sum = (_e5 + (coefficients[1] * d_1.y));
     vec3 _e10 = sum;
-    sum = (_e10 + (m_1.ozone * d_1.z));
+    sum = (_e10 + (coefficients[2] * d_1.z));
     vec3 _e15 = sum;
     return _e15;
 }
@@ -330,7 +338,7 @@ float unwarp(float low_1, float t_1) {
     return (sign((t_1 - low_1)) * sqrt(abs((t_1 - low_1))));
 }
 
-vec3 path_densities(Medium m_2, float x_4, float b_3, float distance_, uint samples) {
+vec3 path_densities(vec4 layers_1, float radius_10, float x_4, float b_3, float distance_, uint samples) {
     vec3 sum_1 = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
@@ -344,22 +352,22 @@ vec3 path_densities(Medium m_2, float x_4, float b_3, float distance_, uint samp
             i = (_e43 + 1u);
         }
         loop_init = false;
-        uint _e22 = i;
-        if ((_e22 < samples)) {
+        uint _e23 = i;
+        if ((_e23 < samples)) {
         } else {
             break;
         }
         {
-            uint _e24 = i;
-            float u_1 = (u0_ + (du * float(_e24)));
-            float _e31 = warp(low_2, (u_1 + (0.5 * du)));
-            float _e33 = warp(low_2, (u_1 + du));
-            float _e35 = altitude_after(x_4, b_3, _e31, m_2.radius);
+            uint _e25 = i;
+            float u_1 = (u0_ + (du * float(_e25)));
+            float _e32 = warp(low_2, (u_1 + (0.5 * du)));
+            float _e34 = warp(low_2, (u_1 + du));
+            float _e35 = altitude_after(x_4, b_3, _e32, radius_10);
             vec3 _e36 = sum_1;
-            vec3 _e37 = densities(m_2, _e35);
+            vec3 _e37 = densities(layers_1, _e35);
             float _e38 = t0_;
-            sum_1 = (_e36 + (_e37 * (_e33 - _e38)));
-            t0_ = _e33;
+            sum_1 = (_e36 + (_e37 * (_e34 - _e38)));
+            t0_ = _e34;
         }
     }
     vec3 _e45 = sum_1;
@@ -377,15 +385,15 @@ vec3 henyey_greenstein_phase(float away, float toward, vec3 g) {
     return ((INV_4PI * (vec3(1.0) - (g * g))) / (base * sqrt(base)));
 }
 
-vec3 sun_transmittance(Medium m_3, float x_5, float sun_b, uint samples_1) {
-    float _e6 = excess_of(m_3.thickness, m_3.radius);
-    float _e7 = distance_to_top(x_5, sun_b, _e6);
-    vec3 _e8 = path_densities(m_3, x_5, sun_b, _e7, samples_1);
-    vec3 _e9 = extinction(m_3, _e8);
-    return exp(-(_e9));
+vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_11, float thickness_2, float x_5, float sun_b, uint samples_1) {
+    float _e7 = excess_of(thickness_2, radius_11);
+    float _e8 = distance_to_top(x_5, sun_b, _e7);
+    vec3 _e9 = path_densities(layers_2, radius_11, x_5, sun_b, _e8, samples_1);
+    vec3 _e10 = extinction(coefficients_1, _e9);
+    return exp(-(_e10));
 }
 
-Scattered single_scattering(Medium m_4, AirRay ray_2, float length_1, float away_1, uint view_samples, uint light_samples) {
+Scattered single_scattering(Medium m_2, AirRay ray_2, float length_1, float away_1, uint view_samples, uint light_samples) {
     Scattered out_ = Scattered(vec3(0.0), vec3(0.0));
     float t0_1 = 0.0;
     uint i_1 = 0u;
@@ -394,79 +402,81 @@ Scattered single_scattering(Medium m_4, AirRay ray_2, float length_1, float away
     out_.radiance = vec3(0.0);
     out_.transmittance = vec3(1.0);
     float toward_1 = ((away_1 > 1.0) ? (ray_2.cross2_ / max(away_1, 1.0)) : (2.0 - away_1));
-    vec3 _e24 = henyey_greenstein_phase(away_1, toward_1, m_4.mie_asymmetry);
-    vec3 mie = (m_4.mie_scattering * _e24);
-    Low _e27 = lowest(ray_2, length_1, m_4.radius);
-    float low_3 = _e27.t;
+    vec3 _e24 = henyey_greenstein_phase(away_1, toward_1, m_2.mie_asymmetry);
+    vec3 mie = (m_2.mie_scattering * _e24);
+    vec4 _e26 = layers_of(m_2);
+    mat3x3 _e27 = coefficients_of(m_2);
+    Low _e29 = lowest(ray_2, length_1, m_2.radius);
+    float low_3 = _e29.t;
     float u0_1 = -(sqrt(low_3));
     float du_1 = ((sqrt((length_1 - low_3)) - u0_1) / float(view_samples));
-    vec2 _e36 = shadow_stretch(ray_2);
+    vec2 _e38 = shadow_stretch(ray_2);
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            uint _e142 = i_1;
-            i_1 = (_e142 + 1u);
+            uint _e146 = i_1;
+            i_1 = (_e146 + 1u);
         }
         loop_init_1 = false;
-        uint _e41 = i_1;
-        if ((_e41 < view_samples)) {
+        uint _e43 = i_1;
+        if ((_e43 < view_samples)) {
         } else {
             break;
         }
         {
-            uint _e43 = i_1;
-            float u_2 = (u0_1 + (du_1 * float(_e43)));
-            float _e48 = warp(low_3, (u_2 + du_1));
-            float _e49 = t0_1;
-            float step_ = (_e48 - _e49);
-            float _e54 = warp(low_3, (u_2 + (0.5 * du_1)));
-            float _e59 = altitude_after(_e27.x, _e27.b, (_e54 - low_3), m_4.radius);
-            vec3 _e60 = densities(m_4, _e59);
-            vec3 _e61 = extinction(m_4, _e60);
-            vec3 tau_1 = (_e61 * step_);
-            float _e64 = t0_1;
-            float dark0_ = clamp(_e36.x, _e64, _e48);
-            float _e67 = t0_1;
-            float dark1_ = clamp(_e36.y, _e67, _e48);
-            float dark = ((_e36.y > _e36.x) ? max((dark1_ - dark0_), 0.0) : 0.0);
+            uint _e45 = i_1;
+            float u_2 = (u0_1 + (du_1 * float(_e45)));
+            float _e50 = warp(low_3, (u_2 + du_1));
+            float _e51 = t0_1;
+            float step_ = (_e50 - _e51);
+            float _e56 = warp(low_3, (u_2 + (0.5 * du_1)));
+            float _e61 = altitude_after(_e29.x, _e29.b, (_e56 - low_3), m_2.radius);
+            vec3 _e62 = densities(_e26, _e61);
+            vec3 _e63 = extinction(_e27, _e62);
+            vec3 tau_1 = (_e63 * step_);
+            float _e66 = t0_1;
+            float dark0_ = clamp(_e38.x, _e66, _e50);
+            float _e69 = t0_1;
+            float dark1_ = clamp(_e38.y, _e69, _e50);
+            float dark = ((_e38.y > _e38.x) ? max((dark1_ - dark0_), 0.0) : 0.0);
             if ((dark < step_)) {
-                lit_t = _e54;
+                lit_t = _e56;
                 if ((dark > 0.0)) {
-                    float _e81 = t0_1;
-                    bool first = ((dark0_ - _e81) > (_e48 - dark1_));
-                    float _e85 = t0_1;
-                    float lit0_ = (first ? _e85 : dark1_);
-                    float lit1_ = (first ? dark0_ : _e48);
-                    float _e88 = unwarp(low_3, lit0_);
-                    float _e89 = unwarp(low_3, lit1_);
-                    float _e93 = warp(low_3, (0.5 * (_e88 + _e89)));
-                    lit_t = _e93;
+                    float _e83 = t0_1;
+                    bool first = ((dark0_ - _e83) > (_e50 - dark1_));
+                    float _e87 = t0_1;
+                    float lit0_ = (first ? _e87 : dark1_);
+                    float lit1_ = (first ? dark0_ : _e50);
+                    float _e90 = unwarp(low_3, lit0_);
+                    float _e91 = unwarp(low_3, lit1_);
+                    float _e95 = warp(low_3, (0.5 * (_e90 + _e91)));
+                    lit_t = _e95;
                 }
-                float _e95 = lit_t;
-                float _e100 = lit_t;
-                float x_6 = (_e27.x + ((_e95 - low_3) * ((2.0 * _e27.b) + (_e100 - low_3))));
-                float _e106 = altitude_of(x_6, m_4.radius);
-                vec3 _e109 = densities(m_4, max(_e106, 0.0));
+                float _e97 = lit_t;
+                float _e102 = lit_t;
+                float x_6 = (_e29.x + ((_e97 - low_3) * ((2.0 * _e29.b) + (_e102 - low_3))));
+                float _e108 = altitude_of(x_6, m_2.radius);
+                vec3 _e111 = densities(_e26, max(_e108, 0.0));
                 source = vec3(0.0);
-                vec3 _e113 = source;
-                source = (_e113 + (mie * _e109.y));
-                vec3 _e117 = source;
-                float _e120 = lit_t;
-                vec3 _e123 = sun_transmittance(m_4, x_6, (ray_2.sun_b + (ray_2.nu * _e120)), light_samples);
-                source = (_e117 * _e123);
-                vec3 _e126 = out_.radiance;
-                vec3 _e128 = out_.transmittance;
-                vec3 _e129 = mean_transmittance(tau_1);
-                vec3 _e131 = source;
-                out_.radiance = (_e126 + (((_e128 * _e129) * _e131) * (step_ - dark)));
+                vec3 _e115 = source;
+                source = (_e115 + (mie * _e111.y));
+                vec3 _e119 = source;
+                float _e124 = lit_t;
+                vec3 _e127 = sun_transmittance(_e27, _e26, m_2.radius, m_2.thickness, x_6, (ray_2.sun_b + (ray_2.nu * _e124)), light_samples);
+                source = (_e119 * _e127);
+                vec3 _e130 = out_.radiance;
+                vec3 _e132 = out_.transmittance;
+                vec3 _e133 = mean_transmittance(tau_1);
+                vec3 _e135 = source;
+                out_.radiance = (_e130 + (((_e132 * _e133) * _e135) * (step_ - dark)));
             }
-            vec3 _e137 = out_.transmittance;
-            out_.transmittance = (_e137 * exp(-(tau_1)));
-            t0_1 = _e48;
+            vec3 _e141 = out_.transmittance;
+            out_.transmittance = (_e141 * exp(-(tau_1)));
+            t0_1 = _e50;
         }
     }
-    Scattered _e144 = out_;
-    return _e144;
+    Scattered _e148 = out_;
+    return _e148;
 }
 
 void main() {
@@ -479,9 +489,9 @@ void main() {
     vec3 _e13 = _group_0_binding_0_fs.ray_up;
     vec3 _e14 = pixel_ray(position.xy, _e4, _e7, _e10, _e13);
     vec3 dir_5 = normalize(_e14);
-    Medium m_5 = _group_0_binding_0_fs.medium;
+    Medium m_3 = _group_0_binding_0_fs.medium;
     float _e21 = _group_0_binding_0_fs.altitude;
-    bool _e23 = hits_planet(dir_5, _e21, m_5.radius);
+    bool _e23 = hits_planet(dir_5, _e21, m_3.radius);
     if (_e23) {
         uint _e26 = _group_0_binding_0_fs.low_resolution;
         if ((_e26 == 0u)) {
@@ -494,18 +504,18 @@ void main() {
     vec3 offset = (dir_5 - _e36);
     float _e46 = _group_0_binding_0_fs.altitude;
     vec3 _e51 = _group_0_binding_0_fs.sun;
-    AirRay _e52 = air_ray(dir_5, _e46, m_5.radius, m_5.thickness, _e51);
+    AirRay _e52 = air_ray(dir_5, _e46, m_3.radius, m_3.thickness, _e51);
     if ((_e52.length_ > 0.0)) {
         uint _e62 = _group_0_binding_0_fs.view_samples;
         uint _e65 = _group_0_binding_0_fs.light_samples;
-        Scattered _e66 = single_scattering(m_5, _e52, _e52.length_, (0.5 * dot(offset, offset)), _e62, _e65);
+        Scattered _e66 = single_scattering(m_3, _e52, _e52.length_, (0.5 * dot(offset, offset)), _e62, _e65);
         float _e70 = _group_0_binding_0_fs.sky_weight;
         light = (_e66.radiance * _e70);
         through = _e66.transmittance;
     }
     vec3 _e73 = light;
     vec3 _e79 = through;
-    _fs2p_location0 = vec4(min((_e73 * m_5.irradiance), vec3(65000.0)), (1.0 - dot(_e79, vec3(0.33333334))));
+    _fs2p_location0 = vec4(min((_e73 * m_3.irradiance), vec3(65000.0)), (1.0 - dot(_e79, vec3(0.33333334))));
     return;
 }
 

@@ -304,20 +304,28 @@ vec2 shadow_stretch(AirRay ray_1) {
     return _e59;
 }
 
-vec3 densities(Medium m, float h_5) {
+vec4 layers_of(Medium m) {
+    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+}
+
+mat3x3 coefficients_of(Medium m_1) {
+    return mat3x3(m_1.rayleigh, m_1.mie_extinction, m_1.ozone);
+}
+
+vec3 densities(vec4 layers, float h_5) {
     vec3 d = vec3(0.0);
-    d.x = exp((-(h_5) * m.rayleigh_inv_height));
-    d.y = exp((-(h_5) * m.mie_inv_height));
+    d.x = exp((-(h_5) * layers.x));
+    d.y = exp((-(h_5) * layers.y));
     vec3 _e15 = d;
     return _e15;
 }
 
-vec3 extinction(Medium m_1, vec3 d_1) {
+vec3 extinction(mat3x3 coefficients, vec3 d_1) {
     vec3 sum = vec3(0.0);
     vec3 _e5 = sum;
-    sum = (_e5 + (m_1.rayleigh * d_1.x));
+    sum = (_e5 + (coefficients[0] * d_1.x));
     vec3 _e10 = sum;
-    sum = (_e10 + (m_1.mie_extinction * d_1.y));
+    sum = (_e10 + (coefficients[1] * d_1.y));
     vec3 _e15 = sum;
     return _e15;
 }
@@ -330,7 +338,7 @@ float unwarp(float low_1, float t_1) {
     return (sign((t_1 - low_1)) * sqrt(abs((t_1 - low_1))));
 }
 
-vec3 path_densities(Medium m_2, float x_4, float b_3, float distance_, uint samples) {
+vec3 path_densities(vec4 layers_1, float radius_10, float x_4, float b_3, float distance_, uint samples) {
     vec3 sum_1 = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
@@ -344,22 +352,22 @@ vec3 path_densities(Medium m_2, float x_4, float b_3, float distance_, uint samp
             i = (_e43 + 1u);
         }
         loop_init = false;
-        uint _e22 = i;
-        if ((_e22 < samples)) {
+        uint _e23 = i;
+        if ((_e23 < samples)) {
         } else {
             break;
         }
         {
-            uint _e24 = i;
-            float u_1 = (u0_ + (du * float(_e24)));
-            float _e31 = warp(low_2, (u_1 + (0.5 * du)));
-            float _e33 = warp(low_2, (u_1 + du));
-            float _e35 = altitude_after(x_4, b_3, _e31, m_2.radius);
+            uint _e25 = i;
+            float u_1 = (u0_ + (du * float(_e25)));
+            float _e32 = warp(low_2, (u_1 + (0.5 * du)));
+            float _e34 = warp(low_2, (u_1 + du));
+            float _e35 = altitude_after(x_4, b_3, _e32, radius_10);
             vec3 _e36 = sum_1;
-            vec3 _e37 = densities(m_2, _e35);
+            vec3 _e37 = densities(layers_1, _e35);
             float _e38 = t0_;
-            sum_1 = (_e36 + (_e37 * (_e33 - _e38)));
-            t0_ = _e33;
+            sum_1 = (_e36 + (_e37 * (_e34 - _e38)));
+            t0_ = _e34;
         }
     }
     vec3 _e45 = sum_1;
@@ -387,15 +395,15 @@ vec3 cornette_shanks_phase(float away_1, float toward_1, vec3 g_1) {
     return ((vec3((1.5 * (1.0 + (mu_1 * mu_1)))) / (vec3(2.0) + (g_1 * g_1))) * _e16);
 }
 
-vec3 sun_transmittance(Medium m_3, float x_5, float sun_b, uint samples_1) {
-    float _e6 = excess_of(m_3.thickness, m_3.radius);
-    float _e7 = distance_to_top(x_5, sun_b, _e6);
-    vec3 _e8 = path_densities(m_3, x_5, sun_b, _e7, samples_1);
-    vec3 _e9 = extinction(m_3, _e8);
-    return exp(-(_e9));
+vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_11, float thickness_2, float x_5, float sun_b, uint samples_1) {
+    float _e7 = excess_of(thickness_2, radius_11);
+    float _e8 = distance_to_top(x_5, sun_b, _e7);
+    vec3 _e9 = path_densities(layers_2, radius_11, x_5, sun_b, _e8, samples_1);
+    vec3 _e10 = extinction(coefficients_1, _e9);
+    return exp(-(_e10));
 }
 
-Scattered single_scattering(Medium m_4, AirRay ray_2, float length_1, float away_2, uint view_samples, uint light_samples) {
+Scattered single_scattering(Medium m_2, AirRay ray_2, float length_1, float away_2, uint view_samples, uint light_samples) {
     Scattered out_ = Scattered(vec3(0.0), vec3(0.0));
     float t0_1 = 0.0;
     uint i_1 = 0u;
@@ -404,83 +412,85 @@ Scattered single_scattering(Medium m_4, AirRay ray_2, float length_1, float away
     out_.radiance = vec3(0.0);
     out_.transmittance = vec3(1.0);
     float _e16 = rayleigh_phase((1.0 - away_2));
-    vec3 rayleigh = (m_4.rayleigh * _e16);
+    vec3 rayleigh = (m_2.rayleigh * _e16);
     float toward_2 = ((away_2 > 1.0) ? (ray_2.cross2_ / max(away_2, 1.0)) : (2.0 - away_2));
-    vec3 _e29 = cornette_shanks_phase(away_2, toward_2, m_4.mie_asymmetry);
-    vec3 mie = (m_4.mie_scattering * _e29);
-    Low _e32 = lowest(ray_2, length_1, m_4.radius);
-    float low_3 = _e32.t;
+    vec3 _e29 = cornette_shanks_phase(away_2, toward_2, m_2.mie_asymmetry);
+    vec3 mie = (m_2.mie_scattering * _e29);
+    vec4 _e31 = layers_of(m_2);
+    mat3x3 _e32 = coefficients_of(m_2);
+    Low _e34 = lowest(ray_2, length_1, m_2.radius);
+    float low_3 = _e34.t;
     float u0_1 = -(sqrt(low_3));
     float du_1 = ((sqrt((length_1 - low_3)) - u0_1) / float(view_samples));
-    vec2 _e41 = shadow_stretch(ray_2);
+    vec2 _e43 = shadow_stretch(ray_2);
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            uint _e151 = i_1;
-            i_1 = (_e151 + 1u);
+            uint _e155 = i_1;
+            i_1 = (_e155 + 1u);
         }
         loop_init_1 = false;
-        uint _e46 = i_1;
-        if ((_e46 < view_samples)) {
+        uint _e48 = i_1;
+        if ((_e48 < view_samples)) {
         } else {
             break;
         }
         {
-            uint _e48 = i_1;
-            float u_2 = (u0_1 + (du_1 * float(_e48)));
-            float _e53 = warp(low_3, (u_2 + du_1));
-            float _e54 = t0_1;
-            float step_ = (_e53 - _e54);
-            float _e59 = warp(low_3, (u_2 + (0.5 * du_1)));
-            float _e64 = altitude_after(_e32.x, _e32.b, (_e59 - low_3), m_4.radius);
-            vec3 _e65 = densities(m_4, _e64);
-            vec3 _e66 = extinction(m_4, _e65);
-            vec3 tau_1 = (_e66 * step_);
-            float _e69 = t0_1;
-            float dark0_ = clamp(_e41.x, _e69, _e53);
-            float _e72 = t0_1;
-            float dark1_ = clamp(_e41.y, _e72, _e53);
-            float dark = ((_e41.y > _e41.x) ? max((dark1_ - dark0_), 0.0) : 0.0);
+            uint _e50 = i_1;
+            float u_2 = (u0_1 + (du_1 * float(_e50)));
+            float _e55 = warp(low_3, (u_2 + du_1));
+            float _e56 = t0_1;
+            float step_ = (_e55 - _e56);
+            float _e61 = warp(low_3, (u_2 + (0.5 * du_1)));
+            float _e66 = altitude_after(_e34.x, _e34.b, (_e61 - low_3), m_2.radius);
+            vec3 _e67 = densities(_e31, _e66);
+            vec3 _e68 = extinction(_e32, _e67);
+            vec3 tau_1 = (_e68 * step_);
+            float _e71 = t0_1;
+            float dark0_ = clamp(_e43.x, _e71, _e55);
+            float _e74 = t0_1;
+            float dark1_ = clamp(_e43.y, _e74, _e55);
+            float dark = ((_e43.y > _e43.x) ? max((dark1_ - dark0_), 0.0) : 0.0);
             if ((dark < step_)) {
-                lit_t = _e59;
+                lit_t = _e61;
                 if ((dark > 0.0)) {
-                    float _e86 = t0_1;
-                    bool first = ((dark0_ - _e86) > (_e53 - dark1_));
-                    float _e90 = t0_1;
-                    float lit0_ = (first ? _e90 : dark1_);
-                    float lit1_ = (first ? dark0_ : _e53);
-                    float _e93 = unwarp(low_3, lit0_);
-                    float _e94 = unwarp(low_3, lit1_);
-                    float _e98 = warp(low_3, (0.5 * (_e93 + _e94)));
-                    lit_t = _e98;
+                    float _e88 = t0_1;
+                    bool first = ((dark0_ - _e88) > (_e55 - dark1_));
+                    float _e92 = t0_1;
+                    float lit0_ = (first ? _e92 : dark1_);
+                    float lit1_ = (first ? dark0_ : _e55);
+                    float _e95 = unwarp(low_3, lit0_);
+                    float _e96 = unwarp(low_3, lit1_);
+                    float _e100 = warp(low_3, (0.5 * (_e95 + _e96)));
+                    lit_t = _e100;
                 }
-                float _e100 = lit_t;
-                float _e105 = lit_t;
-                float x_6 = (_e32.x + ((_e100 - low_3) * ((2.0 * _e32.b) + (_e105 - low_3))));
-                float _e111 = altitude_of(x_6, m_4.radius);
-                vec3 _e114 = densities(m_4, max(_e111, 0.0));
+                float _e102 = lit_t;
+                float _e107 = lit_t;
+                float x_6 = (_e34.x + ((_e102 - low_3) * ((2.0 * _e34.b) + (_e107 - low_3))));
+                float _e113 = altitude_of(x_6, m_2.radius);
+                vec3 _e116 = densities(_e31, max(_e113, 0.0));
                 source = vec3(0.0);
-                vec3 _e118 = source;
-                source = (_e118 + (rayleigh * _e114.x));
-                vec3 _e122 = source;
-                source = (_e122 + (mie * _e114.y));
-                vec3 _e126 = source;
-                float _e129 = lit_t;
-                vec3 _e132 = sun_transmittance(m_4, x_6, (ray_2.sun_b + (ray_2.nu * _e129)), light_samples);
-                source = (_e126 * _e132);
-                vec3 _e135 = out_.radiance;
-                vec3 _e137 = out_.transmittance;
-                vec3 _e138 = mean_transmittance(tau_1);
-                vec3 _e140 = source;
-                out_.radiance = (_e135 + (((_e137 * _e138) * _e140) * (step_ - dark)));
+                vec3 _e120 = source;
+                source = (_e120 + (rayleigh * _e116.x));
+                vec3 _e124 = source;
+                source = (_e124 + (mie * _e116.y));
+                vec3 _e128 = source;
+                float _e133 = lit_t;
+                vec3 _e136 = sun_transmittance(_e32, _e31, m_2.radius, m_2.thickness, x_6, (ray_2.sun_b + (ray_2.nu * _e133)), light_samples);
+                source = (_e128 * _e136);
+                vec3 _e139 = out_.radiance;
+                vec3 _e141 = out_.transmittance;
+                vec3 _e142 = mean_transmittance(tau_1);
+                vec3 _e144 = source;
+                out_.radiance = (_e139 + (((_e141 * _e142) * _e144) * (step_ - dark)));
             }
-            vec3 _e146 = out_.transmittance;
-            out_.transmittance = (_e146 * exp(-(tau_1)));
-            t0_1 = _e53;
+            vec3 _e150 = out_.transmittance;
+            out_.transmittance = (_e150 * exp(-(tau_1)));
+            t0_1 = _e55;
         }
     }
-    Scattered _e153 = out_;
-    return _e153;
+    Scattered _e157 = out_;
+    return _e157;
 }
 
 void main() {
@@ -493,9 +503,9 @@ void main() {
     vec3 _e13 = _group_0_binding_0_fs.ray_up;
     vec3 _e14 = pixel_ray(position.xy, _e4, _e7, _e10, _e13);
     vec3 dir_5 = normalize(_e14);
-    Medium m_5 = _group_0_binding_0_fs.medium;
+    Medium m_3 = _group_0_binding_0_fs.medium;
     float _e21 = _group_0_binding_0_fs.altitude;
-    bool _e23 = hits_planet(dir_5, _e21, m_5.radius);
+    bool _e23 = hits_planet(dir_5, _e21, m_3.radius);
     if (_e23) {
         uint _e26 = _group_0_binding_0_fs.low_resolution;
         if ((_e26 == 0u)) {
@@ -508,18 +518,18 @@ void main() {
     vec3 offset = (dir_5 - _e36);
     float _e46 = _group_0_binding_0_fs.altitude;
     vec3 _e51 = _group_0_binding_0_fs.sun;
-    AirRay _e52 = air_ray(dir_5, _e46, m_5.radius, m_5.thickness, _e51);
+    AirRay _e52 = air_ray(dir_5, _e46, m_3.radius, m_3.thickness, _e51);
     if ((_e52.length_ > 0.0)) {
         uint _e62 = _group_0_binding_0_fs.view_samples;
         uint _e65 = _group_0_binding_0_fs.light_samples;
-        Scattered _e66 = single_scattering(m_5, _e52, _e52.length_, (0.5 * dot(offset, offset)), _e62, _e65);
+        Scattered _e66 = single_scattering(m_3, _e52, _e52.length_, (0.5 * dot(offset, offset)), _e62, _e65);
         float _e70 = _group_0_binding_0_fs.sky_weight;
         light = (_e66.radiance * _e70);
         through = _e66.transmittance;
     }
     vec3 _e73 = light;
     vec3 _e79 = through;
-    _fs2p_location0 = vec4(min((_e73 * m_5.irradiance), vec3(65000.0)), (1.0 - dot(_e79, vec3(0.33333334))));
+    _fs2p_location0 = vec4(min((_e73 * m_3.irradiance), vec3(65000.0)), (1.0 - dot(_e79, vec3(0.33333334))));
     return;
 }
 

@@ -304,17 +304,25 @@ vec2 shadow_stretch(AirRay ray_1) {
     return _e59;
 }
 
-vec3 densities(Medium m, float h_5) {
+vec4 layers_of(Medium m) {
+    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+}
+
+mat3x3 coefficients_of(Medium m_1) {
+    return mat3x3(m_1.rayleigh, m_1.mie_extinction, m_1.ozone);
+}
+
+vec3 densities(vec4 layers, float h_5) {
     vec3 d = vec3(0.0);
-    d.x = exp((-(h_5) * m.rayleigh_inv_height));
+    d.x = exp((-(h_5) * layers.x));
     vec3 _e10 = d;
     return _e10;
 }
 
-vec3 extinction(Medium m_1, vec3 d_1) {
+vec3 extinction(mat3x3 coefficients, vec3 d_1) {
     vec3 sum = vec3(0.0);
     vec3 _e5 = sum;
-    sum = (_e5 + (m_1.rayleigh * d_1.x));
+    sum = (_e5 + (coefficients[0] * d_1.x));
     vec3 _e10 = sum;
     return _e10;
 }
@@ -327,7 +335,7 @@ float unwarp(float low_1, float t_1) {
     return (sign((t_1 - low_1)) * sqrt(abs((t_1 - low_1))));
 }
 
-vec3 path_densities(Medium m_2, float x_4, float b_3, float distance_, uint samples) {
+vec3 path_densities(vec4 layers_1, float radius_10, float x_4, float b_3, float distance_, uint samples) {
     vec3 sum_1 = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
@@ -341,22 +349,22 @@ vec3 path_densities(Medium m_2, float x_4, float b_3, float distance_, uint samp
             i = (_e43 + 1u);
         }
         loop_init = false;
-        uint _e22 = i;
-        if ((_e22 < samples)) {
+        uint _e23 = i;
+        if ((_e23 < samples)) {
         } else {
             break;
         }
         {
-            uint _e24 = i;
-            float u_1 = (u0_ + (du * float(_e24)));
-            float _e31 = warp(low_2, (u_1 + (0.5 * du)));
-            float _e33 = warp(low_2, (u_1 + du));
-            float _e35 = altitude_after(x_4, b_3, _e31, m_2.radius);
+            uint _e25 = i;
+            float u_1 = (u0_ + (du * float(_e25)));
+            float _e32 = warp(low_2, (u_1 + (0.5 * du)));
+            float _e34 = warp(low_2, (u_1 + du));
+            float _e35 = altitude_after(x_4, b_3, _e32, radius_10);
             vec3 _e36 = sum_1;
-            vec3 _e37 = densities(m_2, _e35);
+            vec3 _e37 = densities(layers_1, _e35);
             float _e38 = t0_;
-            sum_1 = (_e36 + (_e37 * (_e33 - _e38)));
-            t0_ = _e33;
+            sum_1 = (_e36 + (_e37 * (_e34 - _e38)));
+            t0_ = _e34;
         }
     }
     vec3 _e45 = sum_1;
@@ -372,15 +380,15 @@ float rayleigh_phase(float mu) {
     return (0.0596831 * (1.0 + (mu * mu)));
 }
 
-vec3 sun_transmittance(Medium m_3, float x_5, float sun_b, uint samples_1) {
-    float _e6 = excess_of(m_3.thickness, m_3.radius);
-    float _e7 = distance_to_top(x_5, sun_b, _e6);
-    vec3 _e8 = path_densities(m_3, x_5, sun_b, _e7, samples_1);
-    vec3 _e9 = extinction(m_3, _e8);
-    return exp(-(_e9));
+vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_11, float thickness_2, float x_5, float sun_b, uint samples_1) {
+    float _e7 = excess_of(thickness_2, radius_11);
+    float _e8 = distance_to_top(x_5, sun_b, _e7);
+    vec3 _e9 = path_densities(layers_2, radius_11, x_5, sun_b, _e8, samples_1);
+    vec3 _e10 = extinction(coefficients_1, _e9);
+    return exp(-(_e10));
 }
 
-Scattered single_scattering(Medium m_4, AirRay ray_2, float length_1, float away, uint view_samples, uint light_samples) {
+Scattered single_scattering(Medium m_2, AirRay ray_2, float length_1, float away, uint view_samples, uint light_samples) {
     Scattered out_ = Scattered(vec3(0.0), vec3(0.0));
     float t0_1 = 0.0;
     uint i_1 = 0u;
@@ -389,78 +397,80 @@ Scattered single_scattering(Medium m_4, AirRay ray_2, float length_1, float away
     out_.radiance = vec3(0.0);
     out_.transmittance = vec3(1.0);
     float _e16 = rayleigh_phase((1.0 - away));
-    vec3 rayleigh = (m_4.rayleigh * _e16);
-    Low _e19 = lowest(ray_2, length_1, m_4.radius);
-    float low_3 = _e19.t;
+    vec3 rayleigh = (m_2.rayleigh * _e16);
+    vec4 _e18 = layers_of(m_2);
+    mat3x3 _e19 = coefficients_of(m_2);
+    Low _e21 = lowest(ray_2, length_1, m_2.radius);
+    float low_3 = _e21.t;
     float u0_1 = -(sqrt(low_3));
     float du_1 = ((sqrt((length_1 - low_3)) - u0_1) / float(view_samples));
-    vec2 _e28 = shadow_stretch(ray_2);
+    vec2 _e30 = shadow_stretch(ray_2);
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            uint _e134 = i_1;
-            i_1 = (_e134 + 1u);
+            uint _e138 = i_1;
+            i_1 = (_e138 + 1u);
         }
         loop_init_1 = false;
-        uint _e33 = i_1;
-        if ((_e33 < view_samples)) {
+        uint _e35 = i_1;
+        if ((_e35 < view_samples)) {
         } else {
             break;
         }
         {
-            uint _e35 = i_1;
-            float u_2 = (u0_1 + (du_1 * float(_e35)));
-            float _e40 = warp(low_3, (u_2 + du_1));
-            float _e41 = t0_1;
-            float step_ = (_e40 - _e41);
-            float _e46 = warp(low_3, (u_2 + (0.5 * du_1)));
-            float _e51 = altitude_after(_e19.x, _e19.b, (_e46 - low_3), m_4.radius);
-            vec3 _e52 = densities(m_4, _e51);
-            vec3 _e53 = extinction(m_4, _e52);
-            vec3 tau_1 = (_e53 * step_);
-            float _e56 = t0_1;
-            float dark0_ = clamp(_e28.x, _e56, _e40);
-            float _e59 = t0_1;
-            float dark1_ = clamp(_e28.y, _e59, _e40);
-            float dark = ((_e28.y > _e28.x) ? max((dark1_ - dark0_), 0.0) : 0.0);
+            uint _e37 = i_1;
+            float u_2 = (u0_1 + (du_1 * float(_e37)));
+            float _e42 = warp(low_3, (u_2 + du_1));
+            float _e43 = t0_1;
+            float step_ = (_e42 - _e43);
+            float _e48 = warp(low_3, (u_2 + (0.5 * du_1)));
+            float _e53 = altitude_after(_e21.x, _e21.b, (_e48 - low_3), m_2.radius);
+            vec3 _e54 = densities(_e18, _e53);
+            vec3 _e55 = extinction(_e19, _e54);
+            vec3 tau_1 = (_e55 * step_);
+            float _e58 = t0_1;
+            float dark0_ = clamp(_e30.x, _e58, _e42);
+            float _e61 = t0_1;
+            float dark1_ = clamp(_e30.y, _e61, _e42);
+            float dark = ((_e30.y > _e30.x) ? max((dark1_ - dark0_), 0.0) : 0.0);
             if ((dark < step_)) {
-                lit_t = _e46;
+                lit_t = _e48;
                 if ((dark > 0.0)) {
-                    float _e73 = t0_1;
-                    bool first = ((dark0_ - _e73) > (_e40 - dark1_));
-                    float _e77 = t0_1;
-                    float lit0_ = (first ? _e77 : dark1_);
-                    float lit1_ = (first ? dark0_ : _e40);
-                    float _e80 = unwarp(low_3, lit0_);
-                    float _e81 = unwarp(low_3, lit1_);
-                    float _e85 = warp(low_3, (0.5 * (_e80 + _e81)));
-                    lit_t = _e85;
+                    float _e75 = t0_1;
+                    bool first = ((dark0_ - _e75) > (_e42 - dark1_));
+                    float _e79 = t0_1;
+                    float lit0_ = (first ? _e79 : dark1_);
+                    float lit1_ = (first ? dark0_ : _e42);
+                    float _e82 = unwarp(low_3, lit0_);
+                    float _e83 = unwarp(low_3, lit1_);
+                    float _e87 = warp(low_3, (0.5 * (_e82 + _e83)));
+                    lit_t = _e87;
                 }
-                float _e87 = lit_t;
-                float _e92 = lit_t;
-                float x_6 = (_e19.x + ((_e87 - low_3) * ((2.0 * _e19.b) + (_e92 - low_3))));
-                float _e98 = altitude_of(x_6, m_4.radius);
-                vec3 _e101 = densities(m_4, max(_e98, 0.0));
+                float _e89 = lit_t;
+                float _e94 = lit_t;
+                float x_6 = (_e21.x + ((_e89 - low_3) * ((2.0 * _e21.b) + (_e94 - low_3))));
+                float _e100 = altitude_of(x_6, m_2.radius);
+                vec3 _e103 = densities(_e18, max(_e100, 0.0));
                 source = vec3(0.0);
-                vec3 _e105 = source;
-                source = (_e105 + (rayleigh * _e101.x));
-                vec3 _e109 = source;
-                float _e112 = lit_t;
-                vec3 _e115 = sun_transmittance(m_4, x_6, (ray_2.sun_b + (ray_2.nu * _e112)), light_samples);
-                source = (_e109 * _e115);
-                vec3 _e118 = out_.radiance;
-                vec3 _e120 = out_.transmittance;
-                vec3 _e121 = mean_transmittance(tau_1);
-                vec3 _e123 = source;
-                out_.radiance = (_e118 + (((_e120 * _e121) * _e123) * (step_ - dark)));
+                vec3 _e107 = source;
+                source = (_e107 + (rayleigh * _e103.x));
+                vec3 _e111 = source;
+                float _e116 = lit_t;
+                vec3 _e119 = sun_transmittance(_e19, _e18, m_2.radius, m_2.thickness, x_6, (ray_2.sun_b + (ray_2.nu * _e116)), light_samples);
+                source = (_e111 * _e119);
+                vec3 _e122 = out_.radiance;
+                vec3 _e124 = out_.transmittance;
+                vec3 _e125 = mean_transmittance(tau_1);
+                vec3 _e127 = source;
+                out_.radiance = (_e122 + (((_e124 * _e125) * _e127) * (step_ - dark)));
             }
-            vec3 _e129 = out_.transmittance;
-            out_.transmittance = (_e129 * exp(-(tau_1)));
-            t0_1 = _e40;
+            vec3 _e133 = out_.transmittance;
+            out_.transmittance = (_e133 * exp(-(tau_1)));
+            t0_1 = _e42;
         }
     }
-    Scattered _e136 = out_;
-    return _e136;
+    Scattered _e140 = out_;
+    return _e140;
 }
 
 void main() {
@@ -473,9 +483,9 @@ void main() {
     vec3 _e13 = _group_0_binding_0_fs.ray_up;
     vec3 _e14 = pixel_ray(position.xy, _e4, _e7, _e10, _e13);
     vec3 dir_5 = normalize(_e14);
-    Medium m_5 = _group_0_binding_0_fs.medium;
+    Medium m_3 = _group_0_binding_0_fs.medium;
     float _e21 = _group_0_binding_0_fs.altitude;
-    bool _e23 = hits_planet(dir_5, _e21, m_5.radius);
+    bool _e23 = hits_planet(dir_5, _e21, m_3.radius);
     if (_e23) {
         uint _e26 = _group_0_binding_0_fs.low_resolution;
         if ((_e26 == 0u)) {
@@ -488,18 +498,18 @@ void main() {
     vec3 offset = (dir_5 - _e36);
     float _e46 = _group_0_binding_0_fs.altitude;
     vec3 _e51 = _group_0_binding_0_fs.sun;
-    AirRay _e52 = air_ray(dir_5, _e46, m_5.radius, m_5.thickness, _e51);
+    AirRay _e52 = air_ray(dir_5, _e46, m_3.radius, m_3.thickness, _e51);
     if ((_e52.length_ > 0.0)) {
         uint _e62 = _group_0_binding_0_fs.view_samples;
         uint _e65 = _group_0_binding_0_fs.light_samples;
-        Scattered _e66 = single_scattering(m_5, _e52, _e52.length_, (0.5 * dot(offset, offset)), _e62, _e65);
+        Scattered _e66 = single_scattering(m_3, _e52, _e52.length_, (0.5 * dot(offset, offset)), _e62, _e65);
         float _e70 = _group_0_binding_0_fs.sky_weight;
         light = (_e66.radiance * _e70);
         through = _e66.transmittance;
     }
     vec3 _e73 = light;
     vec3 _e79 = through;
-    _fs2p_location0 = vec4(min((_e73 * m_5.irradiance), vec3(65000.0)), (1.0 - dot(_e79, vec3(0.33333334))));
+    _fs2p_location0 = vec4(min((_e73 * m_3.irradiance), vec3(65000.0)), (1.0 - dot(_e79, vec3(0.33333334))));
     return;
 }
 

@@ -149,17 +149,25 @@ AirPath air_path(Line line, float h_2, float radius_4, float thickness) {
     return AirPath((above_1 / (half_ - line.b)), (line.ground ? (_e4 / (half_ + ground_root)) : (2.0 * half_)), _e4, -(half_));
 }
 
-vec3 densities(Medium m, float h_3) {
+vec4 layers_of(Medium m) {
+    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+}
+
+mat3x3 coefficients_of(Medium m_1) {
+    return mat3x3(m_1.rayleigh, m_1.mie_extinction, m_1.ozone);
+}
+
+vec3 densities(vec4 layers, float h_3) {
     vec3 d = vec3(0.0);
-    d.z = max(0.0, (1.0 - (abs((h_3 - m.ozone_center)) * m.ozone_inv_half_width)));
+    d.z = max(0.0, (1.0 - (abs((h_3 - layers.z)) * layers.w)));
     vec3 _e15 = d;
     return _e15;
 }
 
-vec3 extinction(Medium m_1, vec3 d_1) {
+vec3 extinction(mat3x3 coefficients, vec3 d_1) {
     vec3 sum = vec3(0.0);
     vec3 _e5 = sum;
-    sum = (_e5 + (m_1.ozone * d_1.z));
+    sum = (_e5 + (coefficients[2] * d_1.z));
     vec3 _e10 = sum;
     return _e10;
 }
@@ -168,7 +176,7 @@ float warp(float low, float u) {
     return (low + (u * abs(u)));
 }
 
-vec3 path_densities(Medium m_2, float x_3, float b_3, float distance_, uint samples) {
+vec3 path_densities(vec4 layers_1, float radius_5, float x_3, float b_3, float distance_, uint samples) {
     vec3 sum_1 = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
@@ -182,22 +190,22 @@ vec3 path_densities(Medium m_2, float x_3, float b_3, float distance_, uint samp
             i = (_e43 + 1u);
         }
         loop_init = false;
-        uint _e22 = i;
-        if ((_e22 < samples)) {
+        uint _e23 = i;
+        if ((_e23 < samples)) {
         } else {
             break;
         }
         {
-            uint _e24 = i;
-            float u_1 = (u0_ + (du * float(_e24)));
-            float _e31 = warp(low_1, (u_1 + (0.5 * du)));
-            float _e33 = warp(low_1, (u_1 + du));
-            float _e35 = altitude_after(x_3, b_3, _e31, m_2.radius);
+            uint _e25 = i;
+            float u_1 = (u0_ + (du * float(_e25)));
+            float _e32 = warp(low_1, (u_1 + (0.5 * du)));
+            float _e34 = warp(low_1, (u_1 + du));
+            float _e35 = altitude_after(x_3, b_3, _e32, radius_5);
             vec3 _e36 = sum_1;
-            vec3 _e37 = densities(m_2, _e35);
+            vec3 _e37 = densities(layers_1, _e35);
             float _e38 = t0_;
-            sum_1 = (_e36 + (_e37 * (_e33 - _e38)));
-            t0_ = _e33;
+            sum_1 = (_e36 + (_e37 * (_e34 - _e38)));
+            t0_ = _e34;
         }
     }
     vec3 _e45 = sum_1;
@@ -209,10 +217,10 @@ void main() {
     bool local = false;
     vec3 light = vec3(0.0);
     Frame f = _group_0_binding_0_fs.frame;
-    Medium m_3 = f.medium;
+    Medium m_2 = f.medium;
     vec3 _e10 = pixel_ray(position.xy, f.size, f.ray_forward, f.ray_right, f.ray_up);
     vec3 dir_1 = normalize(_e10);
-    Line _e14 = line_past(dir_1, f.altitude, m_3.radius);
+    Line _e14 = line_past(dir_1, f.altitude, m_2.radius);
     float _e19 = disk_coverage((dir_1 - f.sun), f.sun_chord, f.pixel_angle);
     if (!(_e14.ground)) {
         local = (_e19 <= 0.0);
@@ -223,21 +231,23 @@ void main() {
     if (_e27) {
         discard;
     }
-    light = (m_3.irradiance * (f.sun_disk * _e19));
-    AirPath _e36 = air_path(_e14, f.altitude, m_3.radius, m_3.thickness);
+    light = (m_2.irradiance * (f.sun_disk * _e19));
+    AirPath _e36 = air_path(_e14, f.altitude, m_2.radius, m_2.thickness);
     if ((_e36.length_ > 0.0)) {
         vec3 _e40 = light;
-        vec3 _e45 = path_densities(m_3, _e36.x, _e36.b, _e36.length_, STEPS);
-        vec3 _e46 = extinction(m_3, _e45);
-        light = (_e40 * exp(-(_e46)));
+        mat3x3 _e41 = coefficients_of(m_2);
+        vec4 _e42 = layers_of(m_2);
+        vec3 _e48 = path_densities(_e42, m_2.radius, _e36.x, _e36.b, _e36.length_, STEPS);
+        vec3 _e49 = extinction(_e41, _e48);
+        light = (_e40 * exp(-(_e49)));
     }
-    vec3 _e50 = light;
-    light = min(_e50, vec3(65000.0));
-    vec3 _e54 = light;
-    float _e56 = light.x;
-    float _e58 = light.y;
-    float _e60 = light.z;
-    _fs2p_location0 = vec4(_e54, (max(_e56, max(_e58, _e60)) * 1.5384616e-5));
+    vec3 _e53 = light;
+    light = min(_e53, vec3(65000.0));
+    vec3 _e57 = light;
+    float _e59 = light.x;
+    float _e61 = light.y;
+    float _e63 = light.z;
+    _fs2p_location0 = vec4(_e57, (max(_e59, max(_e61, _e63)) * 1.5384616e-5));
     return;
 }
 

@@ -105,23 +105,31 @@ float distance_to_top(float x_2, float b_1, float x_top) {
     return (root - b_1);
 }
 
-vec3 densities(Medium m, float h_1) {
+vec4 layers_of(Medium m) {
+    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+}
+
+mat3x3 coefficients_of(Medium m_1) {
+    return mat3x3(m_1.rayleigh, m_1.mie_extinction, m_1.ozone);
+}
+
+vec3 densities(vec4 layers, float h_1) {
     vec3 d = vec3(0.0);
-    d.x = exp((-(h_1) * m.rayleigh_inv_height));
-    d.y = exp((-(h_1) * m.mie_inv_height));
-    d.z = max(0.0, (1.0 - (abs((h_1 - m.ozone_center)) * m.ozone_inv_half_width)));
+    d.x = exp((-(h_1) * layers.x));
+    d.y = exp((-(h_1) * layers.y));
+    d.z = max(0.0, (1.0 - (abs((h_1 - layers.z)) * layers.w)));
     vec3 _e25 = d;
     return _e25;
 }
 
-vec3 extinction(Medium m_1, vec3 d_1) {
+vec3 extinction(mat3x3 coefficients, vec3 d_1) {
     vec3 sum = vec3(0.0);
     vec3 _e5 = sum;
-    sum = (_e5 + (m_1.rayleigh * d_1.x));
+    sum = (_e5 + (coefficients[0] * d_1.x));
     vec3 _e10 = sum;
-    sum = (_e10 + (m_1.mie_extinction * d_1.y));
+    sum = (_e10 + (coefficients[1] * d_1.y));
     vec3 _e15 = sum;
-    sum = (_e15 + (m_1.ozone * d_1.z));
+    sum = (_e15 + (coefficients[2] * d_1.z));
     vec3 _e20 = sum;
     return _e20;
 }
@@ -130,7 +138,7 @@ float warp(float low, float u) {
     return (low + (u * abs(u)));
 }
 
-vec3 path_densities(Medium m_2, float x_3, float b_2, float distance_, uint samples) {
+vec3 path_densities(vec4 layers_1, float radius_3, float x_3, float b_2, float distance_, uint samples) {
     vec3 sum_1 = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
@@ -144,34 +152,34 @@ vec3 path_densities(Medium m_2, float x_3, float b_2, float distance_, uint samp
             i = (_e43 + 1u);
         }
         loop_init = false;
-        uint _e22 = i;
-        if ((_e22 < samples)) {
+        uint _e23 = i;
+        if ((_e23 < samples)) {
         } else {
             break;
         }
         {
-            uint _e24 = i;
-            float u_1 = (u0_ + (du * float(_e24)));
-            float _e31 = warp(low_1, (u_1 + (0.5 * du)));
-            float _e33 = warp(low_1, (u_1 + du));
-            float _e35 = altitude_after(x_3, b_2, _e31, m_2.radius);
+            uint _e25 = i;
+            float u_1 = (u0_ + (du * float(_e25)));
+            float _e32 = warp(low_1, (u_1 + (0.5 * du)));
+            float _e34 = warp(low_1, (u_1 + du));
+            float _e35 = altitude_after(x_3, b_2, _e32, radius_3);
             vec3 _e36 = sum_1;
-            vec3 _e37 = densities(m_2, _e35);
+            vec3 _e37 = densities(layers_1, _e35);
             float _e38 = t0_;
-            sum_1 = (_e36 + (_e37 * (_e33 - _e38)));
-            t0_ = _e33;
+            sum_1 = (_e36 + (_e37 * (_e34 - _e38)));
+            t0_ = _e34;
         }
     }
     vec3 _e45 = sum_1;
     return _e45;
 }
 
-vec3 sun_transmittance(Medium m_3, float x_4, float sun_b, uint samples_1) {
-    float _e6 = excess_of(m_3.thickness, m_3.radius);
-    float _e7 = distance_to_top(x_4, sun_b, _e6);
-    vec3 _e8 = path_densities(m_3, x_4, sun_b, _e7, samples_1);
-    vec3 _e9 = extinction(m_3, _e8);
-    return exp(-(_e9));
+vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_4, float thickness, float x_4, float sun_b, uint samples_1) {
+    float _e7 = excess_of(thickness, radius_4);
+    float _e8 = distance_to_top(x_4, sun_b, _e7);
+    vec3 _e9 = path_densities(layers_2, radius_4, x_4, sun_b, _e8, samples_1);
+    vec3 _e10 = extinction(coefficients_1, _e9);
+    return exp(-(_e10));
 }
 
 float lattice(ivec3 p) {
@@ -293,7 +301,7 @@ void main() {
     vec3 light = vec3(0.0);
     Varyings out_ = Varyings(vec4(0.0), vec3(0.0), vec3(0.0), vec2(0.0));
     Frame f_1 = _group_0_binding_0_vs.frame;
-    Medium m_4 = f_1.medium;
+    Medium m_2 = f_1.medium;
     uint k = min((max((index % 772u), 1u) - 1u), (772u - 3u));
     uint ring = ((index / 772u) + (k & 1u));
     float azimuth = ((TAU * float(((k / 2u) % SEGMENTS))) / 384.0);
@@ -322,41 +330,43 @@ void main() {
     float _e120 = _group_0_binding_0_vs.sea;
     vec4 _e121 = height_field(planet_n, _e114, _e117, _e120, spacing_1);
     float h_3 = _e121.w;
-    vec3 position = ((flat_ * ((m_4.radius + h_3) * sin_arc)) + (up * ((h_3 - f_1.camera_altitude) - ((m_4.radius + h_3) * drop))));
+    vec3 position = ((flat_ * ((m_2.radius + h_3) * sin_arc)) + (up * ((h_3 - f_1.camera_altitude) - ((m_2.radius + h_3) * drop))));
     vec3 _e137 = _group_0_binding_0_vs.planet_x;
     vec3 _e142 = _group_0_binding_0_vs.planet_y;
     vec3 _e148 = _group_0_binding_0_vs.planet_z;
     vec3 g = (((_e137 * _e121.x) + (_e142 * _e121.y)) + (_e148 * _e121.z));
-    vec3 tangential = ((g - (n_1 * dot(g, n_1))) / vec3(m_4.radius));
+    vec3 tangential = ((g - (n_1 * dot(g, n_1))) / vec3(m_2.radius));
     vec3 normal = normalize((n_1 - tangential));
-    float _e161 = excess_of(h_3, m_4.radius);
-    float sun_b_1 = ((m_4.radius + h_3) * dot(n_1, f_1.sun));
-    float dip = (sqrt(_e161) / (m_4.radius + h_3));
+    float _e161 = excess_of(h_3, m_2.radius);
+    float sun_b_1 = ((m_2.radius + h_3) * dot(n_1, f_1.sun));
+    float dip = (sqrt(_e161) / (m_2.radius + h_3));
     float above_1 = ((dot(n_1, f_1.sun) + dip) / f_1.sun_chord);
     float visible = smoothstep(-1.0, 1.0, above_1);
     vec3 _e181 = _group_0_binding_0_vs.sky_share;
     light = ((_e181 * clamp(((dot(n_1, f_1.sun) + 0.1) / 1.1), 0.0, 1.0)) * (0.5 + (0.5 * dot(normal, n_1))));
     if ((visible > 0.0)) {
         vec3 _e201 = light;
-        vec3 _e203 = sun_transmittance(m_4, _e161, sun_b_1, 8u);
-        light = (_e201 + (_e203 * (visible * max(dot(normal, f_1.sun), 0.0))));
+        mat3x3 _e202 = coefficients_of(m_2);
+        vec4 _e203 = layers_of(m_2);
+        vec3 _e207 = sun_transmittance(_e202, _e203, m_2.radius, m_2.thickness, _e161, sun_b_1, 8u);
+        light = (_e201 + (_e207 * (visible * max(dot(normal, f_1.sun), 0.0))));
     }
-    vec3 _e214 = _group_0_binding_0_vs.axis;
-    float z = dot(position, _e214);
-    float _e224 = _group_0_binding_0_vs.offset_x;
-    float right = ((dot(position, f_1.ray_right) / dot(f_1.ray_right, f_1.ray_right)) - (_e224 * z));
-    float _e235 = _group_0_binding_0_vs.offset_y;
-    float top = ((dot(position, f_1.ray_up) / dot(f_1.ray_up, f_1.ray_up)) - (_e235 * z));
+    vec3 _e218 = _group_0_binding_0_vs.axis;
+    float z = dot(position, _e218);
+    float _e228 = _group_0_binding_0_vs.offset_x;
+    float right = ((dot(position, f_1.ray_right) / dot(f_1.ray_right, f_1.ray_right)) - (_e228 * z));
+    float _e239 = _group_0_binding_0_vs.offset_y;
+    float top = ((dot(position, f_1.ray_up) / dot(f_1.ray_up, f_1.ray_up)) - (_e239 * z));
     out_.clip = vec4(right, top, (0.5 * z), z);
     out_.position = position;
-    vec3 _e244 = light;
-    out_.light = _e244;
+    vec3 _e248 = light;
+    out_.light = _e248;
     out_.surface = vec2(h_3, dot(normal, n_1));
-    Varyings _e248 = out_;
-    gl_Position = _e248.clip;
-    _vs2fs_location0 = _e248.position;
-    _vs2fs_location1 = _e248.light;
-    _vs2fs_location2 = _e248.surface;
+    Varyings _e252 = out_;
+    gl_Position = _e252.clip;
+    _vs2fs_location0 = _e252.position;
+    _vs2fs_location1 = _e252.light;
+    _vs2fs_location2 = _e252.surface;
     gl_Position.yz = vec2(-gl_Position.y, gl_Position.z * 2.0 - gl_Position.w);
     return;
 }

@@ -92,7 +92,9 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     if !ground && end >= path.length {
         if dims {
             let sums = columns_to_top(columns, radius, thickness, path.x, altitude_of(path.x, radius), path.b);
-            through = exp(-extinction(uniforms.frame.medium, sums));
+            let medium = mat3x3f(
+                uniforms.frame.medium.rayleigh, uniforms.frame.medium.mie_extinction, uniforms.frame.medium.ozone);
+            through = exp(-extinction(medium, sums));
         }
     } else {
         let slices = f32(uniforms.tables.slices);

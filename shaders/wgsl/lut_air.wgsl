@@ -41,7 +41,7 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let g = gather(columns, moments, m, t, ray, low, from_, from_ + du, gas, aerosol, select(0.0, 1.0, a.kind == AIR_SMOOTH));
     switch a.kind {
         case AIR_BEAM: { return vec4f(g.transmittance, 0.0); }
-        case AIR_THROUGH: { return vec4f(exp(-extinction(m, g.columns)), 0.0); }
+        case AIR_THROUGH: { return vec4f(exp(-extinction(coefficients_of(m), g.columns)), 0.0); }
         default: { return vec4f(max(g.radiance, vec3f(0.0)), 0.0); }
     }
 }

@@ -14,6 +14,6 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let m = uniforms.medium;
     let size = vec2f(uniforms.tables.size);
     let ray = columns_ray(floor(position.xy), size, m);
-    let sum = path_densities(m, ray.x, ray.y, ray.z, uniforms.tables.steps);
+    let sum = path_densities(layers_of(m), m.radius, ray.x, ray.y, ray.z, uniforms.tables.steps);
     return vec4f(max(log2(max(sum, vec3f(1e-37))), vec3f(LOG_FLOOR)), 0.0);
 }

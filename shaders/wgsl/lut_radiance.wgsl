@@ -42,9 +42,8 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
         let mu_ground = clamp(sun_b / m.radius, -1.0, 1.0);
         var light = ground_irradiance(moments, t, mu_ground);
         if mu_ground > 0.0 {
-            var scaled = m;
-            scaled.mie_extinction = t.mie_extinction;
-            light += mu_ground * exp(-extinction(scaled, columns_to_top(columns, m.radius, m.thickness, 0.0, 0.0, sun_b)));
+            let coefficients = mat3x3f(m.rayleigh, t.mie_extinction, m.ozone);
+            light += mu_ground * exp(-extinction(coefficients, columns_to_top(columns, m.radius, m.thickness, 0.0, 0.0, sun_b)));
         }
         radiance += g.transmittance * light * t.albedo * (1.0 / PI);
     }

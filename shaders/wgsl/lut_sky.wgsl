@@ -45,7 +45,7 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     //#if AEROSOL
     let g = gather_direct(columns, m, t, ray, low, u_from, u_to, vec3f(0.0), m.mie_scattering);
     //#endif
-    let grey = dot(exp(-extinction(m, g.columns)), vec3f(1.0 / 3.0));
+    let grey = dot(exp(-extinction(coefficients_of(m), g.columns)), vec3f(1.0 / 3.0));
     let scale = select(1.0, 1.0 / ray.length, ground);
     return vec4f(sqrt(sqrt(max(g.radiance, vec3f(0.0)) * scale)), grey);
 }

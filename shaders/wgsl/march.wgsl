@@ -38,41 +38,62 @@ fn gather_direct(
     lowest: Low, u_from: f32, u_to: f32, gas: vec3f, aerosol: vec3f,
 ) -> Gathered {
 //#endif
-    var m = medium;
-    m.mie_extinction = t.mie_extinction;
+    let radius = medium.radius;
+    let thickness = medium.thickness;
+    let layers = layers_of(medium);
+    let coefficients = mat3x3f(medium.rayleigh, t.mie_extinction, medium.ozone);
     var out = Gathered(vec3f(0.0), vec3f(1.0), vec3f(0.0));
     let shadow = shadow_stretch(ray);
+    //#if DIFFUSE
+    let axis = sun_axis(t);
+    let dims = vec2i(textureDimensions(moments));
+    let nodes = vec2f(f32(dims.x), f32((dims.y - 1) / MOMENTS)) - 1.0;
+    let scattered = mat3x3f(
+        medium.mie_scattering * t.mie_moment0, medium.mie_scattering * t.mie_moment1, medium.mie_scattering * t.mie_moment2);
+    //#endif
     let low = lowest.t;
-    let du = (u_to - u_from) / f32(t.steps);
+    let each = t.steps_per_source;
+    let groups = (t.steps + each - 1u) / each;
+    let du = (u_to - u_from) / f32(groups * each);
     var t0 = warp(low, u_from);
-    for (var i = 0u; i < t.steps; i++) {
-        let u = u_from + du * f32(i);
-        let t1 = warp(low, u + du);
-        let step = t1 - t0;
-        let mid = warp(low, u + 0.5 * du);
-        let h = altitude_after(lowest.x, lowest.b, mid - low, m.radius);
-        let d = densities(m, h);
-        let tau = extinction(m, d) * step;
-        let share = out.transmittance * mean_transmittance(tau);
-        let lit = lit_part(shadow, low, t0, t1, mid);
-        if lit.x > 0.0 {
-            let past = lit.y - low;
-            let lit_x = max(lowest.x + past * (2.0 * lowest.b + past), 0.0);
-            let lit_h = altitude_of(lit_x, m.radius);
-            let lit_d = densities(m, lit_h);
-            let path = columns_to_top(columns, m.radius, m.thickness, lit_x, lit_h, ray.sun_b + ray.nu * lit.y);
-            let source = (gas * lit_d.x + aerosol * lit_d.y) * exp(-extinction(m, path));
-            out.radiance += share * source * lit.x;
-        }
+    for (var group = 0u; group < groups; group++) {
+        let u_group = u_from + du * f32(each * group);
         //#if DIFFUSE
-        let r = m.radius + h;
-        let mu = clamp((lowest.b + mid - low) / r, -1.0, 1.0);
-        let mu_sun = clamp((ray.sun_b + ray.nu * mid) / r, -1.0, 1.0);
-        out.radiance += share * (step * diffuse) * diffuse_source(moments, m, t, d, h, mu, mu_sun, ray.nu);
+        let joint = warp(low, u_group + 0.5 * f32(each) * du);
+        let joint_h = altitude_after(lowest.x, lowest.b, joint - low, radius);
+        let r = radius + joint_h;
+        let mu = clamp((lowest.b + joint - low) / r, -1.0, 1.0);
+        let mu_sun = clamp((ray.sun_b + ray.nu * joint) / r, -1.0, 1.0);
+        let row = altitude_share(t.altitude_steepness, t.altitude_growth, joint_h, thickness);
+        let before = diffuse_source(
+            moments, vec2f(sun_share(axis, mu_sun), row) * nodes, medium.rayleigh, scattered, mu, mu_sun, ray.nu);
         //#endif
-        out.transmittance *= exp(-tau);
-        out.columns += d * step;
-        t0 = t1;
+        for (var i = 0u; i < each; i++) {
+            let u = u_group + du * f32(i);
+            let t1 = warp(low, u + du);
+            let step = t1 - t0;
+            let mid = warp(low, u + 0.5 * du);
+            let h = altitude_after(lowest.x, lowest.b, mid - low, radius);
+            let d = densities(layers, h);
+            let tau = extinction(coefficients, d) * step;
+            let share = out.transmittance * mean_transmittance(tau);
+            let lit = lit_part(shadow, low, t0, t1, mid);
+            if lit.x > 0.0 {
+                let past = lit.y - low;
+                let lit_x = max(lowest.x + past * (2.0 * lowest.b + past), 0.0);
+                let lit_h = altitude_of(lit_x, radius);
+                let lit_d = densities(layers, lit_h);
+                let path = columns_to_top(columns, radius, thickness, lit_x, lit_h, ray.sun_b + ray.nu * lit.y);
+                let source = (gas * lit_d.x + aerosol * lit_d.y) * exp(-extinction(coefficients, path));
+                out.radiance += share * source * lit.x;
+            }
+            //#if DIFFUSE
+            out.radiance += share * (step * diffuse) * (before.gas * d.x + before.aerosol * d.y);
+            //#endif
+            out.transmittance *= exp(-tau);
+            out.columns += d * step;
+            t0 = t1;
+        }
     }
     return out;
 }

@@ -14,7 +14,7 @@ fn unwarp(low: f32, t: f32) -> f32 {
 
 // Densities integrated (km) from a point (x = r^2 - R^2, b = r cos of the direction's zenith angle)
 // over a distance (km), by the midpoint rule in u.
-fn path_densities(m: Medium, x: f32, b: f32, distance: f32, samples: u32) -> vec3f {
+fn path_densities(layers: vec4f, radius: f32, x: f32, b: f32, distance: f32, samples: u32) -> vec3f {
     let low = clamp(-b, 0.0, distance);
     let u0 = -sqrt(low);
     let du = (sqrt(distance - low) - u0) / f32(samples);
@@ -24,8 +24,8 @@ fn path_densities(m: Medium, x: f32, b: f32, distance: f32, samples: u32) -> vec
         let u = u0 + du * f32(i);
         let t = warp(low, u + 0.5 * du);
         let t1 = warp(low, u + du);
-        let h = altitude_after(x, b, t, m.radius);
-        sum += densities(m, h) * (t1 - t0);
+        let h = altitude_after(x, b, t, radius);
+        sum += densities(layers, h) * (t1 - t0);
         t0 = t1;
     }
     return sum;

@@ -59,12 +59,12 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     return vec4f(x, altitude_of(x, m.radius), distance_to_top(path.x, path.y, excess_of(m.thickness, m.radius)), 0.0);
     //#endif
     //#if PROBE_MEDIUM
-    let d = densities(m, view.w);
+    let d = densities(layers_of(m), view.w);
     if answer == 0 {
         return vec4f(d, rayleigh_phase(1.0 - angle.x));
     }
     if answer == 1 {
-        return vec4f(extinction(m, d), 0.0);
+        return vec4f(extinction(coefficients_of(m), d), 0.0);
     }
     if answer == 2 {
         return vec4f(henyey_greenstein_phase(angle.x, 2.0 - angle.x, m.mie_asymmetry), 0.0);
@@ -72,13 +72,14 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     if answer == 3 {
         return vec4f(cornette_shanks_phase(angle.x, 2.0 - angle.x, m.mie_asymmetry), 0.0);
     }
-    return vec4f(mean_transmittance(extinction(m, d) * path.z), 0.0);
+    return vec4f(mean_transmittance(extinction(coefficients_of(m), d) * path.z), 0.0);
     //#endif
     //#if PROBE_PATH
     if answer == 0 {
-        return vec4f(path_densities(m, path.x, path.y, path.z, u32(path.w)), 0.0);
+        return vec4f(path_densities(layers_of(m), m.radius, path.x, path.y, path.z, u32(path.w)), 0.0);
     }
-    return vec4f(sun_transmittance(m, path.x, path.y, u32(path.w)), 0.0);
+    return vec4f(sun_transmittance(
+        coefficients_of(m), layers_of(m), m.radius, m.thickness, path.x, path.y, u32(path.w)), 0.0);
     //#endif
     //#if PROBE_SCATTER
     let ray = air_ray(view.xyz, view.w, m.radius, m.thickness, light.xyz);

@@ -5,9 +5,11 @@
 // planet's own shadow. Per unit of the sun's irradiance: radiance in 1/sr.
 
 // Transmittance from a point to the sun, whose disk's centre is above the point's horizon.
-fn sun_transmittance(m: Medium, x: f32, sun_b: f32, samples: u32) -> vec3f {
-    let distance = distance_to_top(x, sun_b, excess_of(m.thickness, m.radius));
-    return exp(-extinction(m, path_densities(m, x, sun_b, distance, samples)));
+fn sun_transmittance(
+    coefficients: mat3x3f, layers: vec4f, radius: f32, thickness: f32, x: f32, sun_b: f32, samples: u32,
+) -> vec3f {
+    let distance = distance_to_top(x, sun_b, excess_of(thickness, radius));
+    return exp(-extinction(coefficients, path_densities(layers, radius, x, sun_b, distance, samples)));
 }
 
 struct Scattered {
@@ -34,6 +36,8 @@ fn single_scattering(m: Medium, ray: AirRay, length: f32, away: f32, view_sample
     //#if MIE_CS
     let mie = m.mie_scattering * cornette_shanks_phase(away, toward, m.mie_asymmetry);
     //#endif
+    let layers = layers_of(m);
+    let coefficients = coefficients_of(m);
     let lowest = lowest(ray, length, m.radius);
     let low = lowest.t;
     let u0 = -sqrt(low);
@@ -48,7 +52,7 @@ fn single_scattering(m: Medium, ray: AirRay, length: f32, away: f32, view_sample
         let step = t1 - t0;
         let t = warp(low, u + 0.5 * du);
         let h = altitude_after(lowest.x, lowest.b, t - low, m.radius);
-        let tau = extinction(m, densities(m, h)) * step;
+        let tau = extinction(coefficients, densities(layers, h)) * step;
         //#if SCATTER
         // The part of the step that the sun reaches, and a point in its middle.
         let dark0 = clamp(shadow.x, t0, t1);
@@ -63,7 +67,7 @@ fn single_scattering(m: Medium, ray: AirRay, length: f32, away: f32, view_sample
                 lit_t = warp(low, 0.5 * (unwarp(low, lit0) + unwarp(low, lit1)));
             }
             let x = lowest.x + (lit_t - low) * (2.0 * lowest.b + (lit_t - low));
-            let d = densities(m, max(altitude_of(x, m.radius), 0.0));
+            let d = densities(layers, max(altitude_of(x, m.radius), 0.0));
             var source = vec3f(0.0);
             //#if RAYLEIGH
             source += rayleigh * d.x;
@@ -71,7 +75,8 @@ fn single_scattering(m: Medium, ray: AirRay, length: f32, away: f32, view_sample
             //#if MIE
             source += mie * d.y;
             //#endif
-            source *= sun_transmittance(m, x, ray.sun_b + ray.nu * lit_t, light_samples);
+            source *= sun_transmittance(
+                coefficients, layers, m.radius, m.thickness, x, ray.sun_b + ray.nu * lit_t, light_samples);
             out.radiance += out.transmittance * mean_transmittance(tau) * source * (step - dark);
         }
         //#endif

@@ -33,7 +33,7 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     //#if AIR
     let path = air_path(line, f.altitude, m.radius, m.thickness);
     if path.length > 0.0 {
-        light *= exp(-extinction(m, path_densities(m, path.x, path.b, path.length, STEPS)));
+        light *= exp(-extinction(coefficients_of(m), path_densities(layers_of(m), m.radius, path.x, path.b, path.length, STEPS)));
     }
     //#endif
     light = min(light, vec3f(HALF_MAX));

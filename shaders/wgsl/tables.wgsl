@@ -17,7 +17,7 @@ struct Tables {
     mie_moment2: vec3f,
     sun_width: f32,             // of the crowd, in the cosine
     mie_asymmetry: vec3f,       // of the rest
-    altitude_pad: f32,
+    steps_per_source: u32,      // steps that share one look at `moments`
     albedo: vec3f,              // of the ground, Lambert
     sun_first: f32,             // asinh((cosine - middle) / width) of the first column of `moments`
     sun_span: f32,              // ... of the last, less the first
@@ -89,8 +89,8 @@ fn columns_to_top(table: texture_2d<f32>, radius: f32, thickness: f32, x: f32, h
 
 const MOMENTS: i32 = 6;
 
-fn altitude_share(t: Tables, h: f32, thickness: f32) -> f32 {
-    return sqrt(log(1.0 + max(h, 0.0) / thickness * t.altitude_growth) / t.altitude_steepness);
+fn altitude_share(steepness: f32, growth: f32, h: f32, thickness: f32) -> f32 {
+    return sqrt(log(1.0 + max(h, 0.0) / thickness * growth) / steepness);
 }
 
 fn share_altitude(t: Tables, share: f32, thickness: f32) -> f32 {
@@ -100,9 +100,14 @@ fn share_altitude(t: Tables, share: f32, thickness: f32) -> f32 {
     return thickness * min(grown / t.altitude_growth, 1.0);
 }
 
-fn sun_share(t: Tables, mu: f32) -> f32 {
-    let y = (mu - t.sun_middle) / t.sun_width;
-    return (sign(y) * log(abs(y) + sqrt(y * y + 1.0)) - t.sun_first) / t.sun_span;
+// The sun's axis of `moments`: middle, width, first and span of `Tables`.
+fn sun_axis(t: Tables) -> vec4f {
+    return vec4f(t.sun_middle, t.sun_width, t.sun_first, t.sun_span);
+}
+
+fn sun_share(axis: vec4f, mu: f32) -> f32 {
+    let y = (mu - axis.x) / axis.y;
+    return (sign(y) * log(abs(y) + sqrt(y * y + 1.0)) - axis.z) / axis.w;
 }
 
 fn share_sun(t: Tables, share: f32) -> f32 {
@@ -128,37 +133,43 @@ fn harmonic(index: i32, mu: f32, along: f32) -> f32 {
     }
 }
 
-// Light of all orders scattered into a direction, per km: the moments there times those of the phase functions
-// (addition theorem; Chandrasekhar 1960, section 48). d: densities; nu: cosine between direction and sun.
-fn diffuse_source(table: texture_2d<f32>, m: Medium, t: Tables, d: vec3f, h: f32, mu: f32, mu_sun: f32, nu: f32) -> vec3f {
+// Light scattered before that gas and aerosol scatter into a direction, for densities of 1.
+struct Source {
+    gas: vec3f,      // 1/km
+    aerosol: vec3f,  // 1/km
+}
+
+// The moments at a node (counted in texels) times those of the phase functions (addition theorem; Chandrasekhar 1960,
+// section 48). gas: scattering, 1/km; aerosol: the same times its phase moments 0, 1 and 2; mu, mu_sun: cosines of
+// the zenith angles of direction and sun; nu: of the angle between them.
+fn diffuse_source(
+    table: texture_2d<f32>, at: vec2f, gas: vec3f, aerosol: mat3x3f, mu: f32, mu_sun: f32, nu: f32,
+) -> Source {
     let dims = vec2i(textureDimensions(table));
-    let size = vec2i(dims.x, (dims.y - 1) / MOMENTS);
-    let at = vec2f(sun_share(t, mu_sun), altitude_share(t, h, m.thickness)) * vec2f(size - 1);
-    var c = corner(at, size);
+    var c = corner(at, vec2i(dims.x, (dims.y - 1) / MOMENTS));
     c.low.y *= MOMENTS;
     c.high.y *= MOMENTS;
     let mean = exp2(bilinear(table, c, vec2i(0)).xyz);
     let sin_sun = sqrt(max((1.0 - mu_sun) * (1.0 + mu_sun), 1e-12));
     let sin_view = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0));
     let along = clamp((nu - mu * mu_sun) / sin_sun, -sin_view, sin_view);
-    let l2 = bilinear(table, c, vec2i(0, 3)).xyz * harmonic(3, mu, along)
-        + bilinear(table, c, vec2i(0, 4)).xyz * harmonic(4, mu, along)
-        + bilinear(table, c, vec2i(0, 5)).xyz * harmonic(5, mu, along);
-    var source = vec3f(0.0);
+    let l2 = bilinear(table, c, vec2i(0, 3)).xyz * (SH20 * (3.0 * mu * mu - 1.0))
+        + bilinear(table, c, vec2i(0, 4)).xyz * (SH21 * mu * along)
+        + bilinear(table, c, vec2i(0, 5)).xyz * (SH22 * (2.0 * along * along + mu * mu - 1.0));
+    var source = Source(vec3f(0.0), vec3f(0.0));
     //#if RAYLEIGH
-    source += m.rayleigh * d.x * (SH0 + 0.1 * l2);
+    source.gas = gas * (SH0 + 0.1 * l2) * mean;
     //#endif
     //#if MIE
-    let l1 = bilinear(table, c, vec2i(0, 1)).xyz * harmonic(1, mu, along)
-        + bilinear(table, c, vec2i(0, 2)).xyz * harmonic(2, mu, along);
-    source += m.mie_scattering * d.y * (SH0 * t.mie_moment0 + l1 * t.mie_moment1 + l2 * t.mie_moment2);
+    let l1 = bilinear(table, c, vec2i(0, 1)).xyz * (SH1 * mu) + bilinear(table, c, vec2i(0, 2)).xyz * (SH1 * along);
+    source.aerosol = (SH0 * aerosol[0] + l1 * aerosol[1] + l2 * aerosol[2]) * mean;
     //#endif
-    return source * mean;
+    return source;
 }
 
 // Irradiance of level ground from the sky.
 fn ground_irradiance(table: texture_2d<f32>, t: Tables, mu_sun: f32) -> vec3f {
     let dims = vec2i(textureDimensions(table));
-    let at = vec2f(sun_share(t, mu_sun) * f32(dims.x - 1), 0.0);
+    let at = vec2f(sun_share(sun_axis(t), mu_sun) * f32(dims.x - 1), 0.0);
     return exp2(bilinear(table, corner(at, vec2i(dims.x, 1)), vec2i(0, dims.y - 1)).xyz);
 }

@@ -120,7 +120,7 @@ fn vertex_main(@builtin(vertex_index) index: u32) -> Varyings {
     let visible = smoothstep(-1.0, 1.0, above);
     var light = terrain.sky_share * clamp((dot(n, f.sun) + 0.1) / 1.1, 0.0, 1.0) * (0.5 + 0.5 * dot(normal, n));
     if visible > 0.0 {
-        light += sun_transmittance(m, x, sun_b, 8u) * (visible * max(dot(normal, f.sun), 0.0));
+        light += sun_transmittance(coefficients_of(m), layers_of(m), m.radius, m.thickness, x, sun_b, 8u) * (visible * max(dot(normal, f.sun), 0.0));
     }
 
     var out: Varyings;

@@ -606,9 +606,9 @@ mod tests {
             let text = program.wgsl();
             assert!(!text.contains("#error"), "{}", program.name());
             if let Program::Sky { air } | Program::Sun { air } = program {
-                assert_eq!(text.contains("m.ozone "), air.ozone, "{}", program.name());
-                assert_eq!(text.contains("rayleigh_inv_height)"), air.rayleigh, "{}", program.name());
-                assert_eq!(text.contains("mie_inv_height)"), air.mie.is_some(), "{}", program.name());
+                assert_eq!(text.contains("d.z = "), air.ozone, "{}", program.name());
+                assert_eq!(text.contains("d.x = "), air.rayleigh, "{}", program.name());
+                assert_eq!(text.contains("d.y = "), air.mie.is_some(), "{}", program.name());
             }
         }
     }
