@@ -63,6 +63,7 @@ fn help_teaches_every_option() {
         "--samples",
         "--light-samples",
         "--tone-map",
+        "--no-dither",
         "--backend",
         "--no-terrain",
         "--output",

@@ -16,6 +16,9 @@ pub struct PictureSettings {
     pub exposure: f64,
     /// How radiance becomes display values.
     pub tone_map: ToneMap,
+    /// Whether display values get noise of one 8-bit step, so that gradients show no bands; their mean stays. See
+    /// [`super::tone::dither`].
+    pub dither: bool,
     /// The ground; `None` draws none.
     pub terrain: Option<TerrainStyle>,
     /// Format of the radiance before tone mapping: `Rgba16Float` or `Rgba32Float` (needs float blending).
@@ -28,6 +31,7 @@ impl Default for PictureSettings {
             sky: SkySettings::default(),
             exposure: 1.0,
             tone_map: ToneMap::default(),
+            dither: true,
             terrain: Some(TerrainStyle::earth()),
             radiance: Format::Rgba16Float,
         }
@@ -107,7 +111,8 @@ impl PictureRenderer {
         let radiance = if air.is_empty() { t.scene } else { t.aerial };
         self.passes.extend_from_slice(air);
         self.passes.extend_from_slice(self.sky.shell(backend, scene, t.depth, Target::color(t.scene))?);
-        self.passes.push(tone_pass(backend, settings.tone_map, settings.exposure, radiance, t.display)?);
+        let PictureSettings { tone_map, exposure, dither, .. } = *settings;
+        self.passes.push(tone_pass(backend, tone_map, exposure, dither, radiance, t.display)?);
         Ok((&self.passes, Drawn { radiance, depth: t.depth, display: t.display }))
     }
 

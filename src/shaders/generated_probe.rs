@@ -22,9 +22,9 @@ pub(super) static PARTS: &[&str] = &[
 ];
 
 pub(super) static GLSL: &[Glsl] = &[
-    Glsl { name: "probe-geometry", vertex: &[141, 0], fragment: &[1, 3, 12, 9, 252, 94, 37, 89, 120, 232, 235, 29, 136, 128, 263, 261, 254, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-medium", vertex: &[141, 0], fragment: &[1, 253, 107, 171, 191, 125, 58, 259, 256, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-path", vertex: &[141, 0], fragment: &[1, 251, 94, 37, 89, 60, 107, 247, 177, 236, 260, 255, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-scatter_hg", vertex: &[141, 0], fragment: &[1, 3, 12, 9, 10, 251, 94, 37, 89, 120, 232, 235, 30, 137, 201, 61, 107, 247, 244, 178, 171, 191, 125, 237, 264, 262, 257, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-scatter_cs", vertex: &[141, 0], fragment: &[1, 3, 12, 9, 10, 251, 94, 37, 89, 120, 232, 235, 30, 137, 201, 61, 107, 247, 244, 178, 171, 191, 125, 58, 237, 265, 262, 258, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-geometry", vertex: &[143, 0], fragment: &[1, 3, 12, 9, 255, 96, 37, 89, 122, 235, 238, 29, 138, 130, 266, 264, 257, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-medium", vertex: &[143, 0], fragment: &[1, 256, 109, 174, 194, 127, 58, 262, 259, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-path", vertex: &[143, 0], fragment: &[1, 254, 96, 37, 89, 60, 109, 250, 180, 239, 263, 258, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-scatter_hg", vertex: &[143, 0], fragment: &[1, 3, 12, 9, 10, 254, 96, 37, 89, 122, 235, 238, 30, 139, 204, 61, 109, 250, 247, 181, 174, 194, 127, 240, 267, 265, 260, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-scatter_cs", vertex: &[143, 0], fragment: &[1, 3, 12, 9, 10, 254, 96, 37, 89, 122, 235, 238, 30, 139, 204, 61, 109, 250, 247, 181, 174, 194, 127, 58, 240, 268, 265, 261, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
 ];

@@ -86,6 +86,7 @@ pub enum Command {
 
 /// Options of `welkin compare`.
 #[derive(Args, Debug)]
+#[command(after_help = "Pictures are compared without dither, timed with it.")]
 pub struct CompareArgs {
     /// Pixels of the pictures that are compared
     #[arg(long, value_name = "WxH", default_value = "480x270", value_parser = parse_size)]
@@ -331,6 +332,10 @@ pub struct RenderArgs {
     /// The curve from radiance to display values; .exr and .hdr are written without one
     #[arg(long, value_name = "CURVE", help_heading = "Quality and output", default_value = "aces")]
     tone_map: ToneMapName,
+
+    /// Round display values without the noise that hides bands; .exr and .hdr never have it
+    #[arg(long, help_heading = "Quality and output")]
+    no_dither: bool,
 
     /// What draws
     #[arg(long, value_name = "NAME", help_heading = "Quality and output", default_value = "auto")]
@@ -597,7 +602,16 @@ impl RenderArgs {
             other => UsageError::new(other.to_string()),
         })?;
         let sky = SkySettings { composition: self.mode.settings().composition, ..sky };
-        Ok(Shot { scene, width, height, sky, exposure: view.exposure, tone_map: self.tone_map.into(), terrain })
+        Ok(Shot {
+            scene,
+            width,
+            height,
+            sky,
+            exposure: view.exposure,
+            tone_map: self.tone_map.into(),
+            dither: !self.no_dither,
+            terrain,
+        })
     }
 
     /// How the quality was asked for.

@@ -40,6 +40,8 @@ pub struct Shot {
     pub exposure: f32,
     /// The tone curve.
     pub tone_map: ToneMap,
+    /// Noise of one step before display values are rounded.
+    pub dither: bool,
     /// The ground; `None` leaves it out.
     pub terrain: Option<TerrainStyle>,
 }
@@ -50,6 +52,7 @@ impl Shot {
             sky: self.sky,
             exposure: self.exposure.into(),
             tone_map: self.tone_map,
+            dither: self.dither,
             terrain: self.terrain,
             radiance: Format::Rgba16Float,
         }
