@@ -68,6 +68,7 @@ struct Scattered {
     vec3 radiance;
     vec3 transmittance;
 };
+const float HALF_MAX = 32000.0;
 const float SUBPIXEL = 0.0625;
 const float INV_4PI = 0.07957747;
 
@@ -500,7 +501,8 @@ void main() {
     vec3 through = (_e80 ? _e76.transmittance : vec3(1.0));
     float _e85 = weight;
     vec3 light = ((_e76.radiance * m_5.irradiance) * _e85);
-    _fs2p_location0 = vec4(((behind.xyz * through) + light), behind.w);
+    vec3 dimmed = (behind.xyz * through);
+    _fs2p_location0 = vec4((dimmed + min(light, max((vec3(32000.0) - dimmed), vec3(0.0)))), behind.w);
     return;
 }
 

@@ -89,6 +89,7 @@ struct Uniforms {
     Frame frame;
     Tables tables;
 };
+const float HALF_MAX = 32000.0;
 const float SUBPIXEL = 0.0625;
 const float LOG_FLOOR = -100.0;
 const int MOMENTS = 6;
@@ -501,8 +502,8 @@ void main() {
     float _e159 = weight;
     light = (_e157 * (m_5.irradiance * _e159));
     vec3 _e162 = light;
-    vec3 _e163 = through;
-    _fs2p_location0 = vec4(_e162, (1.0 - dot(_e163, vec3(0.33333334))));
+    vec3 _e166 = through;
+    _fs2p_location0 = vec4(min(_e162, vec3(32000.0)), (1.0 - dot(_e166, vec3(0.33333334))));
     return;
 }
 

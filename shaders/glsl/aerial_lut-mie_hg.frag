@@ -89,6 +89,7 @@ struct Uniforms {
     Frame frame;
     Tables tables;
 };
+const float HALF_MAX = 32000.0;
 const float SUBPIXEL = 0.0625;
 const float LOG_FLOOR = -100.0;
 const int MOMENTS = 6;
@@ -495,8 +496,9 @@ void main() {
     float _e160 = weight;
     light = (_e158 * (m_5.irradiance * _e160));
     vec3 _e164 = through;
+    vec3 dimmed = (behind.xyz * _e164);
     vec3 _e166 = light;
-    _fs2p_location0 = vec4(((behind.xyz * _e164) + _e166), behind.w);
+    _fs2p_location0 = vec4((dimmed + min(_e166, max((vec3(32000.0) - dimmed), vec3(0.0)))), behind.w);
     return;
 }
 

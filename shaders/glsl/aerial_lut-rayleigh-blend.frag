@@ -89,6 +89,7 @@ struct Uniforms {
     Frame frame;
     Tables tables;
 };
+const float HALF_MAX = 32000.0;
 const float SUBPIXEL = 0.0625;
 const float LOG_FLOOR = -100.0;
 const int MOMENTS = 6;
@@ -465,8 +466,8 @@ void main() {
     float _e145 = weight;
     light = (_e143 * (m_4.irradiance * _e145));
     vec3 _e148 = light;
-    vec3 _e149 = through;
-    _fs2p_location0 = vec4(_e148, (1.0 - dot(_e149, vec3(0.33333334))));
+    vec3 _e152 = through;
+    _fs2p_location0 = vec4(min(_e148, vec3(32000.0)), (1.0 - dot(_e152, vec3(0.33333334))));
     return;
 }
 

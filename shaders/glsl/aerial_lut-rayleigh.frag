@@ -89,6 +89,7 @@ struct Uniforms {
     Frame frame;
     Tables tables;
 };
+const float HALF_MAX = 32000.0;
 const float SUBPIXEL = 0.0625;
 const float LOG_FLOOR = -100.0;
 const int MOMENTS = 6;
@@ -467,8 +468,9 @@ void main() {
     float _e146 = weight;
     light = (_e144 * (m_4.irradiance * _e146));
     vec3 _e150 = through;
+    vec3 dimmed = (behind.xyz * _e150);
     vec3 _e152 = light;
-    _fs2p_location0 = vec4(((behind.xyz * _e150) + _e152), behind.w);
+    _fs2p_location0 = vec4((dimmed + min(_e152, max((vec3(32000.0) - dimmed), vec3(0.0)))), behind.w);
     return;
 }
 

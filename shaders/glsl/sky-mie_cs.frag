@@ -68,8 +68,8 @@ struct Scattered {
     vec3 radiance;
     vec3 transmittance;
 };
+const float HALF_MAX = 32000.0;
 const float INV_4PI = 0.07957747;
-const float HALF_MAX = 65000.0;
 
 layout(std140) uniform Frame_block_0Fragment { Frame _group_0_binding_0_fs; };
 
@@ -467,7 +467,7 @@ void main() {
     }
     vec3 _e63 = light;
     vec3 _e69 = through;
-    _fs2p_location0 = vec4(min((_e63 * m_5.irradiance), vec3(65000.0)), (1.0 - dot(_e69, vec3(0.33333334))));
+    _fs2p_location0 = vec4(min((_e63 * m_5.irradiance), vec3(32000.0)), (1.0 - dot(_e69, vec3(0.33333334))));
     return;
 }
 

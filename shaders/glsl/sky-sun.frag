@@ -39,8 +39,8 @@ struct Frame {
     uint low_resolution;
     float camera_altitude;
 };
+const float HALF_MAX = 32000.0;
 const float INV_4PI = 0.07957747;
-const float HALF_MAX = 65000.0;
 
 layout(std140) uniform Frame_block_0Fragment { Frame _group_0_binding_0_fs; };
 
@@ -112,7 +112,7 @@ void main() {
     light = (_e34 + (_e35 * (_e38 * _e45)));
     vec3 _e49 = light;
     vec3 _e55 = through;
-    _fs2p_location0 = vec4(min((_e49 * m.irradiance), vec3(65000.0)), (1.0 - dot(_e55, vec3(0.33333334))));
+    _fs2p_location0 = vec4(min((_e49 * m.irradiance), vec3(32000.0)), (1.0 - dot(_e55, vec3(0.33333334))));
     return;
 }
 

@@ -89,7 +89,7 @@ struct Uniforms {
     Frame frame;
     Tables tables;
 };
-const float HALF_MAX = 65000.0;
+const float HALF_MAX = 32000.0;
 const float LOG_FLOOR = -100.0;
 const int MOMENTS = 6;
 const float SH0_ = 0.2820948;
@@ -382,7 +382,7 @@ void main() {
     }
     vec3 _e80 = light;
     float _e86 = grey;
-    _fs2p_location0 = vec4(min((_e80 * m_5.irradiance), vec3(65000.0)), (1.0 - _e86));
+    _fs2p_location0 = vec4(min((_e80 * m_5.irradiance), vec3(32000.0)), (1.0 - _e86));
     return;
 }
 

@@ -89,7 +89,7 @@ struct Uniforms {
     Frame frame;
     Tables tables;
 };
-const float HALF_MAX = 65000.0;
+const float HALF_MAX = 32000.0;
 const float LOG_FLOOR = -100.0;
 const int MOMENTS = 6;
 const float SH0_ = 0.2820948;
@@ -332,7 +332,7 @@ void main() {
     }
     vec3 _e51 = light;
     float _e57 = grey;
-    _fs2p_location0 = vec4(min((_e51 * m_3.irradiance), vec3(65000.0)), (1.0 - _e57));
+    _fs2p_location0 = vec4(min((_e51 * m_3.irradiance), vec3(32000.0)), (1.0 - _e57));
     return;
 }
 

@@ -70,6 +70,7 @@ struct Shaded {
     vec4 color;
     float depth;
 };
+const float HALF_MAX = 32000.0;
 const float INV_4PI = 0.07957747;
 const uint RINGS = 256u;
 const uint SEGMENTS = 384u;
@@ -109,14 +110,15 @@ void main() {
     vec3 _e44 = albedo;
     float _e51 = _group_0_binding_0_fs.sea;
     albedo = mix(_e44, vec3(0.02, 0.04, 0.06), (_e51 * (1.0 - smoothstep(0.0, 0.004, h))));
-    vec3 _e61 = albedo;
-    out_.color = vec4((((_e61 * in_.light) * f_1.medium.irradiance) * 0.31830987), 1.0);
-    vec3 _e75 = _group_0_binding_0_fs.axis;
-    float _e79 = depth_of(f_1, max(dot(in_.position, _e75), 1e-9));
-    out_.depth = clamp(_e79, 0.0, 1.0);
-    Shaded _e83 = out_;
-    _fs2p_location0 = _e83.color;
-    gl_FragDepth = _e83.depth;
+    vec3 _e60 = albedo;
+    vec3 reflected = (((_e60 * in_.light) * f_1.medium.irradiance) * 0.31830987);
+    out_.color = vec4(min(reflected, vec3(32000.0)), 1.0);
+    vec3 _e78 = _group_0_binding_0_fs.axis;
+    float _e82 = depth_of(f_1, max(dot(in_.position, _e78), 1e-9));
+    out_.depth = clamp(_e82, 0.0, 1.0);
+    Shaded _e86 = out_;
+    _fs2p_location0 = _e86.color;
+    gl_FragDepth = _e86.depth;
     return;
 }
 

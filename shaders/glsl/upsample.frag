@@ -39,6 +39,8 @@ struct Frame {
     uint low_resolution;
     float camera_altitude;
 };
+const float HALF_MAX = 32000.0;
+
 layout(std140) uniform Frame_block_0Fragment { Frame _group_0_binding_0_fs; };
 
 uniform highp sampler2D _group_0_binding_1_fs;

@@ -3,6 +3,7 @@
 use super::sky::{SkyRenderer, SkySettings};
 use super::terrain::TerrainStyle;
 use super::tone::{ToneMap, tone_pass};
+use crate::atmosphere::AtmosphereParams;
 use crate::backend::{Backend, Format, Pass, Target, TextureDesc, TextureId, reads};
 use crate::error::Result;
 use crate::view::Scene;
@@ -40,23 +41,49 @@ impl Default for PictureSettings {
 
 #[derive(Clone, Copy, Debug)]
 struct Textures {
-    size: [u32; 2],
-    radiance: Format,
     scene: TextureId,
     depth: TextureId,
     aerial: TextureId,
     display: TextureId,
 }
 
+impl Textures {
+    fn ids(&self) -> [TextureId; 4] {
+        [self.scene, self.depth, self.aerial, self.display]
+    }
+
+    /// Of a picture, in the order of [`Self::ids`].
+    fn descs([width, height]: [u32; 2], radiance: Format) -> [TextureDesc; 4] {
+        let formats = [radiance, Format::Depth32Float, radiance, Format::Rgba8];
+        let mut descs = LABELS.map(|label| TextureDesc::new(label, width, height, radiance));
+        descs.iter_mut().zip(formats).for_each(|(desc, format)| desc.format = format);
+        descs
+    }
+}
+
+/// Tell a picture's textures from others, which have their ids where a device was lost and another is used.
+const LABELS: [&str; 4] = ["picture's scene", "picture's depth", "picture's air", "picture's display"];
+
 /// Where a finished picture is.
 #[derive(Clone, Copy, Debug)]
 pub struct Drawn {
-    /// Radiance, before exposure and tone mapping.
+    /// Radiance times [`Self::scale`], before tone mapping.
     pub radiance: TextureId,
+    /// Power of two: see [`scale`].
+    pub scale: f64,
     /// The scene's depth.
     pub depth: TextureId,
     /// sRGB, [`Format::Rgba8`].
     pub display: TextureId,
+}
+
+/// What radiance is multiplied by while it is drawn: the power of two next below `exposure`, so that the range of half
+/// floats, from 6e-8 to 65504, lies around what the display shows and not around 1. Twilight needs that, with radiance
+/// from 1e-6 down and an exposure to match. 1 for an exposure of 0; never so much that `sun_intensity` (both as in
+/// [`PictureSettings`] and [`crate::AtmosphereParams`]) leaves its range. Multiplying by it rounds nothing.
+pub fn scale(exposure: f64, sun_intensity: f64) -> f64 {
+    const BRIGHTEST: f64 = 1e6; // of sun_intensity
+    if exposure > 0.0 { exposure.min(BRIGHTEST / sun_intensity).log2().floor().exp2() } else { 1.0 }
 }
 
 /// Draws pictures of a planet; used by the command line and by the page. Its source is the shortest
@@ -84,6 +111,10 @@ impl PictureRenderer {
         scene.validate()?;
         self.sky.set_settings(settings.sky)?;
         crate::error::in_range("exposure", settings.exposure, 0.0, 1e9, "")?;
+        let sun_intensity = scene.atmosphere.sun_intensity;
+        let scale = scale(settings.exposure, sun_intensity);
+        let atmosphere = AtmosphereParams { sun_intensity: sun_intensity * scale, ..scene.atmosphere.clone() };
+        let scene = &Scene { atmosphere, ..scene.clone() };
         let t = self.textures(backend, size, settings.radiance)?;
         self.passes.clear();
         let target = Target { depth: Some(t.depth), ..Target::color(t.scene) };
@@ -112,8 +143,8 @@ impl PictureRenderer {
         self.passes.extend_from_slice(air);
         self.passes.extend_from_slice(self.sky.shell(backend, scene, t.depth, Target::color(t.scene))?);
         let PictureSettings { tone_map, exposure, dither, .. } = *settings;
-        self.passes.push(tone_pass(backend, tone_map, exposure, dither, radiance, t.display)?);
-        Ok((&self.passes, Drawn { radiance, depth: t.depth, display: t.display }))
+        self.passes.push(tone_pass(backend, tone_map, exposure / scale, dither, radiance, t.display)?);
+        Ok((&self.passes, Drawn { radiance, scale, depth: t.depth, display: t.display }))
     }
 
     /// Makes the passes and runs them.
@@ -138,14 +169,18 @@ impl PictureRenderer {
     /// Frees the picture's own textures; the sky's tables do not depend on its size.
     fn free(&mut self, backend: &mut dyn Backend) {
         if let Some(t) = self.textures.take() {
-            for id in [t.scene, t.depth, t.aerial, t.display] {
-                backend.destroy_texture(id);
+            for (id, label) in t.ids().into_iter().zip(LABELS) {
+                if backend.texture(id).is_some_and(|desc| desc.label == label) {
+                    backend.destroy_texture(id);
+                }
             }
         }
     }
 
     fn textures(&mut self, backend: &mut dyn Backend, size: [u32; 2], radiance: Format) -> Result<Textures> {
-        if let Some(t) = self.textures.filter(|t| t.size == size && t.radiance == radiance) {
+        let descs = Textures::descs(size, radiance);
+        let fits = |t: &Textures| t.ids().into_iter().zip(descs).all(|(id, desc)| backend.texture(id) == Some(desc));
+        if let Some(t) = self.textures.filter(fits) {
             return Ok(t);
         }
         let [width, height] = size;
@@ -153,10 +188,8 @@ impl PictureRenderer {
         TextureDesc::new("picture", width, height, radiance).validate(backend.info().max_texture_size)?;
         self.free(backend);
         let mut made = Vec::with_capacity(4);
-        for (label, format) in
-            [("scene", radiance), ("depth", Format::Depth32Float), ("aerial", radiance), ("display", Format::Rgba8)]
-        {
-            match backend.create_texture(&TextureDesc::new(label, width, height, format)) {
+        for desc in descs {
+            match backend.create_texture(&desc) {
                 Ok(id) => made.push(id),
                 Err(e) => {
                     made.into_iter().for_each(|id| backend.destroy_texture(id));
@@ -164,7 +197,7 @@ impl PictureRenderer {
                 }
             }
         }
-        let t = Textures { size, radiance, scene: made[0], depth: made[1], aerial: made[2], display: made[3] };
+        let t = Textures { scene: made[0], depth: made[1], aerial: made[2], display: made[3] };
         self.textures = Some(t);
         Ok(t)
     }

@@ -169,7 +169,7 @@ impl Drawer {
         Ok(Picture {
             width,
             height,
-            hdr: hdr.as_chunks().0.to_vec(),
+            hdr: hdr.as_chunks().0.iter().map(|p: &[f32; 4]| unscaled(*p, drawn.scale)).collect(),
             display: display.as_chunks().0.iter().map(|p: &[f32; 4]| p.map(|v| (v * 255.0).round() as u8)).collect(),
         })
     }
@@ -208,6 +208,12 @@ impl Drawer {
         backend.destroy_texture(copy);
         Ok(best)
     }
+}
+
+/// Radiance as it is without the scale that it was drawn with.
+fn unscaled([r, g, b, a]: [f32; 4], scale: f64) -> [f32; 4] {
+    let [r, g, b] = [r, g, b].map(|v| (f64::from(v) / scale) as f32);
+    [r, g, b, a]
 }
 
 impl Drop for Drawer {
