@@ -150,6 +150,11 @@ impl Drawer {
         self.machine.backend()
     }
 
+    /// Makes this the drawer that [`Self::backend`] is used of: another may have been opened or used since.
+    pub fn make_current(&self) -> anyhow::Result<()> {
+        Ok(self.machine.take_over()?)
+    }
+
     /// Draws one picture; `progress` is told the share that is done, 0 to 1.
     pub fn draw(&mut self, shot: &Shot, progress: &dyn Fn(f32)) -> anyhow::Result<Picture> {
         let (width, height) = (shot.width, shot.height);
