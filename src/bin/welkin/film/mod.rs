@@ -344,3 +344,52 @@ fn truth(scene: &Scene, orders: &Orders, [width, height]: [u32; 2]) -> anyhow::R
     };
     (0..width * height).into_par_iter().map(light).collect::<welkin::Result<_>>().map_err(Into::into)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_camera_moves_without_a_jump_and_ends_with_the_planet_in_its_picture() {
+        for planet in AtmosphereParams::PRESETS {
+            let params = AtmosphereParams::preset(planet).unwrap();
+            let at = path::log_spaced(4000);
+            assert_eq!((at[0], at[3999]), (path::CLIMB[0], path::CLIMB[1]));
+            let moments: Vec<_> = at.iter().map(|&h| Moment::climb(&params, h, 25.0, 2.0 / 3.0)).collect();
+            for (pair, h) in moments.windows(2).zip(&at) {
+                let turned = (pair[1].pitch - pair[0].pitch).abs();
+                assert!(turned < 0.2 && (pair[1].fov - pair[0].fov).abs() < 0.4, "{planet}, {h} m: {pair:?}");
+            }
+            let last = moments[3999];
+            let planet_wide = 2.0 * (params.planet_radius / (params.planet_radius + 1e9)).asin().to_degrees();
+            assert!(last.pitch == -90.0 && last.fov * 2.0 / 3.0 > 1.1 * planet_wide, "{planet}: {last:?}");
+        }
+        let day: Vec<_> = path::angles(23).into_iter().map(|a| Moment::day(2.0, a)).collect();
+        assert_eq!((day[0].sun_elevation, day[22].sun_elevation), (path::NIGHT, path::NIGHT));
+        assert!(day.iter().any(|m| m.sun_elevation == 90.0) && day.iter().all(|m| m.sun_elevation <= 90.0));
+    }
+
+    #[test]
+    fn altitudes_are_dense_where_something_hands_over() {
+        let params = AtmosphereParams::earth();
+        let all = path::altitudes(&params, 241);
+        let within = |low: f64, high: f64| all.iter().filter(|h| (low..=high).contains(*h)).count();
+        assert!((235..=241).contains(&all.len()) && all.is_sorted());
+        assert!(within(14e3, 51e3) > 60 && within(9e4, 1.1e5) > 60, "{all:?}");
+    }
+
+    #[test]
+    fn a_step_is_judged_by_the_references() {
+        let dark = vec![[0.0, 0.0, 0.0], [1.0, 2.0, 4.0]];
+        let light = vec![[0.5, 0.0, 0.0], [1.0, 2.0, 4.0]];
+        let same = Step::between([&dark, &light], [&dark, &light]);
+        assert_eq!(same, Step { mean: [0.5 / 6.0, 0.5 / 6.0, 0.0], pixel: [0.5, 0.5, 0.0] });
+        // The same size the other way is off by both.
+        let wrong = Step::between([&light, &dark], [&dark, &light]);
+        assert_eq!(wrong.pixel, [0.5, 0.5, 1.0]);
+        // Of the channel's own brightest value.
+        let popped = vec![[0.0, 0.0, 0.0], [1.0, 2.0, 4.4]];
+        let pop = Step::between([&dark, &popped], [&dark, &dark]);
+        assert!((pop.pixel[2] - 0.1).abs() < 1e-12 && pop.pixel[1] == 0.0, "{pop:?}");
+    }
+}
