@@ -92,12 +92,21 @@ fn twilight_fits_into_half_floats() {
 fn nothing_is_infinite_in_half_floats() {
     on_both(|b| {
         let mut renderer = PictureRenderer::default();
+        // The sun in the middle of the picture, some pixels wide; then air before the ground, and the limb with the sun
+        // behind it.
+        let views =
+            [(100.0, 20.0, 20.0), (30e3, 20.0, 20.0), (4e5, 20.0, 20.0), (30e3, -40.0, 20.0), (4e5, -19.2, -19.0)];
         for sun_intensity in [22.0, 1e6] {
-            for (altitude, pitch) in [(100.0, 20.0), (30e3, 20.0), (4e5, 20.0), (30e3, -40.0)] {
+            for (altitude, pitch, sun_elevation) in views {
                 let params = AtmosphereParams { sun_intensity, ..AtmosphereParams::earth() };
-                // The sun in the middle of the picture, some pixels wide; or below the horizon's edge, bright ground.
-                let view = View { params, altitude, pitch, fov: 4.0, sun_elevation: 20.0, ..View::default() };
+                let view = View { params, altitude, pitch, fov: 4.0, sun_elevation, ..View::default() };
                 let scene = view.scene();
+                if sun_elevation < 0.0 && sun_intensity == 22.0 {
+                    let (wide, _, _) = draw(b, &mut renderer, &scene, &settings(Format::Rgba32Float, 1.0, false));
+                    let brightest = wide.iter().copied().fold(0.0, f32::max) / 22.0;
+                    println!("{}: the limb sends {brightest} of the sun's irradiance, 1/sr", b.info().backend);
+                    assert!(1e6 * brightest > 2.0 * LARGEST, "the brightest sun stays in range: not a test");
+                }
                 for exposure in [1e-9, 1e-6, 1e-3, 1.0, 1e3, 1e9] {
                     for (composition, render_scale) in
                         [(Composition::Full, 1.0), (Composition::Full, 0.5), (Composition::Planet, 1.0)]

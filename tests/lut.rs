@@ -414,7 +414,8 @@ fn a_kept_renderer_draws_what_a_fresh_one_does() {
             settings.terrain = Some(TerrainStyle::dry(&world.view.params));
             check(&world, &settings, planet);
         }
-        let own: [(&str, fn(&mut PictureSettings)); 9] = [
+        type Own = (&'static str, fn(&mut PictureSettings));
+        let own: [Own; 9] = [
             ("exposure", |s| s.exposure = 3.0),
             ("agx", |s| s.tone_map = ToneMap::AgX),
             ("neutral", |s| s.tone_map = ToneMap::Neutral),
