@@ -92,13 +92,14 @@ fn twilight_fits_into_half_floats() {
 fn nothing_is_infinite_in_half_floats() {
     on_both(|b| {
         let mut renderer = PictureRenderer::default();
-        // The sun in the middle of the picture, some pixels wide; then air before the ground, and the limb with the sun
-        // behind it.
+        // The sun in the middle of the picture, some pixels wide; then air before the ground, and a hazy limb with the sun
+        // behind it, which only the depth-aware pass draws.
         let views =
             [(100.0, 20.0, 20.0), (30e3, 20.0, 20.0), (4e5, 20.0, 20.0), (30e3, -40.0, 20.0), (4e5, -19.2, -19.0)];
         for sun_intensity in [22.0, 1e6] {
             for (altitude, pitch, sun_elevation) in views {
-                let params = AtmosphereParams { sun_intensity, ..AtmosphereParams::earth() };
+                let mie_asymmetry = if sun_elevation < 0.0 { [0.95; 3] } else { [0.8; 3] };
+                let params = AtmosphereParams { sun_intensity, mie_asymmetry, ..AtmosphereParams::earth() };
                 let view = View { params, altitude, pitch, fov: 4.0, sun_elevation, ..View::default() };
                 let scene = view.scene();
                 if sun_elevation < 0.0 && sun_intensity == 22.0 {
