@@ -384,7 +384,10 @@ impl Viewer {
         Ok(wasm_bindgen_futures::future_to_promise(async move {
             loop {
                 let pixels = canvas.borrow_mut().backend().poll_read(read)?;
-                if let Some(pixels) = pixels {
+                if let Some(mut pixels) = pixels {
+                    // A power of two: nothing is rounded.
+                    let scale = (1.0 / drawn.scale) as f32;
+                    pixels.chunks_exact_mut(4).for_each(|p| p[..3].iter_mut().for_each(|v| *v *= scale));
                     return Ok(js_sys::Float32Array::from(&pixels[..]).into());
                 }
                 pause().await?;

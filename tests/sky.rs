@@ -479,11 +479,11 @@ fn sun_disk_has_the_suns_irradiance() {
         let pixel_solid_angle = (2.0 * 0.5_f64.to_radians().tan() / f64::from(n)).powi(2);
         let total = mean(&p)[1] * f64::from(n * n) * pixel_solid_angle;
         assert!((total - 1.0).abs() < 5e-3, "{total}");
-        // At 16-bit targets the earth's sun at 22 stays below the largest half float.
+        // In 16-bit targets the earth's sun at 22 is cut at half of the largest half float.
         let bright = View { params: AtmosphereParams::earth(), ..view };
         let pixels = picture(b, &bright.scene(), &PictureSettings { terrain: None, ..Default::default() }, [16, 16]);
         assert_finite(&pixels, "sun at half float");
-        assert!(pixels.iter().copied().fold(0.0, f32::max) > 6e4);
+        assert!(pixels.iter().copied().fold(0.0, f32::max) > 3e4);
     });
 }
 

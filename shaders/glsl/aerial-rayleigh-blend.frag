@@ -86,6 +86,7 @@ struct Scattered {
     vec3 radiance;
     vec3 transmittance;
 };
+const float HALF_MAX = 32000.0;
 const float SUBPIXEL = 0.0625;
 const float INV_4PI = 0.07957747;
 
@@ -551,7 +552,7 @@ void main() {
     vec3 through = (_e96 ? _e92.transmittance : vec3(1.0));
     float _e101 = weight;
     vec3 light = ((_e92.radiance * m_3.irradiance) * _e101);
-    _fs2p_location0 = vec4(light, (1.0 - dot(through, vec3(0.33333334))));
+    _fs2p_location0 = vec4(min(light, vec3(32000.0)), (1.0 - dot(through, vec3(0.33333334))));
     return;
 }
 

@@ -86,6 +86,7 @@ struct Scattered {
     vec3 radiance;
     vec3 transmittance;
 };
+const float HALF_MAX = 32000.0;
 const float SUBPIXEL = 0.0625;
 const float INV_4PI = 0.07957747;
 
@@ -553,7 +554,8 @@ void main() {
     vec3 through = (_e97 ? _e93.transmittance : vec3(1.0));
     float _e102 = weight;
     vec3 light = ((_e93.radiance * m_3.irradiance) * _e102);
-    _fs2p_location0 = vec4(((behind.xyz * through) + light), behind.w);
+    vec3 dimmed = (behind.xyz * through);
+    _fs2p_location0 = vec4((dimmed + min(light, max((vec3(32000.0) - dimmed), vec3(0.0)))), behind.w);
     return;
 }
 

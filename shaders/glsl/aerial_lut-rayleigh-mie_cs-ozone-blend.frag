@@ -87,6 +87,7 @@ struct Uniforms {
     Frame frame;
     Tables tables;
 };
+const float HALF_MAX = 32000.0;
 const float SUBPIXEL = 0.0625;
 const float LOG_FLOOR = -100.0;
 const int MOMENTS = 6;
@@ -462,8 +463,8 @@ void main() {
     float _e254 = weight;
     light = (_e248 * (_e253 * _e254));
     vec3 _e257 = light;
-    vec3 _e258 = through;
-    _fs2p_location0 = vec4(_e257, (1.0 - dot(_e258, vec3(0.33333334))));
+    vec3 _e261 = through;
+    _fs2p_location0 = vec4(min(_e257, vec3(32000.0)), (1.0 - dot(_e261, vec3(0.33333334))));
     return;
 }
 

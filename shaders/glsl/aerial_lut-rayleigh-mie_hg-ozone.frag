@@ -87,6 +87,7 @@ struct Uniforms {
     Frame frame;
     Tables tables;
 };
+const float HALF_MAX = 32000.0;
 const float SUBPIXEL = 0.0625;
 const float LOG_FLOOR = -100.0;
 const int MOMENTS = 6;
@@ -458,8 +459,9 @@ void main() {
     float _e255 = weight;
     light = (_e249 * (_e254 * _e255));
     vec3 _e259 = through;
+    vec3 dimmed = (behind.xyz * _e259);
     vec3 _e261 = light;
-    _fs2p_location0 = vec4(((behind.xyz * _e259) + _e261), behind.w);
+    _fs2p_location0 = vec4((dimmed + min(_e261, max((vec3(32000.0) - dimmed), vec3(0.0)))), behind.w);
     return;
 }
 

@@ -87,6 +87,7 @@ struct Uniforms {
     Frame frame;
     Tables tables;
 };
+const float HALF_MAX = 32000.0;
 const float SUBPIXEL = 0.0625;
 const float LOG_FLOOR = -100.0;
 const int MOMENTS = 6;
@@ -424,8 +425,8 @@ void main() {
     float _e223 = weight;
     light = (_e217 * (_e222 * _e223));
     vec3 _e226 = light;
-    vec3 _e227 = through;
-    _fs2p_location0 = vec4(_e226, (1.0 - dot(_e227, vec3(0.33333334))));
+    vec3 _e230 = through;
+    _fs2p_location0 = vec4(min(_e226, vec3(32000.0)), (1.0 - dot(_e230, vec3(0.33333334))));
     return;
 }
 

@@ -87,6 +87,7 @@ struct Uniforms {
     Frame frame;
     Tables tables;
 };
+const float HALF_MAX = 32000.0;
 const float SUBPIXEL = 0.0625;
 const float LOG_FLOOR = -100.0;
 const int MOMENTS = 6;
@@ -426,8 +427,9 @@ void main() {
     float _e224 = weight;
     light = (_e218 * (_e223 * _e224));
     vec3 _e228 = through;
+    vec3 dimmed = (behind.xyz * _e228);
     vec3 _e230 = light;
-    _fs2p_location0 = vec4(((behind.xyz * _e228) + _e230), behind.w);
+    _fs2p_location0 = vec4((dimmed + min(_e230, max((vec3(32000.0) - dimmed), vec3(0.0)))), behind.w);
     return;
 }
 

@@ -86,8 +86,8 @@ struct Scattered {
     vec3 radiance;
     vec3 transmittance;
 };
+const float HALF_MAX = 32000.0;
 const float INV_4PI = 0.07957747;
-const float HALF_MAX = 65000.0;
 
 layout(std140) uniform Frame_block_0Fragment { Frame _group_0_binding_0_fs; };
 
@@ -372,7 +372,7 @@ void main() {
     }
     vec3 _e73 = light;
     vec3 _e79 = through;
-    _fs2p_location0 = vec4(min((_e73 * m_3.irradiance), vec3(65000.0)), (1.0 - dot(_e79, vec3(0.33333334))));
+    _fs2p_location0 = vec4(min((_e73 * m_3.irradiance), vec3(32000.0)), (1.0 - dot(_e79, vec3(0.33333334))));
     return;
 }
 

@@ -76,7 +76,7 @@ struct Uniforms {
     Frame frame;
     Tables tables;
 };
-const float HALF_MAX = 65000.0;
+const float HALF_MAX = 32000.0;
 const float LOG_FLOOR = -100.0;
 const int MOMENTS = 6;
 const float SH0_ = 0.2820948;
@@ -230,7 +230,7 @@ void main() {
     light = (_e85 * _e89);
     vec3 _e91 = light;
     vec3 _e96 = _group_0_binding_0_fs.frame.medium.irradiance;
-    light = min((_e91 * _e96), vec3(65000.0));
+    light = min((_e91 * _e96), vec3(32000.0));
     vec3 _e101 = light;
     _fs2p_location0 = vec4(_e101, 1.0);
     return;

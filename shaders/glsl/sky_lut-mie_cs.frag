@@ -76,7 +76,7 @@ struct Uniforms {
     Frame frame;
     Tables tables;
 };
-const float HALF_MAX = 65000.0;
+const float HALF_MAX = 32000.0;
 const float LOG_FLOOR = -100.0;
 const int MOMENTS = 6;
 const float SH0_ = 0.2820948;
@@ -234,7 +234,7 @@ void main() {
     light = (_e91 * _e95);
     vec3 _e97 = light;
     vec3 _e102 = _group_0_binding_0_fs.frame.medium.irradiance;
-    light = min((_e97 * _e102), vec3(65000.0));
+    light = min((_e97 * _e102), vec3(32000.0));
     vec3 _e107 = light;
     _fs2p_location0 = vec4(_e107, (1.0 - texel.w));
     return;

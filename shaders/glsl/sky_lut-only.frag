@@ -76,7 +76,7 @@ struct Uniforms {
     Frame frame;
     Tables tables;
 };
-const float HALF_MAX = 65000.0;
+const float HALF_MAX = 32000.0;
 const float LOG_FLOOR = -100.0;
 const int MOMENTS = 6;
 const float SH0_ = 0.2820948;
@@ -200,7 +200,7 @@ void main() {
     light = (_e66 * _e70);
     vec3 _e72 = light;
     vec3 _e77 = _group_0_binding_0_fs.frame.medium.irradiance;
-    light = min((_e72 * _e77), vec3(65000.0));
+    light = min((_e72 * _e77), vec3(32000.0));
     vec3 _e82 = light;
     _fs2p_location0 = vec4(_e82, 1.0);
     return;

@@ -76,7 +76,7 @@ struct Uniforms {
     Frame frame;
     Tables tables;
 };
-const float HALF_MAX = 65000.0;
+const float HALF_MAX = 32000.0;
 const float LOG_FLOOR = -100.0;
 const int MOMENTS = 6;
 const float SH0_ = 0.2820948;
@@ -204,7 +204,7 @@ void main() {
     light = (_e72 * _e76);
     vec3 _e78 = light;
     vec3 _e83 = _group_0_binding_0_fs.frame.medium.irradiance;
-    light = min((_e78 * _e83), vec3(65000.0));
+    light = min((_e78 * _e83), vec3(32000.0));
     vec3 _e88 = light;
     _fs2p_location0 = vec4(_e88, (1.0 - texel.w));
     return;

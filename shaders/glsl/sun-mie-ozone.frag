@@ -61,7 +61,7 @@ struct Uniforms {
     Frame frame;
     vec4 rect;
 };
-const float HALF_MAX = 65000.0;
+const float HALF_MAX = 32000.0;
 const uint STEPS = 64u;
 
 layout(std140) uniform Uniforms_block_0Fragment { Uniforms _group_0_binding_0_fs; };
@@ -245,12 +245,12 @@ void main() {
         light = (_e40 * exp(-(_e49)));
     }
     vec3 _e53 = light;
-    light = min(_e53, vec3(65000.0));
+    light = min(_e53, vec3(32000.0));
     vec3 _e57 = light;
     float _e59 = light.x;
     float _e61 = light.y;
     float _e63 = light.z;
-    _fs2p_location0 = vec4(_e57, (max(_e59, max(_e61, _e63)) * 1.5384616e-5));
+    _fs2p_location0 = vec4(_e57, (max(_e59, max(_e61, _e63)) * 3.125e-5));
     return;
 }
 

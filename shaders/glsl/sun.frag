@@ -55,7 +55,7 @@ struct Uniforms {
     Frame frame;
     vec4 rect;
 };
-const float HALF_MAX = 65000.0;
+const float HALF_MAX = 32000.0;
 const uint STEPS = 64u;
 
 layout(std140) uniform Uniforms_block_0Fragment { Uniforms _group_0_binding_0_fs; };
@@ -120,12 +120,12 @@ void main() {
     }
     light = (m.irradiance * (f.sun_disk * _e19));
     vec3 _e33 = light;
-    light = min(_e33, vec3(65000.0));
+    light = min(_e33, vec3(32000.0));
     vec3 _e37 = light;
     float _e39 = light.x;
     float _e41 = light.y;
     float _e43 = light.z;
-    _fs2p_location0 = vec4(_e37, (max(_e39, max(_e41, _e43)) * 1.5384616e-5));
+    _fs2p_location0 = vec4(_e37, (max(_e39, max(_e41, _e43)) * 3.125e-5));
     return;
 }
 

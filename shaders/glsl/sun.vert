@@ -49,7 +49,7 @@ struct Uniforms {
     Frame frame;
     vec4 rect;
 };
-const float HALF_MAX = 65000.0;
+const float HALF_MAX = 32000.0;
 const uint STEPS = 64u;
 
 layout(std140) uniform Uniforms_block_0Vertex { Uniforms _group_0_binding_0_vs; };

@@ -76,6 +76,7 @@ struct Shaded {
     vec4 color;
     float depth;
 };
+const float HALF_MAX = 32000.0;
 const float INV_4PI = 0.07957747;
 const uint RINGS = 256u;
 const uint SEGMENTS = 384u;
@@ -114,16 +115,17 @@ void main() {
     vec3 _e41 = albedo;
     float _e48 = _group_0_binding_0_fs.sea;
     albedo = mix(_e41, vec3(0.02, 0.04, 0.06), (_e48 * (1.0 - smoothstep(0.0, 0.004, h))));
-    vec3 _e58 = albedo;
-    vec3 _e65 = _group_0_binding_0_fs.frame.medium.irradiance;
-    out_.color = vec4((((_e58 * in_.light) * _e65) * 0.31830987), 1.0);
-    DepthCode _e75 = _group_0_binding_0_fs.frame.depth;
-    vec3 _e79 = _group_0_binding_0_fs.axis;
-    float _e83 = depth_of(_e75, max(dot(in_.position, _e79), 1e-9));
-    out_.depth = clamp(_e83, 0.0, 1.0);
-    Shaded _e87 = out_;
-    _fs2p_location0 = _e87.color;
-    gl_FragDepth = _e87.depth;
+    vec3 _e57 = albedo;
+    vec3 _e64 = _group_0_binding_0_fs.frame.medium.irradiance;
+    vec3 reflected = (((_e57 * in_.light) * _e64) * 0.31830987);
+    out_.color = vec4(min(reflected, vec3(32000.0)), 1.0);
+    DepthCode _e78 = _group_0_binding_0_fs.frame.depth;
+    vec3 _e82 = _group_0_binding_0_fs.axis;
+    float _e86 = depth_of(_e78, max(dot(in_.position, _e82), 1e-9));
+    out_.depth = clamp(_e86, 0.0, 1.0);
+    Shaded _e90 = out_;
+    _fs2p_location0 = _e90.color;
+    gl_FragDepth = _e90.depth;
     return;
 }
 

@@ -72,6 +72,7 @@ struct Varyings {
     vec3 light;
     vec2 surface;
 };
+const float HALF_MAX = 32000.0;
 const float INV_4PI = 0.07957747;
 const uint RINGS = 256u;
 const uint SEGMENTS = 384u;

@@ -51,6 +51,8 @@ struct Line {
     float x_closest;
     bool ground;
 };
+const float HALF_MAX = 32000.0;
+
 layout(std140) uniform Frame_block_0Fragment { Frame _group_0_binding_0_fs; };
 
 uniform highp sampler2D _group_0_binding_1_fs;

@@ -48,9 +48,10 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let through = select(vec3f(1.0), s.transmittance, dims);
     let light = s.radiance * m.irradiance * weight;
     //#if BLEND
-    return vec4f(light, 1.0 - dot(through, vec3f(1.0 / 3.0)));
+    return vec4f(min(light, vec3f(HALF_MAX)), 1.0 - dot(through, vec3f(1.0 / 3.0)));
     //#endif
     //#if READ
-    return vec4f(behind.rgb * through + light, behind.a);
+    let dimmed = behind.rgb * through; // never cut, whatever the scene holds
+    return vec4f(dimmed + min(light, max(HALF_MAX - dimmed, vec3f(0.0))), behind.a);
     //#endif
 }

@@ -149,7 +149,8 @@ fn fragment_main(in: Varyings) -> Shaded {
     // Open water: dark, slightly blue (albedo of clear water away from the glint, about 0.03 to 0.06).
     albedo = mix(albedo, vec3f(0.02, 0.04, 0.06), terrain.sea * (1.0 - smoothstep(0.0, 0.004, h)));
     var out: Shaded;
-    out.color = vec4f(albedo * in.light * terrain.frame.medium.irradiance * (1.0 / 3.14159265), 1.0); // Lambert
+    let reflected = albedo * in.light * terrain.frame.medium.irradiance * (1.0 / 3.14159265); // Lambert
+    out.color = vec4f(min(reflected, vec3f(HALF_MAX)), 1.0);
     out.depth = clamp(depth_of(terrain.frame.depth, max(dot(in.position, terrain.axis), 1e-9)), 0.0, 1.0);
     return out;
 }

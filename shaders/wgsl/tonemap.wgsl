@@ -1,4 +1,4 @@
-// Scene-linear radiance to a display: exposure, one of three operators, sRGB encoding.
+// Scene-linear radiance to a display: exposure, one of three operators, sRGB encoding, dither.
 // Rust twin for the CPU renderer: src/passes/tone.rs; a test holds the two together.
 
 struct Tone {
@@ -76,10 +76,29 @@ fn srgb_encode(linear: vec3f) -> vec3f {
     return select(high, c * 12.92, c <= vec3f(0.0031308));
 }
 
+//#if DITHER
+// Noise of one step of an 8-bit target, -1/2 to 1/2: rounding then gives a value's two neighbours in shares whose mean is
+// the value. It stays 1/512 short of both ends, so that exact black and white stay what they are. R2 sequence (Martin
+// Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018) along both axes in 32-bit fixed point,
+// folded to a triangle wave; the channels are a third of its period apart. Integers: the same on every device.
+fn dither(pixel: vec2u) -> vec3f {
+    let n = pixel.x * 0xc13fa9a9u + pixel.y * 0x91e10da5u; // 2^32 / p and 2^32 / p^2 with p^3 = p + 1
+    let v = vec3u(n, n + 0x55555555u, n + 0xaaaaaaaau);
+    let folded = (v << vec3u(1u)) ^ (vec3u(0u) - (v >> vec3u(31u)));
+    return (vec3f(folded >> vec3u(24u)) + 0.5) / 256.0 - 0.5;
+}
+//#endif
+
 @fragment
 fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     var at = vec2i(position.xy);
     at.y = select(at.y, i32(textureDimensions(scene).y) - 1 - at.y, tone.flipped != 0u);
     let color = textureLoad(scene, at, 0).rgb * tone.exposure;
+    //#if PLAIN
     return vec4f(srgb_encode(tone_curve(max(color, vec3f(0.0)))), 1.0);
+    //#endif
+    //#if DITHER
+    let shown = srgb_encode(tone_curve(max(color, vec3f(0.0))));
+    return vec4f(shown + dither(vec2u(at)) / 255.0, 1.0);
+    //#endif
 }

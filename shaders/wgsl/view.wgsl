@@ -1,5 +1,8 @@
 //#include frame
-// From a pixel to a ray and from a stored depth to a distance.
+// From a pixel to a ray and from a stored depth to a distance; and what a target can hold.
+
+// Most that a pass adds, half the largest 16-bit float, 65504: two layers are finite. The sun's disk is brighter.
+const HALF_MAX: f32 = 32000.0;
 
 // Ray through a pixel (its centre's coordinates, row 0 on top); its part along the camera's axis is 1.
 fn pixel_ray(pixel: vec2f, size: vec2f, forward: vec3f, right: vec3f, up: vec3f) -> vec3f {

@@ -3,6 +3,7 @@
 use super::sky::{SkyRenderer, SkySettings};
 use super::terrain::TerrainStyle;
 use super::tone::{ToneMap, tone_pass};
+use crate::atmosphere::AtmosphereParams;
 use crate::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
 use crate::error::Result;
 use crate::view::Scene;
@@ -16,6 +17,9 @@ pub struct PictureSettings {
     pub exposure: f64,
     /// How radiance becomes display values.
     pub tone_map: ToneMap,
+    /// Whether display values get noise of one 8-bit step, so that gradients show no bands; their mean stays. See
+    /// [`super::tone::dither`].
+    pub dither: bool,
     /// The ground; `None` draws none.
     pub terrain: Option<TerrainStyle>,
     /// Format of the radiance before tone mapping: `Rgba16Float` or `Rgba32Float` (needs float blending).
@@ -28,6 +32,7 @@ impl Default for PictureSettings {
             sky: SkySettings::default(),
             exposure: 1.0,
             tone_map: ToneMap::default(),
+            dither: true,
             terrain: Some(TerrainStyle::earth()),
             radiance: Format::Rgba16Float,
         }
@@ -36,7 +41,6 @@ impl Default for PictureSettings {
 
 #[derive(Clone, Copy, Debug)]
 struct Textures {
-    radiance: Format,
     scene: TextureId,
     depth: TextureId,
     aerial: TextureId,
@@ -44,15 +48,43 @@ struct Textures {
     display: Option<TextureId>,
 }
 
+impl Textures {
+    fn ids(&self) -> [TextureId; 3] {
+        [self.scene, self.depth, self.aerial]
+    }
+
+    /// Of a picture, in the order of [`Self::ids`], the display last.
+    fn descs([width, height]: [u32; 2], radiance: Format) -> [TextureDesc; 4] {
+        let formats = [radiance, Format::Depth32Float, radiance, Format::Rgba8];
+        let mut descs = LABELS.map(|label| TextureDesc::new(label, width, height, radiance));
+        descs.iter_mut().zip(formats).for_each(|(desc, format)| desc.format = format);
+        descs
+    }
+}
+
+/// Tell a picture's textures from others, which have their ids where a device was lost and another is used.
+const LABELS: [&str; 4] = ["picture's scene", "picture's depth", "picture's air", "picture's display"];
+
 /// Where a finished picture is.
 #[derive(Clone, Copy, Debug)]
 pub struct Drawn {
-    /// Radiance, before exposure and tone mapping.
+    /// Radiance times [`Self::scale`], before tone mapping.
     pub radiance: TextureId,
+    /// Power of two: see [`scale`].
+    pub scale: f64,
     /// The scene's depth.
     pub depth: TextureId,
     /// sRGB; [`Format::Rgba8`] unless it is the caller's.
     pub display: TextureId,
+}
+
+/// What radiance is multiplied by while it is drawn: the power of two next below `exposure`, so that the range of half
+/// floats, from 6e-8 to 65504, lies around what the display shows and not around 1. Twilight needs that, with radiance
+/// from 1e-6 down and an exposure to match. 1 for an exposure of 0; never so much that `sun_intensity` (both as in
+/// [`PictureSettings`] and [`crate::AtmosphereParams`]) leaves its range. Multiplying by it rounds nothing.
+pub fn scale(exposure: f64, sun_intensity: f64) -> f64 {
+    const BRIGHTEST: f64 = 1e6; // of sun_intensity
+    if exposure > 0.0 { exposure.min(BRIGHTEST / sun_intensity).log2().floor().exp2() } else { 1.0 }
 }
 
 /// Draws pictures of a planet; used by the command line and by the page. Its source is the shortest
@@ -108,6 +140,10 @@ impl PictureRenderer {
         scene.validate()?;
         self.sky.set_settings(settings.sky)?;
         crate::error::in_range("exposure", settings.exposure, 0.0, 1e9, "")?;
+        let sun_intensity = scene.atmosphere.sun_intensity;
+        let scale = scale(settings.exposure, sun_intensity);
+        let atmosphere = AtmosphereParams { sun_intensity: sun_intensity * scale, ..scene.atmosphere.clone() };
+        let scene = &Scene { atmosphere, ..scene.clone() };
         let t = self.textures(backend, size, settings.radiance)?;
         let display = match (display, t.display) {
             (Some(display), _) | (None, Some(display)) => display,
@@ -135,9 +171,10 @@ impl PictureRenderer {
         let radiance = if air.is_empty() { t.scene } else { t.aerial };
         self.passes.extend_from_slice(air);
         self.passes.extend_from_slice(self.sky.shell(backend, scene, t.depth, Target::color(t.scene))?);
-        self.passes.push(tone_pass(backend, settings.tone_map, settings.exposure, radiance, display)?);
+        let PictureSettings { tone_map, exposure, dither, .. } = *settings;
+        self.passes.push(tone_pass(backend, tone_map, exposure / scale, dither, radiance, display)?);
         self.empty_depth = settings.terrain.is_none().then_some(background);
-        Ok((&self.passes, Drawn { radiance, depth: t.depth, display }))
+        Ok((&self.passes, Drawn { radiance, scale, depth: t.depth, display }))
     }
 
     /// Makes the passes and runs them.
@@ -163,14 +200,17 @@ impl PictureRenderer {
     fn free(&mut self, backend: &mut dyn Backend) {
         self.empty_depth = None;
         if let Some(t) = self.textures.take() {
-            for id in [t.scene, t.depth, t.aerial].into_iter().chain(t.display) {
-                backend.destroy_texture(id);
+            for (id, label) in t.ids().into_iter().chain(t.display).zip(LABELS) {
+                if backend.texture(id).is_some_and(|desc| desc.label == label) {
+                    backend.destroy_texture(id);
+                }
             }
         }
     }
 
-    fn add_display(&mut self, backend: &mut dyn Backend, [width, height]: [u32; 2]) -> Result<TextureId> {
-        let made = backend.create_texture(&TextureDesc::new("display", width, height, Format::Rgba8))?;
+    fn add_display(&mut self, backend: &mut dyn Backend, size: [u32; 2]) -> Result<TextureId> {
+        let [.., desc] = Textures::descs(size, Format::Rgba8);
+        let made = backend.create_texture(&desc)?;
         if let Some(t) = &mut self.textures {
             t.display = Some(made);
         }
@@ -178,25 +218,21 @@ impl PictureRenderer {
     }
 
     fn textures(&mut self, backend: &mut dyn Backend, size: [u32; 2], radiance: Format) -> Result<Textures> {
-        // Not another's: the ids of a new device begin where a lost one's did.
-        let ours = |id: TextureId, label: &str| {
-            backend.texture(id).is_some_and(|d| d.label == label && [d.width, d.height] == size)
+        let fits = |t: &Textures| {
+            let descs = Textures::descs(size, radiance);
+            t.ids().into_iter().chain(t.display).zip(descs).all(|(id, desc)| backend.texture(id) == Some(desc))
         };
-        if let Some(t) = self.textures.filter(|t| {
-            let own = [(t.scene, "scene"), (t.depth, "depth"), (t.aerial, "aerial")];
-            t.radiance == radiance
-                && own.iter().all(|&(id, label)| ours(id, label))
-                && t.display.is_none_or(|id| ours(id, "display"))
-        }) {
+        if let Some(t) = self.textures.filter(fits) {
             return Ok(t);
         }
         let [width, height] = size;
         // Sizes are checked before the old textures go.
         TextureDesc::new("picture", width, height, radiance).validate(backend.info().max_texture_size)?;
         self.free(backend);
-        let mut made = Vec::with_capacity(3);
-        for (label, format) in [("scene", radiance), ("depth", Format::Depth32Float), ("aerial", radiance)] {
-            match backend.create_texture(&TextureDesc::new(label, width, height, format)) {
+        let [descs @ .., _] = Textures::descs(size, radiance);
+        let mut made = Vec::with_capacity(descs.len());
+        for desc in descs {
+            match backend.create_texture(&desc) {
                 Ok(id) => made.push(id),
                 Err(e) => {
                     made.into_iter().for_each(|id| backend.destroy_texture(id));
@@ -204,7 +240,7 @@ impl PictureRenderer {
                 }
             }
         }
-        let t = Textures { radiance, scene: made[0], depth: made[1], aerial: made[2], display: None };
+        let t = Textures { scene: made[0], depth: made[1], aerial: made[2], display: None };
         self.textures = Some(t);
         Ok(t)
     }

@@ -1,7 +1,7 @@
-//! Exposure, tone mapping and sRGB encoding: the pass, and the same formulas on the CPU.
+//! Exposure, tone mapping, sRGB encoding and dither: the pass, and the same formulas on the CPU.
 
 use super::frame::block;
-use crate::backend::{Backend, DepthUse, Pass, Target, TextureId, Uniform, reads};
+use crate::backend::{Backend, DepthUse, Format, Pass, Target, TextureId, Uniform, reads};
 use crate::error::{Error, Result, in_range};
 use crate::shaders::Program;
 pub use crate::shaders::ToneMap;
@@ -16,15 +16,18 @@ block! {
     }
 }
 
-/// A pass that tone-maps `from` to `to` (usually [`crate::backend::Format::Rgba8`], same size); their row orders may
-/// differ.
+/// A pass that tone-maps `from` to `to` (usually [`Format::Rgba8`], same size); their row orders may differ.
+///
+/// `dither` adds [`dither`] before an 8-bit target rounds, so that gradients show no bands; it does nothing to
+/// targets of other formats.
 ///
 /// # Errors
 /// [`crate::Error::Invalid`] unless `exposure` is from 0 to 1e9 and the sizes are equal.
 pub fn tone_pass(
     backend: &mut dyn Backend,
-    tone_map: ToneMap,
+    map: ToneMap,
     exposure: f64,
+    dither: bool,
     from: TextureId,
     to: TextureId,
 ) -> Result<Pass> {
@@ -38,9 +41,10 @@ pub fn tone_pass(
         ));
     }
     let flipped = (source.rows != target.rows).into();
+    let bytes = matches!(target.format, Format::Rgba8 | Format::Bgra8);
     Ok(Pass {
         label: "tone mapping",
-        program: Some(backend.create_program(Program::ToneMap(tone_map))?),
+        program: Some(backend.create_program(Program::ToneMap { map, dither: dither && bytes })?),
         textures: reads([from]),
         uniform: Uniform::new(&ToneUniform { exposure: exposure as f32, flipped, pad: [0.0; 2] }),
         target: Target::color(to),
@@ -103,4 +107,15 @@ pub fn tone_map(tone_map: ToneMap, color: [f64; 3]) -> [f64; 3] {
 pub fn srgb_encode(linear: f64) -> f64 {
     let c = linear.clamp(0.0, 1.0);
     if c <= 0.0031308 { c * 12.92 } else { 1.055 * c.powf(1.0 / 2.4) - 0.055 }
+}
+
+/// Noise of a pixel (column and row from 0), in steps of an 8-bit display value: more than -1/2, less than 1/2, its mean
+/// over a few pixels next to 0. The same numbers as in `tonemap.wgsl`, which has the source.
+pub fn dither([x, y]: [u32; 2]) -> [f64; 3] {
+    let n = x.wrapping_mul(0xc13f_a9a9).wrapping_add(y.wrapping_mul(0x91e1_0da5));
+    [0, 0x5555_5555, 0xaaaa_aaaa].map(|offset| {
+        let v = n.wrapping_add(offset);
+        let folded = (v << 1) ^ 0u32.wrapping_sub(v >> 31);
+        (f64::from(folded >> 24) + 0.5) / 256.0 - 0.5
+    })
 }

@@ -13,7 +13,7 @@ use crate::backend::TextureDesc;
 use crate::error::Result;
 use crate::passes::picture::PictureSettings;
 use crate::passes::terrain::TerrainStyle;
-use crate::passes::tone::{srgb_encode, tone_map};
+use crate::passes::tone::{dither, srgb_encode, tone_map};
 use crate::shaders::Constituents;
 use crate::view::{Scene, ZenithView};
 
@@ -51,9 +51,12 @@ pub fn render(scene: &Scene, settings: &PictureSettings, size: [u32; 2], progres
     }
     let display = radiance
         .par_iter()
-        .map(|p| {
+        .enumerate()
+        .map(|(i, p)| {
             let exposed = [p[0], p[1], p[2]].map(|v| f64::from(v) * settings.exposure);
-            let [r, g, b] = tone_map(settings.tone_map, exposed).map(|v| (srgb_encode(v) * 255.0).round() as u8);
+            let shown = tone_map(settings.tone_map, exposed).map(srgb_encode);
+            let noise = if settings.dither { dither([i as u32 % width, i as u32 / width]) } else { [0.0; 3] };
+            let [r, g, b] = std::array::from_fn(|c| (255.0 * shown[c] + noise[c]).round() as u8);
             [r, g, b, 255]
         })
         .collect();

@@ -25,9 +25,9 @@ pub(super) static PARTS: &[&str] = &[
 ];
 
 pub(super) static GLSL: &[Glsl] = &[
-    Glsl { name: "probe-geometry", vertex: &[156, 0], fragment: &[1, 4, 16, 11, 3, 12, 257, 107, 36, 101, 127, 236, 238, 144, 30, 32, 151, 135, 270, 267, 260, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-medium", vertex: &[156, 0], fragment: &[1, 259, 50, 258, 113, 183, 203, 132, 58, 265, 262, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-path", vertex: &[156, 0], fragment: &[1, 256, 107, 36, 101, 139, 50, 60, 113, 253, 191, 241, 266, 261, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-scatter_hg", vertex: &[156, 0], fragment: &[1, 4, 16, 11, 3, 12, 13, 256, 107, 36, 101, 127, 236, 238, 145, 30, 32, 152, 211, 139, 50, 75, 113, 253, 250, 269, 183, 203, 132, 273, 271, 268, 263, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-scatter_cs", vertex: &[156, 0], fragment: &[1, 4, 16, 11, 3, 12, 13, 256, 107, 36, 101, 127, 236, 238, 145, 30, 32, 152, 211, 139, 50, 75, 113, 253, 250, 269, 183, 203, 132, 58, 273, 272, 268, 264, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-geometry", vertex: &[158, 0], fragment: &[1, 4, 16, 11, 3, 12, 260, 109, 36, 101, 129, 239, 241, 146, 30, 32, 153, 137, 273, 270, 263, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-medium", vertex: &[158, 0], fragment: &[1, 262, 50, 261, 115, 186, 206, 134, 58, 268, 265, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-path", vertex: &[158, 0], fragment: &[1, 259, 109, 36, 101, 141, 50, 60, 115, 256, 194, 244, 269, 264, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-scatter_hg", vertex: &[158, 0], fragment: &[1, 4, 16, 11, 3, 12, 13, 259, 109, 36, 101, 129, 239, 241, 147, 30, 32, 154, 214, 141, 50, 75, 115, 256, 253, 272, 186, 206, 134, 276, 274, 271, 266, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-scatter_cs", vertex: &[158, 0], fragment: &[1, 4, 16, 11, 3, 12, 13, 259, 109, 36, 101, 129, 239, 241, 147, 30, 32, 154, 214, 141, 50, 75, 115, 256, 253, 272, 186, 206, 134, 58, 276, 275, 271, 267, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
 ];

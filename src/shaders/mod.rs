@@ -169,7 +169,12 @@ pub enum Program {
     /// A low-resolution sky brought to full size, `upsample.wgsl`.
     Upsample,
     /// Exposure, tone mapping and sRGB, `tonemap.wgsl`.
-    ToneMap(ToneMap),
+    ToneMap {
+        /// The curve.
+        map: ToneMap,
+        /// With the noise of one 8-bit step.
+        dither: bool,
+    },
     /// The demonstration's terrain, `terrain.wgsl`; it holds every constituent.
     Terrain,
     /// A plain copy, `copy.wgsl`.
@@ -189,7 +194,7 @@ impl Program {
         let mut all = vec![Self::Copy, Self::Upsample, Self::Terrain];
         all.extend([Self::LutColumns, Self::LutRadiance, Self::LutMoments]);
         all.extend([false, true].map(|finish| Self::LutScan { finish }));
-        all.extend(ToneMap::ALL.map(Self::ToneMap));
+        all.extend([false, true].into_iter().flat_map(|d| ToneMap::ALL.map(|map| Self::ToneMap { map, dither: d })));
         for mie in [None, Some(MiePhase::HenyeyGreenstein), Some(MiePhase::CornetteShanks)] {
             all.extend([false, true].map(|only| Self::SkyLut { mie, only }));
             all.extend([false, true].map(|blend| Self::AerialLut { mie, blend }));
@@ -223,7 +228,9 @@ impl Program {
                 self.module().to_owned()
             }
             Self::LutScan { finish } => format!("lut_scan-{}", if finish { "finish" } else { "add" }),
-            Self::ToneMap(t) => format!("tonemap-{}", t.name()),
+            Self::ToneMap { map, dither } => {
+                format!("tonemap-{}{}", map.name(), if dither { "-dither" } else { "" })
+            }
             #[cfg(feature = "probe")]
             Self::Probe(p) => format!("probe-{}", p.name()),
             Self::Sun { .. } | Self::LutSky { .. } | Self::LutAir { .. } => [
@@ -262,7 +269,7 @@ impl Program {
             Self::LutAir { .. } => "lut_air",
             Self::LutScan { .. } => "lut_scan",
             Self::Upsample => "upsample",
-            Self::ToneMap(_) => "tonemap",
+            Self::ToneMap { .. } => "tonemap",
             Self::Terrain => "terrain",
             Self::Copy => "copy",
             #[cfg(feature = "probe")]
@@ -296,11 +303,14 @@ impl Program {
                 flags.push("DIFFUSE");
             }
             Self::LutScan { finish } => flags.push(if finish { "FINISH" } else { "ADD" }),
-            Self::ToneMap(t) => flags.push(match t {
-                ToneMap::Aces => "ACES",
-                ToneMap::AgX => "AGX",
-                ToneMap::Neutral => "NEUTRAL",
-            }),
+            Self::ToneMap { map, dither } => {
+                flags.push(match map {
+                    ToneMap::Aces => "ACES",
+                    ToneMap::AgX => "AGX",
+                    ToneMap::Neutral => "NEUTRAL",
+                });
+                flags.push(if dither { "DITHER" } else { "PLAIN" });
+            }
             Self::Terrain | Self::LutColumns | Self::LutRadiance | Self::LutMoments => {
                 Constituents { rayleigh: true, mie: Some(MiePhase::HenyeyGreenstein), ozone: true }.flags(&mut flags);
                 flags.push("DIFFUSE");
@@ -330,7 +340,7 @@ impl Program {
     pub fn textures(self) -> usize {
         match self {
             Self::Sky { .. } | Self::Sun { .. } | Self::Terrain | Self::LutColumns => 0,
-            Self::Upsample | Self::ToneMap(_) | Self::Copy | Self::LutMoments | Self::LutScan { .. } => 1,
+            Self::Upsample | Self::ToneMap { .. } | Self::Copy | Self::LutMoments | Self::LutScan { .. } => 1,
             Self::SkyLut { mie, .. } => 1 + usize::from(mie.is_some()),
             Self::LutRadiance | Self::LutAir { .. } => 2,
             Self::LutSky { aerosol, .. } => 2 - usize::from(aerosol),
@@ -357,7 +367,7 @@ impl Program {
             Self::Sky { .. } | Self::Aerial { .. } | Self::Upsample => size_of::<FrameUniform>(),
             Self::Sun { .. } => size_of::<crate::passes::sun::SunUniform>(),
             Self::Terrain => size_of::<TerrainUniform>(),
-            Self::ToneMap(_) => size_of::<ToneUniform>(),
+            Self::ToneMap { .. } => size_of::<ToneUniform>(),
             Self::LutColumns | Self::LutRadiance | Self::LutMoments => size_of::<lut::MediumTables>(),
             Self::SkyLut { .. }
             | Self::AerialLut { .. }

@@ -63,6 +63,8 @@ pub struct Cli {
 pub enum Command {
     /// Draw a sky: a contact sheet of many views, or one picture
     Render(Box<RenderArgs>),
+    /// Draw a climb to a million kilometres, or a day, as a strip of frames; measure how smoothly they follow
+    Film(Box<FilmArgs>),
     /// Draw every view by every backend: how far apart the pictures are, and what each pass costs
     Compare(CompareArgs),
     /// Compute the sky's radiance in given directions, from a table to a table
@@ -86,6 +88,7 @@ pub enum Command {
 
 /// Options of `welkin compare`.
 #[derive(Args, Debug)]
+#[command(after_help = "Pictures are compared without dither, timed with it.")]
 pub struct CompareArgs {
     /// Pixels of the pictures that are compared
     #[arg(long, value_name = "WxH", default_value = "480x270", value_parser = parse_size)]
@@ -130,6 +133,7 @@ impl Command {
     pub fn name(&self) -> &'static str {
         match self {
             Self::Render(_) => "render",
+            Self::Film(_) => "film",
             Self::Radiance(_) => "radiance",
             Self::Accuracy(_) => "accuracy",
             Self::Compare(_) => "compare",
@@ -332,6 +336,10 @@ pub struct RenderArgs {
     #[arg(long, value_name = "CURVE", help_heading = "Quality and output", default_value = "aces")]
     tone_map: ToneMapName,
 
+    /// Round display values without the noise that hides bands; .exr and .hdr never have it
+    #[arg(long, help_heading = "Quality and output")]
+    no_dither: bool,
+
     /// What draws
     #[arg(long, value_name = "NAME", help_heading = "Quality and output", default_value = "auto")]
     pub backend: BackendChoice,
@@ -374,6 +382,153 @@ impl ToneMapName {
             Self::AgX => "AgX",
             Self::Neutral => "Khronos Neutral",
         }
+    }
+}
+
+const FILM_ABOUT: &str = "\
+Draw a climb to a million kilometres, or a day, as a strip of frames; measure how smoothly they follow
+
+climb: the camera rises from 2 m to 1,000,000 km, each frame higher by the same factor. It looks at the horizon, from \
+100 km on more and more towards the planet's centre, and keeps the whole planet in the picture once it fits.
+day: the sun rises 20° below the horizon behind the camera, passes through the zenith and sets in front of it.
+
+Then the same film in many more and smaller frames, by every backend and by the f64 reference: how far neighbouring \
+frames lie apart, and how far that is from what the reference changes by. A seam, a popping table or a hand-over that \
+does not add up shows as a difference there.";
+
+const FILM_DETAILS: &str = "\
+The table of steps: light of the air over black, without ground and sun's disk, in 32-bit floats. All numbers are shares \
+of the brightest value that the reference has in the two frames, channel by channel, in %:
+  mean    of all values of the frame
+  pixel   the value that changes most
+  off     of the change that is drawn less the reference's change; the two above it are sizes of either change
+Half of a climb's steps are spread evenly in the altitude's logarithm, a quarter over 14 to 51 km, where the background \
+hands over to the depth-aware pass, and a quarter around the top of the air. --csv writes every step.
+
+The reference is solved once for each planet (Earth: 10 s) and kept; its frames take some minutes of a core.
+
+Examples:
+  welkin film climb
+      The strip to film.png, then the table for every backend
+  welkin film climb --planet mars --frames 24 --steps 0 -o mars.png
+      Only the strip
+  welkin film day --altitude 11km --backend webgl2 --csv steps.csv
+      A day from an airliner; every step into a file
+
+Exit status: 0 drawn and written; 1 drawing, measuring or writing failed; 2 the request was not accepted, and
+nothing was written.";
+
+/// Which film.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum FilmKind {
+    /// The camera rises from 2 m to 1,000,000 km
+    Climb,
+    /// The sun rises, passes through the zenith and sets
+    Day,
+}
+
+/// Options of `welkin film`.
+#[derive(Args, Debug)]
+#[command(long_about = FILM_ABOUT, after_long_help = FILM_DETAILS)]
+#[command(after_help = "What the table says, and examples: welkin film --help")]
+pub struct FilmArgs {
+    /// What changes from frame to frame
+    #[arg(value_name = "FILM")]
+    pub kind: FilmKind,
+
+    /// The planet and its air
+    #[arg(long, value_name = "NAME", default_value = "earth")]
+    #[arg(value_parser = PossibleValuesParser::new(AtmosphereParams::PRESETS))]
+    planet: String,
+
+    /// Degrees of the sun above the horizontal, -90 to 90; only of a climb [default: 25]
+    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true, value_parser = degrees(-90.0, 90.0))]
+    sun_elevation: Option<f64>,
+
+    /// Height above the ground, 0 to 1,000 km: metres, or as in 15km; only of a day [default: 2m]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = parse_length)]
+    altitude: Option<Length>,
+
+    /// Frames of the strip, 2 to 64
+    #[arg(long, value_name = "N", default_value = "16", value_parser = clap::value_parser!(u32).range(2..=64))]
+    pub frames: u32,
+
+    /// Pixels of each frame, 8x8 to 1000x1000
+    #[arg(long, value_name = "WxH", default_value = "80x120", value_parser = parse_frame)]
+    pub size: [u32; 2],
+
+    /// Steps that are measured, 8 to 10000; 0 does not measure
+    #[arg(long, value_name = "N", default_value = "240", value_parser = parse_steps)]
+    pub steps: u32,
+
+    /// Method and its numbers by name
+    #[arg(long, value_name = "NAME", default_value = "medium")]
+    #[arg(value_parser = PossibleValuesParser::new(Quality::ALL.iter().map(|q| q.name)))]
+    quality: String,
+
+    /// Multiplies radiance before tone mapping, 1e-6 to 1e6 [default: 0.4; of a day, 0.25 / median^0.85 of each frame]
+    #[arg(long, value_name = "FACTOR", allow_hyphen_values = true, value_parser = number(1e-6, 1e6, ""))]
+    pub exposure: Option<f64>,
+
+    /// Round display values without the noise that hides bands: a smaller file
+    #[arg(long)]
+    pub no_dither: bool,
+
+    /// What draws: webgpu or webgl2 [default: the strip by the best, the table for each that can be had]
+    #[arg(long, value_name = "NAME", hide_possible_values = true)]
+    #[arg(value_parser = PossibleValuesParser::new(["webgpu", "webgl2"]))]
+    backend: Option<String>,
+
+    /// Write every step to this file (CSV)
+    #[arg(long, value_name = "FILE")]
+    pub csv: Option<PathBuf>,
+
+    /// Where to write the strip (.png)
+    #[arg(short, long, value_name = "FILE", default_value = "film.png")]
+    pub output: PathBuf,
+
+    #[command(flatten)]
+    pub cache: CacheArgs,
+}
+
+impl FilmArgs {
+    /// The backend that was asked for.
+    pub fn backend(&self) -> Option<BackendChoice> {
+        match self.backend.as_deref()? {
+            "webgl2" => Some(BackendChoice::WebGl2),
+            _ => Some(BackendChoice::WebGpu),
+        }
+    }
+
+    /// The planet's name.
+    pub fn planet(&self) -> &'static str {
+        AtmosphereParams::PRESETS.into_iter().find(|p| *p == self.planet).unwrap_or("earth")
+    }
+
+    /// How the sky is drawn.
+    pub fn quality(&self) -> Quality {
+        Quality::from_name(&self.quality).unwrap_or(Quality::MEDIUM)
+    }
+
+    /// The sun's elevation of a climb (degrees) and the altitude of a day (metres).
+    pub fn fixed(&self) -> Result<(f64, f64), UsageError> {
+        let other = match self.kind {
+            FilmKind::Climb => self.altitude.is_some().then_some(("--altitude <LENGTH>", "climb", "altitude")),
+            FilmKind::Day => self.sun_elevation.is_some().then_some(("--sun-elevation <DEGREES>", "day", "sun")),
+        };
+        if let Some((option, film, what)) = other {
+            return Err(UsageError::new(format!(
+                "'{option}' cannot be used with '{film}': the {what} is what changes from frame to frame"
+            )));
+        }
+        if self.csv.is_some() && self.steps == 0 {
+            return Err(UsageError::new("'--csv <FILE>' cannot be used with '--steps 0': no step is measured"));
+        }
+        let altitude = self.altitude.as_ref().map_or(2.0, |a| a.metres);
+        if let Some(text) = self.altitude.as_ref().filter(|a| !(0.0..=1e6).contains(&a.metres)).map(|a| &a.text) {
+            return Err(UsageError::value("--altitude <LENGTH>", text, "from 0 m to 1,000 km"));
+        }
+        Ok((self.sun_elevation.unwrap_or(25.0), altitude))
     }
 }
 
@@ -597,7 +752,16 @@ impl RenderArgs {
             other => UsageError::new(other.to_string()),
         })?;
         let sky = SkySettings { composition: self.mode.settings().composition, ..sky };
-        Ok(Shot { scene, width, height, sky, exposure: view.exposure, tone_map: self.tone_map.into(), terrain })
+        Ok(Shot {
+            scene,
+            width,
+            height,
+            sky,
+            exposure: view.exposure,
+            tone_map: self.tone_map.into(),
+            dither: !self.no_dither,
+            terrain,
+        })
     }
 
     /// How the quality was asked for.
@@ -734,6 +898,16 @@ fn parse_size(text: &str) -> Result<[u32; 2], String> {
             "must be WIDTHxHEIGHT, each from 1 to {MAX_SIDE} and at most {MAX_PIXELS} pixels in all, as in 1920x1080"
         )
     })
+}
+
+fn parse_frame(text: &str) -> Result<[u32; 2], String> {
+    let size = parse_size(text).ok().filter(|size| size.iter().all(|side| (8..=1000).contains(side)));
+    size.ok_or_else(|| "must be WIDTHxHEIGHT, each from 8 to 1000, as in 80x120".to_owned())
+}
+
+fn parse_steps(text: &str) -> Result<u32, String> {
+    let value = text.trim().parse().ok().filter(|n| *n == 0 || (8..=10_000).contains(n));
+    value.ok_or_else(|| "must be 0 or a whole number from 8 to 10000".to_owned())
 }
 
 fn parse_budget(text: &str) -> Result<Duration, String> {

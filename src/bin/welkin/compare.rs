@@ -58,7 +58,7 @@ pub fn run(args: &CompareArgs) -> anyhow::Result<()> {
     Ok(())
 }
 
-fn shot(args: &CompareArgs, view: &View, [width, height]: [u32; 2]) -> anyhow::Result<Shot> {
+fn shot(args: &CompareArgs, view: &View, [width, height]: [u32; 2], dither: bool) -> anyhow::Result<Shot> {
     let terrain = view.terrain();
     Ok(Shot {
         scene: view.scene(Place::DEFAULT, f64::from(width) / f64::from(height), Some(&terrain))?,
@@ -67,6 +67,7 @@ fn shot(args: &CompareArgs, view: &View, [width, height]: [u32; 2]) -> anyhow::R
         sky: SkySettings { method: args.method(), ..SkySettings::default() },
         exposure: view.exposure,
         tone_map: ToneMap::Aces,
+        dither,
         terrain: Some(terrain),
     })
 }
@@ -76,7 +77,7 @@ fn compare(args: &CompareArgs, drawers: &mut [(String, Drawer)], out: &mut impl 
     writeln!(out, "\nDifferences of display values at {w}×{h}, {} (of 255):\n", args.method())?;
     writeln!(out, "| view | pair | largest | mean | more than 1 apart | not finite |\n|---|---|---:|---:|---:|---:|")?;
     for view in &VIEWS {
-        let shot = shot(args, view, args.size)?;
+        let shot = shot(args, view, args.size, false)?;
         let mut drawn: Vec<(String, Picture)> = Vec::new();
         for (name, drawer) in &mut *drawers {
             let picture = drawer.draw(&shot, &|_| ()).with_context(|| format!("{} by {name}", view.name))?;
@@ -118,7 +119,7 @@ fn time(args: &CompareArgs, drawers: &mut [(String, Drawer)], out: &mut impl Wri
     writeln!(out, "\nTimes at {w}×{h}, {}, best of {}; × is the ratio to the copy:\n", args.method(), args.repeat)?;
     writeln!(out, "| view | backend | pass | ms | × |\n|---|---|---|---:|---:|")?;
     for view in &VIEWS {
-        let shot = shot(args, view, args.time_size)?;
+        let shot = shot(args, view, args.time_size, true)?;
         for (name, drawer) in &mut *drawers {
             let Some(times) = drawer.times(&shot, args.repeat)? else { continue };
             let copy = times.last().map_or(0.0, |t| t.nanoseconds);

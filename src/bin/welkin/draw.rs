@@ -40,6 +40,8 @@ pub struct Shot {
     pub exposure: f32,
     /// The tone curve.
     pub tone_map: ToneMap,
+    /// Noise of one step before display values are rounded.
+    pub dither: bool,
     /// The ground; `None` leaves it out.
     pub terrain: Option<TerrainStyle>,
 }
@@ -50,6 +52,7 @@ impl Shot {
             sky: self.sky,
             exposure: self.exposure.into(),
             tone_map: self.tone_map,
+            dither: self.dither,
             terrain: self.terrain,
             radiance: Format::Rgba16Float,
         }
@@ -147,6 +150,11 @@ impl Drawer {
         self.machine.backend()
     }
 
+    /// Makes this the drawer that [`Self::backend`] is used of: another may have been opened or used since.
+    pub fn make_current(&self) -> anyhow::Result<()> {
+        Ok(self.machine.take_over()?)
+    }
+
     /// Draws one picture; `progress` is told the share that is done, 0 to 1.
     pub fn draw(&mut self, shot: &Shot, progress: &dyn Fn(f32)) -> anyhow::Result<Picture> {
         let (width, height) = (shot.width, shot.height);
@@ -166,7 +174,7 @@ impl Drawer {
         Ok(Picture {
             width,
             height,
-            hdr: hdr.as_chunks().0.to_vec(),
+            hdr: hdr.as_chunks().0.iter().map(|p: &[f32; 4]| unscaled(*p, drawn.scale)).collect(),
             display: display.as_chunks().0.iter().map(|p: &[f32; 4]| p.map(|v| (v * 255.0).round() as u8)).collect(),
         })
     }
@@ -205,6 +213,12 @@ impl Drawer {
         backend.destroy_texture(copy);
         Ok(best)
     }
+}
+
+/// Radiance as it is without the scale that it was drawn with.
+fn unscaled([r, g, b, a]: [f32; 4], scale: f64) -> [f32; 4] {
+    let [r, g, b] = [r, g, b].map(|v| (f64::from(v) / scale) as f32);
+    [r, g, b, a]
 }
 
 impl Drop for Drawer {

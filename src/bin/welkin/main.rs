@@ -6,6 +6,7 @@ mod cache;
 mod choose;
 mod compare;
 mod draw;
+mod film;
 mod info;
 mod output;
 mod progress;
@@ -46,6 +47,7 @@ fn main() -> ExitCode {
 fn run(cli: Cli) -> anyhow::Result<()> {
     match cli.command {
         Command::Render(args) => render::run(&args),
+        Command::Film(args) => film::run(&args),
         Command::Compare(args) => compare::run(&args),
         Command::Accuracy(args) => accuracy::run(&args),
         Command::Radiance(args) => radiance::run(&args),

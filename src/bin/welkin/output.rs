@@ -92,7 +92,7 @@ impl Destination {
 impl Output {
     /// Finds the format and checks that the file can be written, without leaving a trace.
     ///
-    /// `sheet` says that the contact sheet is to be written, which has no radiance.
+    /// `sheet` says that the contact sheet or a strip is to be written, which have no radiance.
     pub fn new(path: &Path, sheet: bool) -> Result<Self, UsageError> {
         let shown = path.display();
         let ending = path.extension().and_then(|e| e.to_str()).unwrap_or_default().to_ascii_lowercase();
@@ -108,8 +108,8 @@ impl Output {
             return Err(UsageError::value(
                 OPTION,
                 shown,
-                "a file name that ends in .png for the contact sheet; .exr and .hdr hold one picture, \
-                 as in --view noon",
+                "a file name that ends in .png for the contact sheet and for strips; .exr and .hdr hold one \
+                 picture, as in welkin render --view noon",
             ));
         }
         Ok(Self { file: Destination::new(path, OPTION)?, format })

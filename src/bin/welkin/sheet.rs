@@ -5,7 +5,7 @@ use std::convert::Infallible;
 use embedded_graphics::Drawable;
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{OriginDimensions, Point, Size};
-use embedded_graphics::mono_font::iso_8859_1::{FONT_9X15, FONT_9X15_BOLD, FONT_10X20};
+use embedded_graphics::mono_font::iso_8859_1::{FONT_6X10, FONT_9X15, FONT_9X15_BOLD, FONT_10X20};
 use embedded_graphics::mono_font::{MonoFont, MonoTextStyle};
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use embedded_graphics::text::{Baseline, Text};
@@ -63,7 +63,7 @@ pub struct Sheet {
 impl Sheet {
     /// [`WIDTH`] × [`HEIGHT`] sRGB pixels, row 0 at the top.
     pub fn compose(&self) -> Vec<[u8; 4]> {
-        let mut canvas = Canvas { pixels: vec![rgba(BACKGROUND); (WIDTH * HEIGHT) as usize] };
+        let mut canvas = Canvas::new(WIDTH, HEIGHT);
         let title_end = canvas.text(&self.title, &FONT_10X20, BRIGHT, GAP, 17, WIDTH - GAP);
         canvas.text(&self.subtitle, &FONT_9X15, SOFT, title_end + 20, 20, WIDTH - GAP);
         let row_height = PANEL_HEIGHT + CAPTION_HEIGHT;
@@ -80,11 +80,32 @@ impl Sheet {
     }
 }
 
+/// Frames of one size side by side, each over its caption: width, height and sRGB pixels, row 0 at the top.
+pub fn strip(frames: &[(String, Picture)]) -> (u32, u32, Vec<[u8; 4]>) {
+    const GAP: u32 = 2;
+    let (w, h) = frames.first().map_or((1, 1), |(_, p)| (p.width, p.height));
+    let mut canvas = Canvas::new((w + GAP) * frames.len() as u32 + GAP, h + 16);
+    for ((caption, picture), column) in frames.iter().zip(0..) {
+        let x = GAP + column * (w + GAP);
+        for (i, pixel) in picture.display.iter().enumerate() {
+            canvas.set(x + i as u32 % w, GAP + i as u32 / w, *pixel);
+        }
+        canvas.text(caption, &FONT_6X10, SOFT, x, h + 4, x + w);
+    }
+    (canvas.width, canvas.height, canvas.pixels)
+}
+
 struct Canvas {
+    width: u32,
+    height: u32,
     pixels: Vec<[u8; 4]>,
 }
 
 impl Canvas {
+    fn new(width: u32, height: u32) -> Self {
+        Self { width, height, pixels: vec![rgba(BACKGROUND); width as usize * height as usize] }
+    }
+
     fn row(&mut self, panels: &[Panel], y: u32) {
         for (panel, column) in panels.iter().zip(0..) {
             let x = GAP + column * (PANEL_WIDTH + GAP);
@@ -117,15 +138,15 @@ impl Canvas {
     }
 
     fn set(&mut self, x: u32, y: u32, pixel: [u8; 4]) {
-        if x < WIDTH && y < HEIGHT {
-            self.pixels[(y * WIDTH + x) as usize] = pixel;
+        if x < self.width && y < self.height {
+            self.pixels[y as usize * self.width as usize + x as usize] = pixel;
         }
     }
 }
 
 impl OriginDimensions for Canvas {
     fn size(&self) -> Size {
-        Size::new(WIDTH, HEIGHT)
+        Size::new(self.width, self.height)
     }
 }
 
