@@ -9,9 +9,8 @@
 //
 // Headless Chromium draws with its software GPU, 1280 × 720, Earth, the sun 20° high. Run scripts/build-web before.
 //
-// Beside the viewer, and on canvases of the same size, it times two full-screen triangles, each of which draws straight
-// to the canvas: a copy of a half-float texture, and the sky of Preetham, Shirley & Smits, "A Practical Analytic
-// Model for Daylight" (1999), written for this file from the paper as a stand-in for three.js's Sky.
+// Beside the viewer, and on canvases of the same size, it times a full-screen triangle that copies a half-float texture,
+// and three.js's Sky (Preetham, Shirley & Smits 1999), tone-mapped with ACES: Sky on WebGL2, SkyMesh on WebGPU.
 import { parseArgs } from 'node:util';
 import { launch } from './test/browser.mjs';
 
@@ -38,27 +37,7 @@ const CASES = [
   { name: 'terrain without an atmosphere', mode: 'lut', terrain: true, ...TABLES, off: true },
 ];
 
-// ---------------------------------------------------------------- Preetham's sky
-
-/** What depends on the turbidity and the sun's angle from the zenith: five Perez numbers and the zenith, each for Y, x, y. */
-function preetham(turbidity, sunZenith) {
-  const T = turbidity;
-  const s = sunZenith;
-  const perez = [
-    [0.1787 * T - 1.463, -0.0193 * T - 0.2592, -0.0167 * T - 0.2608],
-    [-0.3554 * T + 0.4275, -0.0665 * T + 0.0008, -0.095 * T + 0.0092],
-    [-0.0227 * T + 5.3251, -0.0004 * T + 0.2125, -0.0079 * T + 0.2102],
-    [0.1206 * T - 2.5771, -0.0641 * T - 0.8989, -0.0441 * T - 1.6537],
-    [-0.067 * T + 0.3703, -0.0033 * T + 0.0452, -0.0109 * T + 0.0529],
-  ];
-  const cubic = (a, b, c, d) => ((a * s + b) * s + c) * s + d;
-  const zenith = [
-    (4.0453 * T - 4.971) * Math.tan((4 / 9 - T / 120) * (Math.PI - 2 * s)) - 0.2155 * T + 2.4192,
-    cubic(0.00166, -0.00375, 0.00209, 0) * T * T + cubic(-0.02903, 0.06377, -0.03202, 0.00394) * T + cubic(0.11693, -0.21196, 0.06052, 0.25886),
-    cubic(0.00275, -0.0061, 0.00317, 0) * T * T + cubic(-0.04214, 0.0897, -0.04153, 0.00516) * T + cubic(0.15346, -0.26756, 0.0667, 0.26688),
-  ];
-  return [...perez, zenith, [0, Math.sin(s), Math.cos(s)]]; // the last: where the sun stands
-}
+// ---------------------------------------------------------------- a copy
 
 const TRIANGLE_GLSL = `#version 300 es
 void main() {
@@ -77,41 +56,6 @@ void main() { color = texelFetch(source, ivec2(gl_FragCoord.xy), 0); }`;
 const COPY_WGSL = `${TRIANGLE_WGSL}
 @group(0) @binding(0) var source: texture_2d<f32>;
 @fragment fn fragment_main(@builtin(position) p: vec4f) -> @location(0) vec4f { return textureLoad(source, vec2i(p.xy), 0); }`;
-const PREETHAM_GLSL = `#version 300 es
-precision highp float;
-uniform vec3 k[7];
-uniform vec2 size;
-out vec4 color;
-vec3 perez(float cos_zenith, float angle, float cos_angle) {
-  return (1.0 + k[0] * exp(k[1] / cos_zenith)) * (1.0 + k[2] * exp(k[3] * angle) + k[4] * cos_angle * cos_angle);
-}
-void main() {
-  vec2 ndc = 2.0 * gl_FragCoord.xy / size - 1.0;
-  vec3 dir = normalize(vec3(ndc.x * size.x / size.y * 0.577, 0.977 - 0.12 * ndc.y, 0.207 + 0.565 * ndc.y));
-  float cos_angle = clamp(dot(dir, k[6]), -1.0, 1.0);
-  vec3 Yxy = k[5] * perez(max(dir.z, 0.01), acos(cos_angle), cos_angle) / perez(1.0, acos(k[6].z), k[6].z);
-  vec3 XYZ = vec3(Yxy.y, Yxy.z, 1.0 - Yxy.y - Yxy.z) * Yxy.x / Yxy.z;
-  vec3 rgb = mat3(3.2406, -0.9689, 0.0557, -1.5372, 1.8758, -0.2040, -0.4986, 0.0415, 1.0570) * XYZ;
-  color = vec4(pow(1.0 - exp(-0.1 * max(rgb, 0.0)), vec3(1.0 / 2.2)), 1.0);
-}`;
-const PREETHAM_WGSL = `${TRIANGLE_WGSL}
-struct Sky { k: array<vec4f, 7>, size: vec4f }
-@group(0) @binding(0) var<uniform> sky: Sky;
-fn perez(cos_zenith: f32, angle: f32, cos_angle: f32) -> vec3f {
-  return (1.0 + sky.k[0].xyz * exp(sky.k[1].xyz / cos_zenith))
-    * (1.0 + sky.k[2].xyz * exp(sky.k[3].xyz * angle) + sky.k[4].xyz * cos_angle * cos_angle);
-}
-@fragment fn fragment_main(@builtin(position) p: vec4f) -> @location(0) vec4f {
-  let size = sky.size.xy;
-  let ndc = (2.0 * p.xy / size - 1.0) * vec2f(1.0, -1.0);
-  let dir = normalize(vec3f(ndc.x * size.x / size.y * 0.577, 0.977 - 0.12 * ndc.y, 0.207 + 0.565 * ndc.y));
-  let cos_angle = clamp(dot(dir, sky.k[6].xyz), -1.0, 1.0);
-  let Yxy = sky.k[5].xyz * perez(max(dir.z, 0.01), acos(cos_angle), cos_angle) / perez(1.0, acos(sky.k[6].z), sky.k[6].z);
-  let XYZ = vec3f(Yxy.y, Yxy.z, 1.0 - Yxy.y - Yxy.z) * Yxy.x / Yxy.z;
-  let rgb = mat3x3f(3.2406, -0.9689, 0.0557, -1.5372, 1.8758, -0.2040, -0.4986, 0.0415, 1.0570) * XYZ;
-  return vec4f(pow(1.0 - exp(-0.1 * max(rgb, vec3f(0.0))), vec3f(1.0 / 2.2)), 1.0);
-}`;
-
 // ---------------------------------------------------------------- in the page
 
 /** Before the page's own scripts: keeps the WebGPU device, to ask it when it is done, and holds what times frames. */
@@ -172,8 +116,8 @@ async function timeViewer({ view, one, seconds }) {
   return bestFrame(seconds, before, () => viewer.render(), finish);
 }
 
-/** In the page: a full-screen triangle on a canvas of its own. `k`: uniforms of the sky, or none to copy. */
-async function timeTriangle({ backend, size: { width, height }, vertex, fragment, k, seconds }) {
+/** In the page: a full-screen triangle on a canvas of its own copies a texture. */
+async function timeCopy({ backend, size: { width, height }, vertex, fragment, seconds }) {
   const canvas = document.createElement('canvas');
   Object.assign(canvas, { width, height });
   canvas.style.cssText = 'position: fixed; left: 0; top: 0';
@@ -193,17 +137,12 @@ async function timeTriangle({ backend, size: { width, height }, vertex, fragment
     if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
     gl.useProgram(program);
     gl.viewport(0, 0, width, height);
-    if (k) {
-      gl.uniform3fv(gl.getUniformLocation(program, 'k'), k.flat());
-      gl.uniform2f(gl.getUniformLocation(program, 'size'), width, height);
-    } else {
-      gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
-      gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA16F, width, height);
-      const half = new Uint16Array(width * height * 4).fill(0x3800); // 0.5
-      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RGBA, gl.HALF_FLOAT, half);
-      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
-      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
-    }
+    gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+    gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA16F, width, height);
+    const half = new Uint16Array(width * height * 4).fill(0x3800); // 0.5
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RGBA, gl.HALF_FLOAT, half);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
     best = await bestFrame(seconds, null, () => gl.drawArrays(gl.TRIANGLES, 0, 3), () => { pixel = finishGl(gl); });
     if (gl.getError()) throw new Error('a WebGL error');
     gl.getExtension('WEBGL_lose_context').loseContext();
@@ -217,18 +156,10 @@ async function timeTriangle({ backend, size: { width, height }, vertex, fragment
     context.configure({ device, format: 'rgba8unorm', alphaMode: 'opaque', usage: GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.COPY_SRC });
     const module = device.createShaderModule({ code: fragment });
     const pipeline = device.createRenderPipeline({ layout: 'auto', vertex: { module }, fragment: { module, targets: [{ format: 'rgba8unorm' }] } });
-    let resource;
-    if (k) {
-      const values = new Float32Array([...k.flatMap((v) => [...v, 0]), width, height, 0, 0]);
-      const buffer = device.createBuffer({ size: values.byteLength, usage: GPUBufferUsage.UNIFORM | GPUBufferUsage.COPY_DST });
-      device.queue.writeBuffer(buffer, 0, values);
-      resource = { buffer };
-    } else {
-      const texture = device.createTexture({ size: [width, height], format: 'rgba16float', usage: GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_DST });
-      const half = new Uint16Array(width * height * 4).fill(0x3800);
-      device.queue.writeTexture({ texture }, half, { bytesPerRow: width * 8 }, [width, height]);
-      resource = texture.createView();
-    }
+    const texture = device.createTexture({ size: [width, height], format: 'rgba16float', usage: GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_DST });
+    const half = new Uint16Array(width * height * 4).fill(0x3800);
+    device.queue.writeTexture({ texture }, half, { bytesPerRow: width * 8 }, [width, height]);
+    const resource = texture.createView();
     const group = device.createBindGroup({ layout: pipeline.getBindGroupLayout(0), entries: [{ binding: 0, resource }] });
     const read = device.createBuffer({ size: 256, usage: GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ });
     const draw = (keep) => {
@@ -252,6 +183,55 @@ async function timeTriangle({ backend, size: { width, height }, vertex, fragment
   }
   canvas.remove();
   return { best, pixel: Array.from(pixel) };
+}
+
+/** In the page: three.js's Sky on a canvas of its own. */
+async function timeThree({ backend, size: { width, height }, view, seconds }) {
+  const gpu = backend === 'webgpu';
+  const folder = '/node_modules/three/';
+  if (!document.querySelector('script[type=importmap]')) {
+    const map = document.createElement('script');
+    map.type = 'importmap';
+    map.textContent = JSON.stringify({ imports: {
+      three: `${folder}build/three.${gpu ? 'webgpu' : 'module'}.js`,
+      'three/webgpu': `${folder}build/three.webgpu.js`,
+      'three/tsl': `${folder}build/three.tsl.js`,
+    } });
+    document.head.append(map);
+  }
+  const THREE = await import('three');
+  const { Sky, SkyMesh } = await import(`${folder}examples/jsm/objects/${gpu ? 'SkyMesh' : 'Sky'}.js`);
+  const canvas = document.createElement('canvas');
+  Object.assign(canvas, { width, height });
+  document.body.append(canvas);
+  const renderer = new THREE[gpu ? 'WebGPURenderer' : 'WebGLRenderer']({ canvas, antialias: false });
+  const kept = window.device_; // the viewer's
+  await renderer.init?.();
+  window.device_ = kept;
+  renderer.setSize(width, height, false);
+  renderer.toneMapping = THREE.ACESFilmicToneMapping;
+  renderer.toneMappingExposure = 0.5;
+  const scene = new THREE.Scene();
+  const camera = new THREE.PerspectiveCamera(60, width / height, 100, 2e6);
+  camera.rotation.x = view.pitch * Math.PI / 180;
+  const sky = gpu ? new SkyMesh() : new Sky();
+  sky.scale.setScalar(450000);
+  scene.add(sky);
+  // 20° high, 40° to the right of the view.
+  const settings = gpu ? sky : sky.material.uniforms;
+  settings.sunPosition.value.setFromSphericalCoords(1, 70 * Math.PI / 180, 140 * Math.PI / 180);
+  settings.turbidity.value = 2.2;
+  const finish = gpu ? () => renderer.backend.device.queue.onSubmittedWorkDone() : () => finishGl(renderer.getContext());
+  const best = await bestFrame(seconds, null, () => renderer.render(scene, camera), finish);
+  const shown = document.createElement('canvas');
+  Object.assign(shown, { width, height });
+  renderer.render(scene, camera);
+  const context = shown.getContext('2d');
+  context.drawImage(canvas, 0, 0);
+  const [r, g, b] = context.getImageData(640, 200, 1, 1).data;
+  renderer.dispose();
+  canvas.remove();
+  return { best, pixel: [r, g, b], revision: THREE.REVISION };
 }
 
 // ---------------------------------------------------------------- all of it
@@ -284,23 +264,23 @@ async function main() {
   const { backends, cases, rounds, seconds } = options();
   const browser = await launch();
   try {
-    const k = preetham(2.2, (70 * Math.PI) / 180);
     const best = new Map();
     const take = (key, value) => best.set(key, Math.min(best.get(key) ?? Infinity, value));
     let adapter = '';
+    let revision = '';
     for (let round = 1; round <= rounds; round++) {
       for (const backend of backends) {
         const page = await browser.open({ backend, prepare, query: SIZE });
         adapter = await page.textContent('#read-adapter');
-        for (const [name, texts, uniforms] of [['copy', [COPY_GLSL, COPY_WGSL]], ['Preetham', [PREETHAM_GLSL, PREETHAM_WGSL], k]]) {
-          const fragment = texts[BACKENDS.indexOf(backend)];
-          const { best: time, pixel: [r, g, b] } = await page.evaluate(timeTriangle, {
-            backend, size: SIZE, vertex: TRIANGLE_GLSL, fragment, k: uniforms, seconds,
-          });
-          const right = uniforms ? b > g && g > r && r > 0 && b < 255 : [r, g, b].every((v) => v === 127 || v === 128);
-          if (!right) throw new Error(`${backend}: the ${name} triangle drew ${r} ${g} ${b}`);
-          take(`${backend} ${name}`, time);
-        }
+        const fragment = backend === 'webgl2' ? COPY_GLSL : COPY_WGSL;
+        const copy = await page.evaluate(timeCopy, { backend, size: SIZE, vertex: TRIANGLE_GLSL, fragment, seconds });
+        if (!copy.pixel.slice(0, 3).every((v) => v === 127 || v === 128)) throw new Error(`${backend}: the copy drew ${copy.pixel}`);
+        take(`${backend} copy`, copy.best);
+        const three = await page.evaluate(timeThree, { backend, size: SIZE, view: VIEWS[0], seconds });
+        const [r, g, b] = three.pixel;
+        if (!(b > g && g > r && r > 0 && b < 255)) throw new Error(`${backend}: three.js drew ${three.pixel}`);
+        take(`${backend} three`, three.best);
+        revision = three.revision;
         for (const view of VIEWS) {
           for (const one of cases) {
             take(`${backend} ${view.name} ${one.name}`, await page.evaluate(timeViewer, { view, one, seconds }));
@@ -312,11 +292,11 @@ async function main() {
       }
     }
     const date = new Date().toISOString().slice(0, 10);
-    console.log(`Chromium ${browser.version}, ${SIZE.width} × ${SIZE.height}, ${date}, best frame of ${rounds} rounds, ms (ratio to the Preetham sky).`);
+    console.log(`Chromium ${browser.version}, ${SIZE.width} × ${SIZE.height}, ${date}, best frame of ${rounds} rounds, ms (ratio to three.js's Sky, revision ${revision}).`);
     console.log(`${adapter}\n`);
-    const sky = (backend) => best.get(`${backend} Preetham`);
+    const sky = (backend) => best.get(`${backend} three`);
     for (const backend of backends) {
-      console.log(`${backend}: copy ${ms(best.get(`${backend} copy`))} ms, Preetham sky ${ms(sky(backend))} ms.`);
+      console.log(`${backend}: copy ${ms(best.get(`${backend} copy`))} ms, three.js's Sky ${ms(sky(backend))} ms.`);
     }
     for (const backend of backends) {
       console.log(`\n| ${backend} | ${VIEWS.map((v) => `from ${v.name}`).join(' | ')} |\n|---|${VIEWS.map(() => '---:|').join('')}`);
