@@ -28,8 +28,10 @@ vec3 tone_curve(vec3 color) {
 
 vec3 srgb_encode(vec3 linear) {
     vec3 c = clamp(linear, vec3(0.0), vec3(1.0));
-    vec3 high = ((1.055 * pow(max(c, vec3(1e-10)), vec3(0.41666666))) - vec3(0.055));
-    return mix(high, (c * 12.92), lessThanEqual(c, vec3(0.0031308)));
+    vec3 r2_ = sqrt(c);
+    vec3 r4_ = sqrt(r2_);
+    vec3 high = ((((0.642361 * r2_) + (0.7121163 * r4_)) - (0.3368725 * sqrt(r4_))) - (0.01756167 * c));
+    return mix(min(high, vec3(1.0)), (c * 12.92), lessThanEqual(c, vec3(0.0031308)));
 }
 
 void main() {

@@ -69,11 +69,14 @@ fn tone_curve(color: vec3f) -> vec3f {
 }
 //#endif
 
-// IEC 61966-2-1.
+// IEC 61966-2-1. Of 1.055 c^(1/2.4) - 0.055 a fit by roots, off by 4.5e-5 (0.012 of an 8-bit step) at most:
+// three powers a pixel were most of this pass on a software renderer.
 fn srgb_encode(linear: vec3f) -> vec3f {
     let c = clamp(linear, vec3f(0.0), vec3f(1.0));
-    let high = 1.055 * pow(max(c, vec3f(1e-10)), vec3f(1.0 / 2.4)) - 0.055;
-    return select(high, c * 12.92, c <= vec3f(0.0031308));
+    let r2 = sqrt(c);
+    let r4 = sqrt(r2);
+    let high = 0.64236099 * r2 + 0.71211629 * r4 - 0.33687249 * sqrt(r4) - 0.01756167 * c;
+    return select(min(high, vec3f(1.0)), c * 12.92, c <= vec3f(0.0031308));
 }
 
 //#if DITHER
