@@ -50,6 +50,7 @@ struct AirRay {
     float cross2_;
     float shadow_b;
     float shadow_c;
+    float shadow_half2_;
     bool ground;
 };
 struct SunSide {
@@ -58,6 +59,7 @@ struct SunSide {
     float cross2_;
     float shadow_b;
     float shadow_c;
+    float shadow_half2_;
 };
 struct Low {
     float t;
@@ -126,53 +128,67 @@ float half_chord2_(float b_2, float above, float depth_1, float p) {
     return (depth_1 * (sphere + p));
 }
 
-SunSide sun_side_inside(vec3 dir, vec3 sun, float r, float x_3, float radius_3) {
-    SunSide s = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
-    s.nu = dot(dir, sun);
-    float _e9 = s.nu;
-    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s.cross2_ = dot(side, side);
-    s.sun_b = (r * sun.z);
-    s.shadow_b = (r * ((sun.x * side.y) - (sun.y * side.x)));
-    float q = (r * length(sun.xy));
-    float _e37 = s.sun_b;
-    float _e39 = half_chord2_(_e37, x_3, (radius_3 - q), q);
-    s.shadow_c = -(_e39);
-    SunSide _e41 = s;
-    return _e41;
+float shadow_half2_(SunSide s, float side_z, float r, float radius_3) {
+    float sine = max(sqrt(s.cross2_), 1e-18);
+    float p_1 = ((r * abs(side_z)) / sine);
+    float _e15 = half_chord2_((s.shadow_b / sine), s.shadow_c, (radius_3 - p_1), p_1);
+    return _e15;
 }
 
-SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_1, float half_, float x_top_1, float radius_4) {
-    SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
-    s_1.nu = dot(dir_1, sun_1);
-    float _e10 = s_1.nu;
-    float same = ((_e10 >= 0.0) ? 1.0 : -1.0);
+SunSide sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_3, float radius_4) {
+    SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    s_1.nu = dot(dir, sun);
+    float _e9 = s_1.nu;
+    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    s_1.cross2_ = dot(side, side);
+    s_1.sun_b = (r_1 * sun.z);
+    s_1.shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+    float q = (r_1 * length(sun.xy));
+    float _e37 = s_1.sun_b;
+    float _e39 = half_chord2_(_e37, x_3, (radius_4 - q), q);
+    s_1.shadow_c = -(_e39);
+    SunSide _e42 = s_1;
+    float _e44 = shadow_half2_(_e42, side.z, r_1, radius_4);
+    s_1.shadow_half2_ = _e44;
+    SunSide _e45 = s_1;
+    return _e45;
+}
+
+SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half_, float x_top_1, float radius_5) {
+    SunSide s_2 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    s_2.nu = dot(dir_1, sun_1);
+    float _e11 = s_2.nu;
+    float same = ((_e11 >= 0.0) ? 1.0 : -1.0);
     vec3 apart = (dir_1 - (same * sun_1));
     vec3 side_1 = cross(apart, sun_1);
-    s_1.cross2_ = dot(side_1, side_1);
-    vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_1);
-    float _e35 = s_1.nu;
-    s_1.sun_b = ((-(same) * dot(closest, apart)) - (half_ * _e35));
+    s_2.cross2_ = dot(side_1, side_1);
+    vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
+    float _e36 = s_2.nu;
+    float _e42 = s_2.nu;
+    s_2.sun_b = ((start < half_) ? ((r_2 * sun_1.z) + (start * _e42)) : ((-(same) * dot(closest, apart)) - (half_ * _e36)));
     vec3 closest_side = cross(closest, sun_1);
-    float _e42 = s_1.cross2_;
-    s_1.shadow_b = (dot(closest_side, side_1) - (half_ * _e42));
+    float _e51 = s_2.cross2_;
+    s_2.shadow_b = (dot(closest_side, side_1) - (half_ * _e51));
     float q_1 = length((closest_side - (half_ * side_1)));
-    float _e50 = s_1.sun_b;
-    float _e52 = half_chord2_(_e50, x_top_1, (radius_4 - q_1), q_1);
-    s_1.shadow_c = -(_e52);
-    SunSide _e54 = s_1;
-    return _e54;
+    float _e59 = s_2.sun_b;
+    float _e61 = half_chord2_(_e59, x_top_1, (radius_5 - q_1), q_1);
+    s_2.shadow_c = -(_e61);
+    SunSide _e64 = s_2;
+    float _e66 = shadow_half2_(_e64, side_1.z, r_2, radius_5);
+    s_2.shadow_half2_ = _e66;
+    SunSide _e67 = s_2;
+    return _e67;
 }
 
-AirRay air_ray(vec3 dir_2, float h_1, float radius_5, float thickness, vec3 sun_2) {
+AirRay air_ray(vec3 dir_2, float h_1, float radius_6, float thickness, vec3 sun_2) {
     bool local_1 = false;
     bool local_2 = false;
-    float r_2 = (radius_5 + h_1);
-    float _e6 = excess_of(thickness, radius_5);
-    float b_3 = (r_2 * dir_2.z);
-    float p_1 = (r_2 * sqrt(dot(dir_2.xy, dir_2.xy)));
-    float _e14 = excess_of(h_1, radius_5);
-    float _e16 = half_chord2_(b_3, _e14, (radius_5 - p_1), p_1);
+    float r_3 = (radius_6 + h_1);
+    float _e6 = excess_of(thickness, radius_6);
+    float b_3 = (r_3 * dir_2.z);
+    float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
+    float _e14 = excess_of(h_1, radius_6);
+    float _e16 = half_chord2_(b_3, _e14, (radius_6 - p_2), p_2);
     if ((b_3 < 0.0)) {
         local_1 = (_e16 >= 0.0);
     } else {
@@ -180,32 +196,32 @@ AirRay air_ray(vec3 dir_2, float h_1, float radius_5, float thickness, vec3 sun_
     }
     bool ground = local_1;
     if ((h_1 <= thickness)) {
-        float _e26 = excess_of(h_1, radius_5);
-        SunSide _e27 = sun_side_inside(dir_2, sun_2, r_2, _e26, radius_5);
+        float _e26 = excess_of(h_1, radius_6);
+        SunSide _e27 = sun_side_inside(dir_2, sun_2, r_3, _e26, radius_6);
         float to_ground = (_e26 / (sqrt(max(_e16, 0.0)) - b_3));
         float _e33 = distance_to_top(_e26, b_3, _e6);
         float reach = (ground ? to_ground : _e33);
-        return AirRay(0.0, reach, _e26, b_3, -(_e16), _e27.sun_b, _e27.nu, _e27.cross2_, _e27.shadow_b, _e27.shadow_c, ground);
+        return AirRay(0.0, reach, _e26, b_3, -(_e16), _e27.sun_b, _e27.nu, _e27.cross2_, _e27.shadow_b, _e27.shadow_c, _e27.shadow_half2_, ground);
     }
-    float above_1 = ((h_1 - thickness) * ((r_2 + radius_5) + thickness));
+    float above_1 = ((h_1 - thickness) * ((r_3 + radius_6) + thickness));
     float top2_ = (((b_3 * b_3) < _e6) ? ((b_3 * b_3) - above_1) : (_e16 + _e6));
     if (!((b_3 >= 0.0))) {
         local_2 = (top2_ <= 0.0);
     } else {
         local_2 = true;
     }
-    bool _e61 = local_2;
-    if (_e61) {
-        return AirRay(0.0, -1.0, 0.0, 0.0, -(_e16), 0.0, dot(dir_2, sun_2), 0.0, 0.0, 0.0, false);
+    bool _e62 = local_2;
+    if (_e62) {
+        return AirRay(0.0, -1.0, 0.0, 0.0, -(_e16), 0.0, dot(dir_2, sun_2), 0.0, 0.0, 0.0, 0.0, false);
     }
     float half_1 = sqrt(top2_);
-    float start = (above_1 / (half_1 - b_3));
-    SunSide _e77 = sun_side_outside(dir_2, sun_2, r_2, half_1, _e6, radius_5);
+    float start_1 = (above_1 / (half_1 - b_3));
+    SunSide _e79 = sun_side_outside(dir_2, sun_2, r_3, start_1, half_1, _e6, radius_6);
     float reach_1 = (ground ? (_e6 / (half_1 + sqrt(max(_e16, 0.0)))) : (2.0 * half_1));
-    return AirRay(start, reach_1, _e6, -(half_1), -(_e16), _e77.sun_b, _e77.nu, _e77.cross2_, _e77.shadow_b, _e77.shadow_c, ground);
+    return AirRay(start_1, reach_1, _e6, -(half_1), -(_e16), _e79.sun_b, _e79.nu, _e79.cross2_, _e79.shadow_b, _e79.shadow_c, _e79.shadow_half2_, ground);
 }
 
-Low lowest(AirRay ray, float length_, float radius_6) {
+Low lowest(AirRay ray, float length_, float radius_7) {
     bool local_3 = false;
     if ((ray.b >= 0.0)) {
         return Low(0.0, ray.x, ray.b);
@@ -223,7 +239,7 @@ Low lowest(AirRay ray, float length_, float radius_6) {
     if (_e26) {
         return Low(length_, 0.0, b_4);
     }
-    bool far = ((-(ray.b) * length_) > (radius_6 * radius_6));
+    bool far = ((-(ray.b) * length_) > (radius_7 * radius_7));
     return Low(length_, (far ? (ray.x_closest + (b_4 * b_4)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_4);
 }
 

@@ -28,6 +28,7 @@ struct AirRay {
     float cross2_;
     float shadow_b;
     float shadow_c;
+    float shadow_half2_;
     bool ground;
 };
 struct SunSide {
@@ -36,6 +37,7 @@ struct SunSide {
     float cross2_;
     float shadow_b;
     float shadow_c;
+    float shadow_half2_;
 };
 struct Low {
     float t;
@@ -133,23 +135,33 @@ float half_chord2_(float b_2, float above, float depth, float p) {
     return (depth * (sphere + p));
 }
 
-SunSide sun_side_inside(vec3 dir, vec3 sun, float r, float x_3, float radius_3) {
-    SunSide s = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
-    s.nu = dot(dir, sun);
-    float _e9 = s.nu;
-    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s.cross2_ = dot(side, side);
-    s.sun_b = (r * sun.z);
-    s.shadow_b = (r * ((sun.x * side.y) - (sun.y * side.x)));
-    float q = (r * length(sun.xy));
-    float _e37 = s.sun_b;
-    float _e39 = half_chord2_(_e37, x_3, (radius_3 - q), q);
-    s.shadow_c = -(_e39);
-    SunSide _e41 = s;
-    return _e41;
+float shadow_half2_(SunSide s, float side_z, float r, float radius_3) {
+    float sine = max(sqrt(s.cross2_), 1e-18);
+    float p_1 = ((r * abs(side_z)) / sine);
+    float _e15 = half_chord2_((s.shadow_b / sine), s.shadow_c, (radius_3 - p_1), p_1);
+    return _e15;
 }
 
-Low lowest(AirRay ray, float length_, float radius_4) {
+SunSide sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_3, float radius_4) {
+    SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    s_1.nu = dot(dir, sun);
+    float _e9 = s_1.nu;
+    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    s_1.cross2_ = dot(side, side);
+    s_1.sun_b = (r_1 * sun.z);
+    s_1.shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+    float q = (r_1 * length(sun.xy));
+    float _e37 = s_1.sun_b;
+    float _e39 = half_chord2_(_e37, x_3, (radius_4 - q), q);
+    s_1.shadow_c = -(_e39);
+    SunSide _e42 = s_1;
+    float _e44 = shadow_half2_(_e42, side.z, r_1, radius_4);
+    s_1.shadow_half2_ = _e44;
+    SunSide _e45 = s_1;
+    return _e45;
+}
+
+Low lowest(AirRay ray, float length_, float radius_5) {
     bool local = false;
     if ((ray.b >= 0.0)) {
         return Low(0.0, ray.x, ray.b);
@@ -167,7 +179,7 @@ Low lowest(AirRay ray, float length_, float radius_4) {
     if (_e26) {
         return Low(length_, 0.0, b_4);
     }
-    bool far = ((-(ray.b) * length_) > (radius_4 * radius_4));
+    bool far = ((-(ray.b) * length_) > (radius_5 * radius_5));
     return Low(length_, (far ? (ray.x_closest + (b_4 * b_4)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_4);
 }
 
@@ -178,12 +190,11 @@ vec2 shadow_stretch(AirRay ray_1) {
     float b_5 = ray_1.shadow_b;
     float c_3 = ray_1.shadow_c;
     stretch = vec2(-(1e30), 1e30);
-    float disc = ((b_5 * b_5) - (a * c_3));
     if ((a > 1e-30)) {
-        if ((disc <= 0.0)) {
+        if ((ray_1.shadow_half2_ <= 0.0)) {
             return none;
         }
-        float q_1 = -((b_5 + (((b_5 >= 0.0) ? 1.0 : -1.0) * sqrt(disc))));
+        float q_1 = -((b_5 + (((b_5 >= 0.0) ? 1.0 : -1.0) * sqrt((a * ray_1.shadow_half2_)))));
         float t0_2 = (q_1 / a);
         float t1_1 = ((q_1 != 0.0) ? (c_3 / q_1) : t0_2);
         stretch = vec2(min(t0_2, t1_1), max(t0_2, t1_1));
@@ -210,16 +221,16 @@ vec2 shadow_stretch(AirRay ray_1) {
     return _e59;
 }
 
-AirRay inner_ray(vec3 dir_1, float h_1, float radius_5, float thickness, vec3 sun_1, bool ground) {
+AirRay inner_ray(vec3 dir_1, float h_1, float radius_6, float thickness, vec3 sun_1, bool ground) {
     bool local_1 = false;
-    float r_1 = (radius_5 + h_1);
-    float _e7 = excess_of(h_1, radius_5);
-    float b_6 = (r_1 * dir_1.z);
-    float p_1 = (r_1 * sqrt(dot(dir_1.xy, dir_1.xy)));
-    float _e16 = half_chord2_(b_6, _e7, (radius_5 - p_1), p_1);
-    SunSide _e17 = sun_side_inside(dir_1, sun_1, r_1, _e7, radius_5);
+    float r_2 = (radius_6 + h_1);
+    float _e7 = excess_of(h_1, radius_6);
+    float b_6 = (r_2 * dir_1.z);
+    float p_2 = (r_2 * sqrt(dot(dir_1.xy, dir_1.xy)));
+    float _e16 = half_chord2_(b_6, _e7, (radius_6 - p_2), p_2);
+    SunSide _e17 = sun_side_inside(dir_1, sun_1, r_2, _e7, radius_6);
     float to_ground = (_e7 / (sqrt(max(_e16, 0.0)) - b_6));
-    float _e23 = excess_of(thickness, radius_5);
+    float _e23 = excess_of(thickness, radius_6);
     float _e24 = distance_to_top(_e7, b_6, _e23);
     if (ground) {
         local_1 = (b_6 < 0.0);
@@ -228,7 +239,7 @@ AirRay inner_ray(vec3 dir_1, float h_1, float radius_5, float thickness, vec3 su
     }
     bool _e30 = local_1;
     float reach = (_e30 ? to_ground : _e24);
-    return AirRay(0.0, reach, _e7, b_6, -(_e16), _e17.sun_b, _e17.nu, _e17.cross2_, _e17.shadow_b, _e17.shadow_c, ground);
+    return AirRay(0.0, reach, _e7, b_6, -(_e16), _e17.sun_b, _e17.nu, _e17.cross2_, _e17.shadow_b, _e17.shadow_c, _e17.shadow_half2_, ground);
 }
 
 vec3 densities(Medium m, float h_2) {
@@ -288,8 +299,8 @@ float altitude_share(Tables t_1, float h_4, float thickness_1) {
 }
 
 float share_altitude(Tables t_2, float share, float thickness_2) {
-    float s_1 = ((t_2.altitude_steepness * share) * share);
-    float grown = ((s_1 < 0.02) ? (s_1 * (1.0 + (s_1 * (0.5 + (s_1 * 0.16666667))))) : (exp(s_1) - 1.0));
+    float s_2 = ((t_2.altitude_steepness * share) * share);
+    float grown = ((s_2 < 0.02) ? (s_2 * (1.0 + (s_2 * (0.5 + (s_2 * 0.16666667))))) : (exp(s_2) - 1.0));
     return (thickness_2 * min((grown / t_2.altitude_growth), 1.0));
 }
 
@@ -467,9 +478,9 @@ Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium,
                 out_.radiance = (_e101 + ((share_3 * source_1) * _e63.x));
             }
             float _e107 = m_4.radius;
-            float r_2 = (_e107 + _e52);
-            float mu_4 = clamp((((lowest_1.b + _e46) - low_5) / r_2), -1.0, 1.0);
-            float mu_sun_2 = clamp(((ray_2.sun_b + (ray_2.nu * _e46)) / r_2), -1.0, 1.0);
+            float r_3 = (_e107 + _e52);
+            float mu_4 = clamp((((lowest_1.b + _e46) - low_5) / r_3), -1.0, 1.0);
+            float mu_sun_2 = clamp(((ray_2.sun_b + (ray_2.nu * _e46)) / r_3), -1.0, 1.0);
             vec3 _e125 = out_.radiance;
             Medium _e128 = m_4;
             vec3 _e130 = diffuse_source(moments, _e128, t_8, _e54, _e52, mu_4, mu_sun_2, ray_2.nu);
@@ -524,11 +535,11 @@ vec2 gauss8_(int i_1) {
     }
 }
 
-Direction node_direction(int zenith, int azimuth, float h_6, float radius_6) {
+Direction node_direction(int zenith, int azimuth, float h_6, float radius_7) {
     bool above_1 = (zenith < 8);
     vec2 _e8 = gauss8_((above_1 ? zenith : (zenith - 8)));
-    float _e9 = excess_of(h_6, radius_6);
-    float horizon = (-(sqrt(_e9)) / (radius_6 + h_6));
+    float _e9 = excess_of(h_6, radius_7);
+    float horizon = (-(sqrt(_e9)) / (radius_7 + h_6));
     float span = (above_1 ? (1.0 - horizon) : (-1.0 - horizon));
     float mu_5 = clamp((horizon + ((span * _e8.x) * _e8.x)), -1.0, 1.0);
     return Direction(mu_5, ((float(azimuth) + 0.5) * 0.3926991), above_1, (((((abs(span) * 2.0) * _e8.x) * _e8.y) * 2.0) * 0.3926991));
@@ -549,8 +560,8 @@ void main() {
     float _e42 = share_altitude(t_10, (float(node.y) / float((size_3.y - 1))), m_5.thickness);
     vec3 sun_2 = vec3(sqrt(max(((1.0 - _e33) * (1.0 + _e33)), 0.0)), 0.0, _e33);
     Direction _e60 = node_direction((at_3.y % ZENITHS), (at_3.x % AZIMUTHS), _e42, m_5.radius);
-    float sine = sqrt(max(((1.0 - _e60.mu) * (1.0 + _e60.mu)), 0.0));
-    vec3 dir_2 = vec3((sine * cos(_e60.azimuth)), (sine * sin(_e60.azimuth)), _e60.mu);
+    float sine_1 = sqrt(max(((1.0 - _e60.mu) * (1.0 + _e60.mu)), 0.0));
+    vec3 dir_2 = vec3((sine_1 * cos(_e60.azimuth)), (sine_1 * sin(_e60.azimuth)), _e60.mu);
     AirRay _e83 = inner_ray(dir_2, _e42, m_5.radius, m_5.thickness, sun_2, !(_e60.above));
     float nu_1 = _e83.nu;
     float _e86 = rayleigh_phase(nu_1);

@@ -50,6 +50,7 @@ struct AirRay {
     float cross2_;
     float shadow_b;
     float shadow_c;
+    float shadow_half2_;
     bool ground;
 };
 struct SunSide {
@@ -58,6 +59,7 @@ struct SunSide {
     float cross2_;
     float shadow_b;
     float shadow_c;
+    float shadow_half2_;
 };
 struct Low {
     float t;
@@ -151,45 +153,59 @@ float half_chord2_(float b_2, float above, float depth, float p) {
     return (depth * (sphere + p));
 }
 
-SunSide sun_side_inside(vec3 dir, vec3 sun, float r, float x_3, float radius_3) {
-    SunSide s = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
-    s.nu = dot(dir, sun);
-    float _e9 = s.nu;
-    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s.cross2_ = dot(side, side);
-    s.sun_b = (r * sun.z);
-    s.shadow_b = (r * ((sun.x * side.y) - (sun.y * side.x)));
-    float q = (r * length(sun.xy));
-    float _e37 = s.sun_b;
-    float _e39 = half_chord2_(_e37, x_3, (radius_3 - q), q);
-    s.shadow_c = -(_e39);
-    SunSide _e41 = s;
-    return _e41;
+float shadow_half2_(SunSide s, float side_z, float r, float radius_3) {
+    float sine = max(sqrt(s.cross2_), 1e-18);
+    float p_1 = ((r * abs(side_z)) / sine);
+    float _e15 = half_chord2_((s.shadow_b / sine), s.shadow_c, (radius_3 - p_1), p_1);
+    return _e15;
 }
 
-SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_1, float half_, float x_top_1, float radius_4) {
-    SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
-    s_1.nu = dot(dir_1, sun_1);
-    float _e10 = s_1.nu;
-    float same = ((_e10 >= 0.0) ? 1.0 : -1.0);
+SunSide sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_3, float radius_4) {
+    SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    s_1.nu = dot(dir, sun);
+    float _e9 = s_1.nu;
+    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    s_1.cross2_ = dot(side, side);
+    s_1.sun_b = (r_1 * sun.z);
+    s_1.shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+    float q = (r_1 * length(sun.xy));
+    float _e37 = s_1.sun_b;
+    float _e39 = half_chord2_(_e37, x_3, (radius_4 - q), q);
+    s_1.shadow_c = -(_e39);
+    SunSide _e42 = s_1;
+    float _e44 = shadow_half2_(_e42, side.z, r_1, radius_4);
+    s_1.shadow_half2_ = _e44;
+    SunSide _e45 = s_1;
+    return _e45;
+}
+
+SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half_, float x_top_1, float radius_5) {
+    SunSide s_2 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    s_2.nu = dot(dir_1, sun_1);
+    float _e11 = s_2.nu;
+    float same = ((_e11 >= 0.0) ? 1.0 : -1.0);
     vec3 apart = (dir_1 - (same * sun_1));
     vec3 side_1 = cross(apart, sun_1);
-    s_1.cross2_ = dot(side_1, side_1);
-    vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_1);
-    float _e35 = s_1.nu;
-    s_1.sun_b = ((-(same) * dot(closest, apart)) - (half_ * _e35));
+    s_2.cross2_ = dot(side_1, side_1);
+    vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
+    float _e36 = s_2.nu;
+    float _e42 = s_2.nu;
+    s_2.sun_b = ((start < half_) ? ((r_2 * sun_1.z) + (start * _e42)) : ((-(same) * dot(closest, apart)) - (half_ * _e36)));
     vec3 closest_side = cross(closest, sun_1);
-    float _e42 = s_1.cross2_;
-    s_1.shadow_b = (dot(closest_side, side_1) - (half_ * _e42));
+    float _e51 = s_2.cross2_;
+    s_2.shadow_b = (dot(closest_side, side_1) - (half_ * _e51));
     float q_1 = length((closest_side - (half_ * side_1)));
-    float _e50 = s_1.sun_b;
-    float _e52 = half_chord2_(_e50, x_top_1, (radius_4 - q_1), q_1);
-    s_1.shadow_c = -(_e52);
-    SunSide _e54 = s_1;
-    return _e54;
+    float _e59 = s_2.sun_b;
+    float _e61 = half_chord2_(_e59, x_top_1, (radius_5 - q_1), q_1);
+    s_2.shadow_c = -(_e61);
+    SunSide _e64 = s_2;
+    float _e66 = shadow_half2_(_e64, side_1.z, r_2, radius_5);
+    s_2.shadow_half2_ = _e66;
+    SunSide _e67 = s_2;
+    return _e67;
 }
 
-Low lowest(AirRay ray, float length_, float radius_5) {
+Low lowest(AirRay ray, float length_, float radius_6) {
     bool local = false;
     if ((ray.b >= 0.0)) {
         return Low(0.0, ray.x, ray.b);
@@ -207,7 +223,7 @@ Low lowest(AirRay ray, float length_, float radius_5) {
     if (_e26) {
         return Low(length_, 0.0, b_4);
     }
-    bool far = ((-(ray.b) * length_) > (radius_5 * radius_5));
+    bool far = ((-(ray.b) * length_) > (radius_6 * radius_6));
     return Low(length_, (far ? (ray.x_closest + (b_4 * b_4)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_4);
 }
 
@@ -218,12 +234,11 @@ vec2 shadow_stretch(AirRay ray_1) {
     float b_5 = ray_1.shadow_b;
     float c_3 = ray_1.shadow_c;
     stretch = vec2(-(1e30), 1e30);
-    float disc = ((b_5 * b_5) - (a * c_3));
     if ((a > 1e-30)) {
-        if ((disc <= 0.0)) {
+        if ((ray_1.shadow_half2_ <= 0.0)) {
             return none;
         }
-        float q_2 = -((b_5 + (((b_5 >= 0.0) ? 1.0 : -1.0) * sqrt(disc))));
+        float q_2 = -((b_5 + (((b_5 >= 0.0) ? 1.0 : -1.0) * sqrt((a * ray_1.shadow_half2_)))));
         float t0_2 = (q_2 / a);
         float t1_1 = ((q_2 != 0.0) ? (c_3 / q_2) : t0_2);
         stretch = vec2(min(t0_2, t1_1), max(t0_2, t1_1));
@@ -250,16 +265,16 @@ vec2 shadow_stretch(AirRay ray_1) {
     return _e59;
 }
 
-AirRay inner_ray(vec3 dir_2, float h_1, float radius_6, float thickness, vec3 sun_2, bool ground) {
+AirRay inner_ray(vec3 dir_2, float h_1, float radius_7, float thickness, vec3 sun_2, bool ground) {
     bool local_1 = false;
-    float r_2 = (radius_6 + h_1);
-    float _e7 = excess_of(h_1, radius_6);
-    float b_6 = (r_2 * dir_2.z);
-    float p_1 = (r_2 * sqrt(dot(dir_2.xy, dir_2.xy)));
-    float _e16 = half_chord2_(b_6, _e7, (radius_6 - p_1), p_1);
-    SunSide _e17 = sun_side_inside(dir_2, sun_2, r_2, _e7, radius_6);
+    float r_3 = (radius_7 + h_1);
+    float _e7 = excess_of(h_1, radius_7);
+    float b_6 = (r_3 * dir_2.z);
+    float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
+    float _e16 = half_chord2_(b_6, _e7, (radius_7 - p_2), p_2);
+    SunSide _e17 = sun_side_inside(dir_2, sun_2, r_3, _e7, radius_7);
     float to_ground = (_e7 / (sqrt(max(_e16, 0.0)) - b_6));
-    float _e23 = excess_of(thickness, radius_6);
+    float _e23 = excess_of(thickness, radius_7);
     float _e24 = distance_to_top(_e7, b_6, _e23);
     if (ground) {
         local_1 = (b_6 < 0.0);
@@ -268,7 +283,7 @@ AirRay inner_ray(vec3 dir_2, float h_1, float radius_6, float thickness, vec3 su
     }
     bool _e30 = local_1;
     float reach = (_e30 ? to_ground : _e24);
-    return AirRay(0.0, reach, _e7, b_6, -(_e16), _e17.sun_b, _e17.nu, _e17.cross2_, _e17.shadow_b, _e17.shadow_c, ground);
+    return AirRay(0.0, reach, _e7, b_6, -(_e16), _e17.sun_b, _e17.nu, _e17.cross2_, _e17.shadow_b, _e17.shadow_c, _e17.shadow_half2_, ground);
 }
 
 vec3 densities(Medium m, float h_2) {
@@ -471,9 +486,9 @@ Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium,
                 out_.radiance = (_e101 + ((share_3 * source_1) * _e63.x));
             }
             float _e107 = m_4.radius;
-            float r_3 = (_e107 + _e52);
-            float mu_5 = clamp((((lowest_1.b + _e46) - low_5) / r_3), -1.0, 1.0);
-            float mu_sun_1 = clamp(((ray_2.sun_b + (ray_2.nu * _e46)) / r_3), -1.0, 1.0);
+            float r_4 = (_e107 + _e52);
+            float mu_5 = clamp((((lowest_1.b + _e46) - low_5) / r_4), -1.0, 1.0);
+            float mu_sun_1 = clamp(((ray_2.sun_b + (ray_2.nu * _e46)) / r_4), -1.0, 1.0);
             vec3 _e125 = out_.radiance;
             Medium _e128 = m_4;
             vec3 _e130 = diffuse_source(moments, _e128, t_5, _e54, _e52, mu_5, mu_sun_1, ray_2.nu);
@@ -499,9 +514,9 @@ TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_6, Mediu
     bool local_2 = false;
     float c2_ = 0.0;
     float mu_3 = 0.0;
-    SunSide s_2 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
-    float start = 0.0;
-    float r_4 = (m_5.radius + h_6);
+    SunSide s_3 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    float start_1 = 0.0;
+    float r_5 = (m_5.radius + h_6);
     float _e9 = excess_of(h_6, m_5.radius);
     float _e12 = excess_of(m_5.thickness, m_5.radius);
     vec2 _e13 = share_azimuth(azimuth);
@@ -513,17 +528,17 @@ TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_6, Mediu
     }
     bool _e21 = local_2;
     if (_e21) {
-        float horizon = (sqrt(_e9) / r_4);
+        float horizon = (sqrt(_e9) / r_5);
         float s_max = sqrt((0.5 + (0.5 * horizon)));
-        float s_3 = (s_max * (1.0 - (share_1 * share_1)));
-        float mu_6 = (1.0 - ((2.0 * s_3) * s_3));
-        vec3 dir_3 = vec3((_e13 * ((2.0 * s_3) * sqrt(max((1.0 - (s_3 * s_3)), 0.0)))), mu_6);
+        float s_4 = (s_max * (1.0 - (share_1 * share_1)));
+        float mu_6 = (1.0 - ((2.0 * s_4) * s_4));
+        vec3 dir_3 = vec3((_e13 * ((2.0 * s_4) * sqrt(max((1.0 - (s_4 * s_4)), 0.0)))), mu_6);
         AirRay _e52 = inner_ray(dir_3, h_6, m_5.radius, m_5.thickness, sun_3, false);
         return TableRay(dir_3, _e52);
     }
     if (ground_1) {
-        float s_4 = (SQRT_HALF * (1.0 - (share_1 * share_1)));
-        mu_3 = max((1.0 - ((2.0 * s_4) * s_4)), 0.0);
+        float s_5 = (SQRT_HALF * (1.0 - (share_1 * share_1)));
+        mu_3 = max((1.0 - ((2.0 * s_5) * s_5)), 0.0);
         float _e74 = mu_3;
         float _e76 = mu_3;
         c2_ = (((-(m_5.radius) * m_5.radius) * _e74) * _e76);
@@ -536,28 +551,30 @@ TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_6, Mediu
     float b_7 = -(sqrt(max((start_x - _e84), 0.0)));
     float _e93 = c2_;
     float approach = sqrt(max(((m_5.radius * m_5.radius) + _e93), 0.0));
-    float sine = min((approach / r_4), 1.0);
+    float sine_1 = min((approach / r_5), 1.0);
     float _e101 = c2_;
-    float down = (-(sqrt(max((_e9 - _e101), 0.0))) / r_4);
-    vec3 dir_4 = vec3((_e13 * sine), down);
+    float down = (-(sqrt(max((_e9 - _e101), 0.0))) / r_5);
+    vec3 dir_4 = vec3((_e13 * sine_1), down);
     if (outside) {
-        start = (((h_6 - m_5.thickness) * (((2.0 * m_5.radius) + m_5.thickness) + h_6)) / (-(b_7) - (r_4 * down)));
-        SunSide _e128 = sun_side_outside(dir_4, sun_3, r_4, -(b_7), _e12, m_5.radius);
-        s_2 = _e128;
+        start_1 = (((h_6 - m_5.thickness) * (((2.0 * m_5.radius) + m_5.thickness) + h_6)) / (-(b_7) - (r_5 * down)));
+        float _e126 = start_1;
+        SunSide _e129 = sun_side_outside(dir_4, sun_3, r_5, _e126, -(b_7), _e12, m_5.radius);
+        s_3 = _e129;
     } else {
-        SunSide _e130 = sun_side_inside(dir_4, sun_3, r_4, _e9, m_5.radius);
-        s_2 = _e130;
+        SunSide _e131 = sun_side_inside(dir_4, sun_3, r_5, _e9, m_5.radius);
+        s_3 = _e131;
     }
-    float _e134 = mu_3;
-    float reach_1 = (ground_1 ? (start_x / ((m_5.radius * _e134) - b_7)) : (-2.0 * b_7));
-    float _e139 = start;
-    float _e140 = c2_;
-    float _e142 = s_2.sun_b;
-    float _e144 = s_2.nu;
-    float _e146 = s_2.cross2_;
-    float _e148 = s_2.shadow_b;
-    float _e150 = s_2.shadow_c;
-    AirRay ray_3 = AirRay(_e139, reach_1, start_x, b_7, _e140, _e142, _e144, _e146, _e148, _e150, ground_1);
+    float _e135 = mu_3;
+    float reach_1 = (ground_1 ? (start_x / ((m_5.radius * _e135) - b_7)) : (-2.0 * b_7));
+    float _e140 = start_1;
+    float _e141 = c2_;
+    float _e143 = s_3.sun_b;
+    float _e145 = s_3.nu;
+    float _e147 = s_3.cross2_;
+    float _e149 = s_3.shadow_b;
+    float _e151 = s_3.shadow_c;
+    float _e153 = s_3.shadow_half2_;
+    AirRay ray_3 = AirRay(_e140, reach_1, start_x, b_7, _e141, _e143, _e145, _e147, _e149, _e151, _e153, ground_1);
     return TableRay(dir_4, ray_3);
 }
 

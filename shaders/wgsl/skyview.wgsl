@@ -85,12 +85,12 @@ fn table_ray(azimuth: f32, share: f32, ground: bool, h: f32, m: Medium, sun: vec
     var start = 0.0;
     if outside {
         start = (h - m.thickness) * (2.0 * m.radius + m.thickness + h) / (-b - r * down);
-        s = sun_side_outside(dir, sun, r, -b, x_top, m.radius);
+        s = sun_side_outside(dir, sun, r, start, -b, x_top, m.radius);
     } else {
         s = sun_side_inside(dir, sun, r, x, m.radius);
     }
     let reach = select(-2.0 * b, start_x / (m.radius * mu - b), ground);
-    let ray = AirRay(start, reach, start_x, b, c2, s.sun_b, s.nu, s.cross2, s.shadow_b, s.shadow_c, ground);
+    let ray = AirRay(start, reach, start_x, b, c2, s.sun_b, s.nu, s.cross2, s.shadow_b, s.shadow_c, s.shadow_half2, ground);
     return TableRay(dir, ray);
 }
 

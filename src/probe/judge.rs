@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::truth::{Air, Air64, Input, LAYERS, Promise, RESOLUTION, scattering};
+use super::truth::{Air, Air64, Input, LAYERS, Promise, RESOLUTION, brightest_source, scattering};
 use super::{Case, Probe};
 use crate::atmosphere::MiePhase;
 use crate::phase;
@@ -101,6 +101,26 @@ impl Check {
             && got <= self.high + room
     }
 
+    fn finding(&self, probe: Probe, index: usize, case: &Case) -> Finding {
+        Finding {
+            quantity: self.quantity,
+            probe,
+            index,
+            case: *case,
+            got: self.got,
+            expected: self.exact,
+            range: [self.low, self.high],
+            allowed: self.allowed() + (self.high - self.low),
+        }
+    }
+
+    /// How far outside the range it lies, of what is allowed; up to 1 keeps the promise.
+    fn used(&self) -> f64 {
+        let got = f64::from(self.got);
+        let room = self.allowed() + (self.high - self.low);
+        (self.low - got).max(got - self.high).max(0.0) / room
+    }
+
     /// Error in units that make the promise's relative part the most that is allowed.
     fn relative(&self) -> f64 {
         let error = (f64::from(self.got) - self.exact).abs();
@@ -108,7 +128,7 @@ impl Check {
     }
 }
 
-/// A promise that a case broke.
+/// A number of a case, and what was promised of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
     /// Which number.
@@ -142,6 +162,8 @@ pub struct Row {
     pub worst: f64,
     /// The promise's relative part.
     pub promise: f64,
+    /// Largest part of what is allowed that was used, of all numbers, and the case that used it.
+    pub used: (f64, usize),
     /// Wrong by more than is promised, not finite, or impossible.
     pub broken: u64,
 }
@@ -165,6 +187,9 @@ impl Tally {
             sum.steep += row.steep;
             sum.broken += row.broken;
             sum.worst = sum.worst.max(row.worst);
+            if row.used.0 > sum.used.0 {
+                sum.used = row.used;
+            }
             sum.promise = row.promise;
         }
         for finding in other.findings {
@@ -189,21 +214,16 @@ impl Tally {
         } else if check.got.is_finite() {
             row.worst = row.worst.max(check.relative());
         }
+        let used = check.used();
+        if used > row.used.0 {
+            row.used = (used, index);
+        }
         if check.kept() {
             return;
         }
         row.broken += 1;
         if !self.findings.iter().any(|f| f.quantity == check.quantity) {
-            self.findings.push(Finding {
-                quantity: check.quantity,
-                probe,
-                index,
-                case: *case,
-                got: check.got,
-                expected: check.exact,
-                range: [check.low, check.high],
-                allowed: check.allowed() + (check.high - check.low),
-            });
+            self.findings.push(check.finding(probe, index, case));
         }
     }
 }
@@ -217,13 +237,7 @@ pub fn judge(probe: Probe, first: usize, cases: &[Case], answers: &[[f32; 4]]) -
         let from = chunk * CHUNK;
         for (i, case) in cases.iter().enumerate().skip(from).take(CHUNK) {
             let Some(answers) = answers.get(i * n..(i + 1) * n) else { break };
-            let mut note = |check: Check| tally.note(probe, first + i, case, &check);
-            match probe {
-                Probe::Geometry => geometry(case, answers, &mut note),
-                Probe::Medium => medium(case, answers, &mut note),
-                Probe::Path => path(case, answers, &mut note),
-                Probe::Scatter(kind) => scatter(case, answers, kind == MiePhase::CornetteShanks, &mut note),
-            }
+            checks(probe, case, answers, &mut |check| tally.note(probe, first + i, case, &check));
         }
         tally
     });
@@ -232,6 +246,24 @@ pub fn judge(probe: Probe, first: usize, cases: &[Case], answers: &[[f32; 4]]) -
         tally.add(part);
     }
     tally
+}
+
+/// Every number of one case beside what it should be, broken or not.
+pub fn explain(probe: Probe, number: usize, case: &Case, answers: &[[f32; 4]]) -> Vec<Finding> {
+    let mut all = Vec::new();
+    if answers.len() >= probe.answers() {
+        checks(probe, case, answers, &mut |check| all.push(check.finding(probe, number, case)));
+    }
+    all
+}
+
+fn checks(probe: Probe, case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
+    match probe {
+        Probe::Geometry => geometry(case, answers, note),
+        Probe::Medium => medium(case, answers, note),
+        Probe::Path => path(case, answers, note),
+        Probe::Scatter(kind) => scatter(case, answers, kind == MiePhase::CornetteShanks, note),
+    }
 }
 
 /// A check from f64 values, the first of which is exact and the others its neighbours'.
@@ -417,11 +449,13 @@ fn scatter(case: &Case, answers: &[[f32; 4]], cornette_shanks: bool, note: &mut 
     if same.is_empty() || all.iter().any(|i| Air::new(i).is_none()) {
         same.push(([0.0; 3], [1.0; 3]));
     }
-    let checks = |values: &[([f64; 3], [f64; 3])]| {
+    let faintest = brightest_source(case, &own, cornette_shanks);
+    let checks = |values: &[Light]| {
         let brightest = values[0].0.into_iter().fold(0.0, f64::max);
         [0, 1, 2].map(|c| {
             let (radiances, throughs) = (values.iter().map(|v| v.0[c]), values.iter().map(|v| v.1[c]));
-            let radiance = among(Quantity::Radiance, answers[0][c], Promise::step(brightest), radiances);
+            let promise = Promise::light(brightest, faintest, length.into());
+            let radiance = among(Quantity::Radiance, answers[0][c], promise, radiances);
             let through = among(Quantity::Transmittance, answers[1][c], Promise::step(1.0), throughs);
             [Check { least: 0.0, ..radiance }, Check { least: 0.0, most: 1.0, ..through }]
         })
@@ -437,10 +471,50 @@ fn scatter(case: &Case, answers: &[[f32; 4]], cornette_shanks: bool, note: &mut 
         }
         return;
     }
-    let mut judged = checks(&same);
-    if length > 0.0 && !judged.iter().flatten().all(Check::kept) {
+    let kept = |values: &[Light]| checks(values).iter().flatten().all(Check::kept);
+    if length > 0.0 && !kept(&same) {
         same.extend(own.swept().filter_map(|i| light(&i)));
-        judged = checks(&same);
+        if !kept(&same) {
+            // All six numbers of one neighbour, which is then an instance of the case as f32 knows it.
+            let found = beside_the_shadow(&all, answers[0], &light, &|v: &Light| kept(std::slice::from_ref(v)));
+            if let Some(found) = found {
+                same = vec![found];
+            }
+        }
     }
-    judged.into_iter().flatten().for_each(note);
+    checks(&same).into_iter().flatten().for_each(note);
+}
+
+/// Radiance and transmittance.
+type Light = ([f64; 3], [f64; 3]);
+
+/// Along the edge of the planet's shadow, a ray's light goes from none to all of it and through everything between
+/// within what the edge may move: too narrow a hump for any list of neighbours. Of each, with the edge moved evenly
+/// and then halved towards what was answered, the first that is right.
+fn beside_the_shadow(
+    all: &[Input],
+    got: [f32; 4],
+    light: &impl Fn(&Input) -> Option<Light>,
+    right: &impl Fn(&Light) -> bool,
+) -> Option<Light> {
+    const STEPS: i32 = 400;
+    let channel = (0..3).max_by(|&a, &b| got[a].total_cmp(&got[b]))?;
+    let want = f64::from(got[channel]);
+    all.iter().find_map(|input| {
+        let at = |e: f64| light(&Input { shade: 1.0 + e * RESOLUTION, ..*input });
+        let above = |v: &Light| v.0[channel] > want;
+        let each = |i: i32| f64::from(i) / f64::from(STEPS);
+        (-STEPS..STEPS).find_map(|i| {
+            let (mut low, mut high) = (each(i), each(i + 1));
+            let side = above(&at(low)?);
+            if above(&at(high)?) == side {
+                return None;
+            }
+            for _ in 0..60 {
+                let middle = 0.5 * (low + high);
+                if above(&at(middle)?) == side { low = middle } else { high = middle }
+            }
+            [low, high].into_iter().filter_map(at).find(right)
+        })
+    })
 }

@@ -13,7 +13,7 @@ mod shrink;
 mod truth;
 
 pub use cases::{Cases, describe, grid, grid_len, random};
-pub use judge::{Finding, Quantity, Row, Tally, judge};
+pub use judge::{Finding, Quantity, Row, Tally, explain, judge};
 pub use shrink::shrink;
 pub use truth::{Promise, RESOLUTION};
 

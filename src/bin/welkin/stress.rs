@@ -44,8 +44,10 @@ pub fn run(args: &StressArgs) -> anyhow::Result<()> {
         && let Some(case) = Cases::at(args.seed, first).next()
     {
         writeln!(out, "\ncase {first}, seed {}\n{}", args.seed, indent(&probe::describe(&case)))?;
+        numbers(&mut out, backend, first as usize, &case)?;
+    } else {
+        table(&mut out, &tally)?;
     }
-    table(&mut out, &tally)?;
     let seconds = begun.elapsed().as_secs_f64();
     writeln!(out, "\n{count} cases, seed {}, in {seconds:.1} s", args.seed)?;
     for finding in &tally.findings {
@@ -69,22 +71,44 @@ fn one_batch(backend: &mut dyn Backend, number: usize, cases: &[probe::Case]) ->
     Ok(tally)
 }
 
+/// Everything that the shaders answer to one case.
+fn numbers(out: &mut impl Write, backend: &mut dyn Backend, number: usize, case: &probe::Case) -> anyhow::Result<()> {
+    writeln!(
+        out,
+        "\n{:<28} {:>15} {:>17}  {:>15} {:>15} {:>9}",
+        "quantity", "shader", "f64", "neighbours from", "to", "allowed"
+    )?;
+    for which in Probe::ALL {
+        let answers = probe::run(backend, which, std::slice::from_ref(case))?;
+        for f in probe::explain(which, number, case, &answers) {
+            let (name, [low, high]) = (f.quantity.name(), f.range);
+            writeln!(
+                out,
+                "{name:<28} {:>15.8e} {:>17.10e}  {low:>15.8e} {high:>15.8e} {:>9.1e}",
+                f.got, f.expected, f.allowed
+            )?;
+        }
+    }
+    Ok(())
+}
+
 fn table(out: &mut impl Write, tally: &Tally) -> std::io::Result<()> {
     writeln!(
         out,
-        "\n{:<28} {:>10} {:>10} {:>10} {:>9} {:>8} {:>8}",
-        "quantity", "tried", "non-finite", "steep", "worst", "promise", "broken"
+        "\n{:<28} {:>10} {:>10} {:>10} {:>9} {:>8} {:>5} {:>8}",
+        "quantity", "tried", "non-finite", "steep", "worst", "promise", "used", "broken"
     )?;
     for (quantity, row) in &tally.rows {
         writeln!(
             out,
-            "{:<28} {:>10} {:>10} {:>10} {:>9.1e} {:>8.0e} {:>8}",
+            "{:<28} {:>10} {:>10} {:>10} {:>9.1e} {:>8.0e} {:>4.0}% {:>8}",
             quantity.name(),
             row.tried,
             row.not_finite,
             row.steep,
             row.worst,
             row.promise,
+            100.0 * row.used.0,
             row.broken
         )?;
     }
