@@ -19,7 +19,7 @@ fn judged(backend: &mut dyn Backend, count: usize) -> Tally {
     for batch in 0..count.div_ceil(BATCH) {
         let list: Vec<Case> = cases.by_ref().take(BATCH.min(count - batch * BATCH)).collect();
         let phase = [MiePhase::HenyeyGreenstein, MiePhase::CornetteShanks][batch % 2];
-        for which in [Probe::Geometry, Probe::Medium, Probe::Path, Probe::Scatter(phase)] {
+        for which in [Probe::Geometry, Probe::Medium, Probe::Path, Probe::Tables, Probe::Scatter(phase)] {
             let answers = probe::run(backend, which, &list).unwrap();
             tally.add(probe::judge(which, batch * BATCH, &list, &answers));
         }
@@ -35,7 +35,7 @@ fn a_million_cases_keep_every_promise() {
         // Textures are freed.
         assert_eq!((live.textures, live.bind_groups), (backend.live().textures, backend.live().bind_groups));
         for (quantity, row) in &tally.rows {
-            println!("{:<28} {:>8} worst {:.1e} broken {}", quantity.name(), row.tried, row.worst, row.broken);
+            println!("{:<33} {:>8} worst {:.1e} broken {}", quantity.name(), row.tried, row.worst, row.broken);
         }
         for f in &tally.findings {
             println!("{}: case {} got {} expected {}", f.quantity.name(), f.index, f.got, f.expected);

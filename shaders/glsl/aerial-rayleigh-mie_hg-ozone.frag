@@ -165,21 +165,26 @@ SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float h
     vec3 side_1 = cross(apart, sun_1);
     s_2.cross2_ = dot(side_1, side_1);
     vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
-    float _e36 = s_2.nu;
-    float _e42 = s_2.nu;
-    s_2.sun_b = ((start < half_) ? ((r_2 * sun_1.z) + (start * _e42)) : ((-(same) * dot(closest, apart)) - (half_ * _e36)));
+    float there = (-(same) * dot(closest, apart));
+    float here = (r_2 * sun_1.z);
+    float _e38 = s_2.nu;
+    float _e44 = s_2.nu;
+    bool nearer = ((abs(here) + (start * abs(_e38))) < (abs(there) + (half_ * abs(_e44))));
+    float _e51 = s_2.nu;
+    float _e55 = s_2.nu;
+    s_2.sun_b = (nearer ? (here + (start * _e55)) : (there - (half_ * _e51)));
     vec3 closest_side = cross(closest, sun_1);
-    float _e51 = s_2.cross2_;
-    s_2.shadow_b = (dot(closest_side, side_1) - (half_ * _e51));
+    float _e63 = s_2.cross2_;
+    s_2.shadow_b = (dot(closest_side, side_1) - (half_ * _e63));
     float q_1 = length((closest_side - (half_ * side_1)));
-    float _e59 = s_2.sun_b;
-    float _e61 = half_chord2_(_e59, x_top_1, (radius_5 - q_1), q_1);
-    s_2.shadow_c = -(_e61);
-    SunSide _e64 = s_2;
-    float _e66 = shadow_half2_(_e64, side_1.z, r_2, radius_5);
-    s_2.shadow_half2_ = _e66;
-    SunSide _e67 = s_2;
-    return _e67;
+    float _e71 = s_2.sun_b;
+    float _e73 = half_chord2_(_e71, x_top_1, (radius_5 - q_1), q_1);
+    s_2.shadow_c = -(_e73);
+    SunSide _e76 = s_2;
+    float _e78 = shadow_half2_(_e76, side_1.z, r_2, radius_5);
+    s_2.shadow_half2_ = _e78;
+    SunSide _e79 = s_2;
+    return _e79;
 }
 
 AirRay air_ray(vec3 dir_2, float h_1, float radius_6, float thickness, vec3 sun_2) {

@@ -200,21 +200,26 @@ SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float h
     vec3 side_1 = cross(apart, sun_1);
     s_2.cross2_ = dot(side_1, side_1);
     vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
-    float _e36 = s_2.nu;
-    float _e42 = s_2.nu;
-    s_2.sun_b = ((start < half_) ? ((r_2 * sun_1.z) + (start * _e42)) : ((-(same) * dot(closest, apart)) - (half_ * _e36)));
+    float there = (-(same) * dot(closest, apart));
+    float here = (r_2 * sun_1.z);
+    float _e38 = s_2.nu;
+    float _e44 = s_2.nu;
+    bool nearer = ((abs(here) + (start * abs(_e38))) < (abs(there) + (half_ * abs(_e44))));
+    float _e51 = s_2.nu;
+    float _e55 = s_2.nu;
+    s_2.sun_b = (nearer ? (here + (start * _e55)) : (there - (half_ * _e51)));
     vec3 closest_side = cross(closest, sun_1);
-    float _e51 = s_2.cross2_;
-    s_2.shadow_b = (dot(closest_side, side_1) - (half_ * _e51));
+    float _e63 = s_2.cross2_;
+    s_2.shadow_b = (dot(closest_side, side_1) - (half_ * _e63));
     float q_1 = length((closest_side - (half_ * side_1)));
-    float _e59 = s_2.sun_b;
-    float _e61 = half_chord2_(_e59, x_top_1, (radius_4 - q_1), q_1);
-    s_2.shadow_c = -(_e61);
-    SunSide _e64 = s_2;
-    float _e66 = shadow_half2_(_e64, side_1.z, r_2, radius_4);
-    s_2.shadow_half2_ = _e66;
-    SunSide _e67 = s_2;
-    return _e67;
+    float _e71 = s_2.sun_b;
+    float _e73 = half_chord2_(_e71, x_top_1, (radius_4 - q_1), q_1);
+    s_2.shadow_c = -(_e73);
+    SunSide _e76 = s_2;
+    float _e78 = shadow_half2_(_e76, side_1.z, r_2, radius_4);
+    s_2.shadow_half2_ = _e78;
+    SunSide _e79 = s_2;
+    return _e79;
 }
 
 AirRay air_ray(vec3 dir_2, float h_1, float radius_5, float thickness, vec3 sun_2) {
@@ -222,11 +227,11 @@ AirRay air_ray(vec3 dir_2, float h_1, float radius_5, float thickness, vec3 sun_
     bool local_3 = false;
     float r_3 = (radius_5 + h_1);
     float _e6 = excess_of(thickness, radius_5);
-    float b_3 = (r_3 * dir_2.z);
+    float b_4 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
     float _e14 = excess_of(h_1, radius_5);
-    float _e16 = half_chord2_(b_3, _e14, (radius_5 - p_2), p_2);
-    if ((b_3 < 0.0)) {
+    float _e16 = half_chord2_(b_4, _e14, (radius_5 - p_2), p_2);
+    if ((b_4 < 0.0)) {
         local_2 = (_e16 >= 0.0);
     } else {
         local_2 = false;
@@ -235,14 +240,14 @@ AirRay air_ray(vec3 dir_2, float h_1, float radius_5, float thickness, vec3 sun_
     if ((h_1 <= thickness)) {
         float _e26 = excess_of(h_1, radius_5);
         SunSide _e27 = sun_side_inside(dir_2, sun_2, r_3, _e26, radius_5);
-        float to_ground = (_e26 / (sqrt(max(_e16, 0.0)) - b_3));
-        float _e33 = distance_to_top(_e26, b_3, _e6);
+        float to_ground = (_e26 / (sqrt(max(_e16, 0.0)) - b_4));
+        float _e33 = distance_to_top(_e26, b_4, _e6);
         float reach = (ground_1 ? to_ground : _e33);
-        return AirRay(0.0, reach, _e26, b_3, -(_e16), _e27.sun_b, _e27.nu, _e27.cross2_, _e27.shadow_b, _e27.shadow_c, _e27.shadow_half2_, ground_1);
+        return AirRay(0.0, reach, _e26, b_4, -(_e16), _e27.sun_b, _e27.nu, _e27.cross2_, _e27.shadow_b, _e27.shadow_c, _e27.shadow_half2_, ground_1);
     }
     float above_1 = ((h_1 - thickness) * ((r_3 + radius_5) + thickness));
-    float top2_ = (((b_3 * b_3) < _e6) ? ((b_3 * b_3) - above_1) : (_e16 + _e6));
-    if (!((b_3 >= 0.0))) {
+    float top2_ = (((b_4 * b_4) < _e6) ? ((b_4 * b_4) - above_1) : (_e16 + _e6));
+    if (!((b_4 >= 0.0))) {
         local_3 = (top2_ <= 0.0);
     } else {
         local_3 = true;
@@ -252,7 +257,7 @@ AirRay air_ray(vec3 dir_2, float h_1, float radius_5, float thickness, vec3 sun_
         return AirRay(0.0, -1.0, 0.0, 0.0, -(_e16), 0.0, dot(dir_2, sun_2), 0.0, 0.0, 0.0, 0.0, false);
     }
     float half_1 = sqrt(top2_);
-    float start_1 = (above_1 / (half_1 - b_3));
+    float start_1 = (above_1 / (half_1 - b_4));
     SunSide _e79 = sun_side_outside(dir_2, sun_2, r_3, start_1, half_1, _e6, radius_5);
     float reach_1 = (ground_1 ? (_e6 / (half_1 + sqrt(max(_e16, 0.0)))) : (2.0 * half_1));
     return AirRay(start_1, reach_1, _e6, -(half_1), -(_e16), _e79.sun_b, _e79.nu, _e79.cross2_, _e79.shadow_b, _e79.shadow_c, _e79.shadow_half2_, ground_1);
@@ -294,17 +299,22 @@ vec4 bilinear(highp sampler2D table, Corner c, ivec2 origin) {
     return mix(bottom, top, c.part.y);
 }
 
-vec3 columns_to_top(highp sampler2D table_1, Medium m_1, float x_3, float h_2, float b_2) {
-    float _e7 = excess_of(m_1.thickness, m_1.radius);
+vec2 columns_share(float x_3, float h_2, float b_2, Medium m_1) {
+    float _e6 = excess_of(m_1.thickness, m_1.radius);
     float rho = sqrt(max(x_3, 0.0));
-    float rho_top = sqrt(_e7);
-    float _e12 = distance_to_top(x_3, b_2, _e7);
+    float rho_top = sqrt(_e6);
+    float _e11 = distance_to_top(x_3, b_2, _e6);
     float shortest = max((m_1.thickness - h_2), 0.0);
+    return vec2(((_e11 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
+}
+
+vec3 columns_to_top(highp sampler2D table_1, Medium m_2, float x_4, float h_3, float b_3) {
     ivec2 size_3 = ivec2(uvec2(textureSize(table_1, 0).xy));
-    vec2 share_1 = vec2(((_e12 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
-    Corner _e32 = corner((share_1 * vec2((size_3 - ivec2(1)))), size_3);
-    vec4 _e35 = bilinear(table_1, _e32, ivec2(0));
-    return exp2(_e35.xyz);
+    vec2 _e7 = columns_share(x_4, h_3, b_3, m_2);
+    vec2 at_3 = (_e7 * vec2((size_3 - ivec2(1))));
+    Corner _e13 = corner(at_3, size_3);
+    vec4 _e16 = bilinear(table_1, _e13, ivec2(0));
+    return exp2(_e16.xyz);
 }
 
 float crowded(float rest, float s_3, float s_max) {
@@ -320,26 +330,29 @@ float azimuth_share(vec3 dir_3) {
     return (s_4 / (large + small));
 }
 
-float zenith_share(AirRay ray_1, vec3 dir_4, float h_3, Medium m_2) {
+float zenith_share(AirRay ray_1, vec3 dir_4, float h_4, Medium m_3) {
     bool local_4 = false;
+    float flat_1 = length(dir_4.xy);
     if (ray_1.ground) {
-        float mu = clamp((-((ray_1.b + ray_1.length_)) / m_2.radius), 0.0, 1.0);
-        float _e22 = crowded((0.5 * mu), sqrt((0.5 - (0.5 * mu))), SQRT_HALF);
-        return _e22;
+        float mu = clamp((-((ray_1.b + ray_1.length_)) / m_3.radius), 0.0, 1.0);
+        float s_5 = (((1.0 + (h_4 / m_3.radius)) * flat_1) / sqrt((2.0 + (2.0 * mu))));
+        float _e30 = crowded((0.5 * mu), s_5, SQRT_HALF);
+        return _e30;
     }
     if (!((ray_1.start > 0.0))) {
-        local_4 = (h_3 > m_2.thickness);
+        local_4 = (h_4 > m_3.thickness);
     } else {
         local_4 = true;
     }
-    bool _e32 = local_4;
-    if (_e32) {
-        float tangent = (((m_2.radius + h_3) * length(dir_4.xy)) - m_2.radius);
-        return sqrt(clamp((tangent / m_2.thickness), 0.0, 1.0));
+    bool _e40 = local_4;
+    if (_e40) {
+        float _e43 = altitude_of(ray_1.x_closest, m_3.radius);
+        return sqrt(clamp((_e43 / m_3.thickness), 0.0, 1.0));
     }
-    float horizon = (sqrt(ray_1.x) / (m_2.radius + h_3));
-    float _e68 = crowded((0.5 * (dir_4.z + horizon)), sqrt(max((0.5 - (0.5 * dir_4.z)), 0.0)), sqrt((0.5 + (0.5 * horizon))));
-    return _e68;
+    float horizon = (sqrt(ray_1.x) / (m_3.radius + h_4));
+    float s_6 = ((dir_4.z > 0.0) ? (flat_1 / sqrt(max((2.0 + (2.0 * dir_4.z)), 1.0))) : sqrt((0.5 - (0.5 * dir_4.z))));
+    float _e83 = crowded((0.5 * (dir_4.z + horizon)), s_6, sqrt((0.5 + (0.5 * horizon))));
+    return _e83;
 }
 
 float sky_row(float share, bool ground, int rows, float ground_rows) {
@@ -357,20 +370,20 @@ vec3 fourth(vec3 v) {
     return (square * square);
 }
 
-vec3 aerosol_light(highp sampler2D haze, Medium m_3, Corner c_1, vec3 dir_5, vec3 sun_3) {
+vec3 aerosol_light(highp sampler2D haze, Medium m_4, Corner c_1, vec3 dir_5, vec3 sun_3) {
     vec3 apart_1 = (dir_5 - sun_3);
     vec3 together = (dir_5 + sun_3);
     float away_1 = (0.5 * dot(apart_1, apart_1));
     float toward_1 = (0.5 * dot(together, together));
     vec4 _e15 = bilinear(haze, c_1, ivec2(0));
     vec3 _e17 = fourth(_e15.xyz);
-    vec3 _e19 = henyey_greenstein_phase(away_1, toward_1, m_3.mie_asymmetry);
+    vec3 _e19 = henyey_greenstein_phase(away_1, toward_1, m_4.mie_asymmetry);
     return (_e17 * _e19);
 }
 
-Corner sky_corner(highp sampler2D sky, Medium m_4, Tables t, float h_4, vec3 dir_6, AirRay ray_2) {
+Corner sky_corner(highp sampler2D sky, Medium m_5, Tables t, float h_5, vec3 dir_6, AirRay ray_2) {
     ivec2 size_4 = ivec2(uvec2(textureSize(sky, 0).xy));
-    float _e8 = zenith_share(ray_2, dir_6, h_4, m_4);
+    float _e8 = zenith_share(ray_2, dir_6, h_5, m_5);
     float _e12 = sky_row(_e8, ray_2.ground, size_4.y, t.ground_rows);
     float _e13 = azimuth_share(dir_6);
     Corner _e20 = corner(vec2((_e13 * float((size_4.x - 1))), _e12), size_4);
@@ -424,7 +437,7 @@ void main() {
     bool local_1 = false;
     Frame f_3 = _group_0_binding_0_fs.frame;
     Tables t_4 = _group_0_binding_0_fs.tables;
-    Medium m_5 = f_3.medium;
+    Medium m_6 = f_3.medium;
     ivec2 pixel_1 = ivec2(position.xy);
     vec4 behind = vec4(0.0);
     vec3 _e13 = pixel_ray(f_3, position.xy);
@@ -432,7 +445,7 @@ void main() {
     vec4 _e17 = texelFetch(_group_0_binding_1_fs, pixel_1, 0);
     float _e19 = depth_distance(f_3, _e17.x, ray_length_1);
     vec3 dir_7 = (_e13 / vec3(ray_length_1));
-    AirRay _e26 = air_ray(dir_7, f_3.altitude, m_5.radius, m_5.thickness, f_3.sun);
+    AirRay _e26 = air_ray(dir_7, f_3.altitude, m_6.radius, m_6.thickness, f_3.sun);
     end = _e26.length_;
     if ((_e19 >= 0.0)) {
         float _e35 = scene_reach(f_3, _e26, _e19);
@@ -456,12 +469,12 @@ void main() {
         _fs2p_location0 = behind;
         return;
     }
-    Corner _e55 = sky_corner(_group_0_binding_2_fs, m_5, t_4, f_3.altitude, dir_7, _e26);
+    Corner _e55 = sky_corner(_group_0_binding_2_fs, m_6, t_4, f_3.altitude, dir_7, _e26);
     float scale = (_e26.ground ? _e26.length_ : 1.0);
     vec4 _e63 = bilinear(_group_0_binding_2_fs, _e55, ivec2(0));
     vec3 _e65 = fourth(_e63.xyz);
     light = (_e65 * scale);
-    vec3 _e70 = aerosol_light(_group_0_binding_5_fs, m_5, _e55, dir_7, f_3.sun);
+    vec3 _e70 = aerosol_light(_group_0_binding_5_fs, m_6, _e55, dir_7, f_3.sun);
     aerosol = (_e70 * scale);
     if (!(_e26.ground)) {
         float _e80 = end;
@@ -473,14 +486,14 @@ void main() {
     if (_e84) {
         bool _e85 = dims;
         if (_e85) {
-            float _e90 = altitude_of(_e26.x, m_5.radius);
-            vec3 _e92 = columns_to_top(_group_0_binding_4_fs, m_5, _e26.x, _e90, _e26.b);
-            vec3 _e93 = extinction(m_5, _e92);
+            float _e90 = altitude_of(_e26.x, m_6.radius);
+            vec3 _e92 = columns_to_top(_group_0_binding_4_fs, m_6, _e26.x, _e90, _e26.b);
+            vec3 _e93 = extinction(m_6, _e92);
             through = exp(-(_e93));
         }
     } else {
         ivec2 size_5 = (ivec2(uvec2(textureSize(_group_0_binding_3_fs, 0).xy)) / ivec2(int(t_4.slices), AIR_KINDS));
-        float _e105 = zenith_share(_e26, dir_7, f_3.altitude, m_5);
+        float _e105 = zenith_share(_e26, dir_7, f_3.altitude, m_6);
         float _e109 = sky_row(_e105, _e26.ground, size_5.y, t_4.air_ground_rows);
         float _e110 = azimuth_share(dir_7);
         Corner _e117 = corner(vec2((_e110 * float((size_5.x - 1))), _e109), size_5);
@@ -489,17 +502,17 @@ void main() {
         float _e125 = end;
         float _e126 = unwarp(low_3, _e125);
         float _e129 = unwarp(low_3, _e26.length_);
-        float at_3 = ((((_e126 - _e124) / (_e129 - _e124)) * float(t_4.slices)) - 1.0);
+        float at_4 = ((((_e126 - _e124) / (_e129 - _e124)) * float(t_4.slices)) - 1.0);
         float _e137 = end;
         if ((_e137 < _e26.length_)) {
             vec3 _e140 = light;
-            vec3 _e144 = air_between(_group_0_binding_3_fs, t_4, _e117, at_3, AIR_SMOOTH, size_5, 0.0);
+            vec3 _e144 = air_between(_group_0_binding_3_fs, t_4, _e117, at_4, AIR_SMOOTH, size_5, 0.0);
             light = (_e140 * _e144);
             vec3 _e146 = aerosol;
-            vec3 _e150 = air_between(_group_0_binding_3_fs, t_4, _e117, at_3, AIR_AEROSOL, size_5, 0.0);
+            vec3 _e150 = air_between(_group_0_binding_3_fs, t_4, _e117, at_4, AIR_AEROSOL, size_5, 0.0);
             aerosol = (_e146 * _e150);
         }
-        vec3 _e153 = air_through(_group_0_binding_3_fs, t_4, _e117, at_3, size_5);
+        vec3 _e153 = air_through(_group_0_binding_3_fs, t_4, _e117, at_4, size_5);
         through = _e153;
     }
     vec3 _e154 = light;
@@ -507,7 +520,7 @@ void main() {
     light = (_e154 + _e155);
     vec3 _e157 = light;
     float _e159 = weight;
-    light = (_e157 * (m_5.irradiance * _e159));
+    light = (_e157 * (m_6.irradiance * _e159));
     vec3 _e162 = light;
     vec3 _e163 = through;
     _fs2p_location0 = vec4(_e162, (1.0 - dot(_e163, vec3(0.33333334))));

@@ -169,7 +169,7 @@ Low lowest(AirRay ray, float length_, float radius_5) {
     if ((-(ray.b) <= length_)) {
         return Low(-(ray.b), ray.x_closest, 0.0);
     }
-    float b_4 = (ray.b + length_);
+    float b_5 = (ray.b + length_);
     if (ray.ground) {
         local = (length_ >= ray.length_);
     } else {
@@ -177,24 +177,24 @@ Low lowest(AirRay ray, float length_, float radius_5) {
     }
     bool _e26 = local;
     if (_e26) {
-        return Low(length_, 0.0, b_4);
+        return Low(length_, 0.0, b_5);
     }
     bool far = ((-(ray.b) * length_) > (radius_5 * radius_5));
-    return Low(length_, (far ? (ray.x_closest + (b_4 * b_4)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_4);
+    return Low(length_, (far ? (ray.x_closest + (b_5 * b_5)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_5);
 }
 
 vec2 shadow_stretch(AirRay ray_1) {
     vec2 stretch = vec2(0.0);
     vec2 none = vec2(1.0, 0.0);
     float a = ray_1.cross2_;
-    float b_5 = ray_1.shadow_b;
+    float b_6 = ray_1.shadow_b;
     float c_3 = ray_1.shadow_c;
     stretch = vec2(-(1e30), 1e30);
     if ((a > 1e-30)) {
         if ((ray_1.shadow_half2_ <= 0.0)) {
             return none;
         }
-        float q_1 = -((b_5 + (((b_5 >= 0.0) ? 1.0 : -1.0) * sqrt((a * ray_1.shadow_half2_)))));
+        float q_1 = -((b_6 + (((b_6 >= 0.0) ? 1.0 : -1.0) * sqrt((a * ray_1.shadow_half2_)))));
         float t0_2 = (q_1 / a);
         float t1_1 = ((q_1 != 0.0) ? (c_3 / q_1) : t0_2);
         stretch = vec2(min(t0_2, t1_1), max(t0_2, t1_1));
@@ -225,21 +225,21 @@ AirRay inner_ray(vec3 dir_1, float h_1, float radius_6, float thickness, vec3 su
     bool local_1 = false;
     float r_2 = (radius_6 + h_1);
     float _e7 = excess_of(h_1, radius_6);
-    float b_6 = (r_2 * dir_1.z);
+    float b_7 = (r_2 * dir_1.z);
     float p_2 = (r_2 * sqrt(dot(dir_1.xy, dir_1.xy)));
-    float _e16 = half_chord2_(b_6, _e7, (radius_6 - p_2), p_2);
+    float _e16 = half_chord2_(b_7, _e7, (radius_6 - p_2), p_2);
     SunSide _e17 = sun_side_inside(dir_1, sun_1, r_2, _e7, radius_6);
-    float to_ground = (_e7 / (sqrt(max(_e16, 0.0)) - b_6));
+    float to_ground = (_e7 / (sqrt(max(_e16, 0.0)) - b_7));
     float _e23 = excess_of(thickness, radius_6);
-    float _e24 = distance_to_top(_e7, b_6, _e23);
+    float _e24 = distance_to_top(_e7, b_7, _e23);
     if (ground) {
-        local_1 = (b_6 < 0.0);
+        local_1 = (b_7 < 0.0);
     } else {
         local_1 = false;
     }
     bool _e30 = local_1;
     float reach = (_e30 ? to_ground : _e24);
-    return AirRay(0.0, reach, _e7, b_6, -(_e16), _e17.sun_b, _e17.nu, _e17.cross2_, _e17.shadow_b, _e17.shadow_c, _e17.shadow_half2_, ground);
+    return AirRay(0.0, reach, _e7, b_7, -(_e16), _e17.sun_b, _e17.nu, _e17.cross2_, _e17.shadow_b, _e17.shadow_c, _e17.shadow_half2_, ground);
 }
 
 vec3 densities(Medium m, float h_2) {
@@ -281,27 +281,34 @@ vec4 bilinear(highp sampler2D table, Corner c, ivec2 origin) {
     return mix(bottom, top, c.part.y);
 }
 
-vec3 columns_to_top(highp sampler2D table_1, Medium m_2, float x_4, float h_3, float b_3) {
-    float _e7 = excess_of(m_2.thickness, m_2.radius);
+vec2 columns_share(float x_4, float h_3, float b_3, Medium m_2) {
+    float _e6 = excess_of(m_2.thickness, m_2.radius);
     float rho = sqrt(max(x_4, 0.0));
-    float rho_top = sqrt(_e7);
-    float _e12 = distance_to_top(x_4, b_3, _e7);
+    float rho_top = sqrt(_e6);
+    float _e11 = distance_to_top(x_4, b_3, _e6);
     float shortest = max((m_2.thickness - h_3), 0.0);
-    ivec2 size_1 = ivec2(uvec2(textureSize(table_1, 0).xy));
-    vec2 share_2 = vec2(((_e12 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
-    Corner _e32 = corner((share_2 * vec2((size_1 - ivec2(1)))), size_1);
-    vec4 _e35 = bilinear(table_1, _e32, ivec2(0));
-    return exp2(_e35.xyz);
+    return vec2(((_e11 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
 }
 
-float altitude_share(Tables t_1, float h_4, float thickness_1) {
-    return sqrt((log((1.0 + ((max(h_4, 0.0) / thickness_1) * t_1.altitude_growth))) / t_1.altitude_steepness));
+vec3 columns_to_top(highp sampler2D table_1, Medium m_3, float x_5, float h_4, float b_4) {
+    ivec2 size_1 = ivec2(uvec2(textureSize(table_1, 0).xy));
+    vec2 _e7 = columns_share(x_5, h_4, b_4, m_3);
+    vec2 at_1 = (_e7 * vec2((size_1 - ivec2(1))));
+    Corner _e13 = corner(at_1, size_1);
+    vec4 _e16 = bilinear(table_1, _e13, ivec2(0));
+    return exp2(_e16.xyz);
+}
+
+float altitude_share(Tables t_1, float h_5, float thickness_1) {
+    float grown = ((max(h_5, 0.0) / thickness_1) * t_1.altitude_growth);
+    float s_2 = ((grown < 0.05) ? (grown * (1.0 - (grown * (0.5 - (grown * (0.33333334 - (grown * 0.25))))))) : log((1.0 + grown)));
+    return sqrt((s_2 / t_1.altitude_steepness));
 }
 
 float share_altitude(Tables t_2, float share, float thickness_2) {
-    float s_2 = ((t_2.altitude_steepness * share) * share);
-    float grown = ((s_2 < 0.02) ? (s_2 * (1.0 + (s_2 * (0.5 + (s_2 * 0.16666667))))) : (exp(s_2) - 1.0));
-    return (thickness_2 * min((grown / t_2.altitude_growth), 1.0));
+    float s_3 = ((t_2.altitude_steepness * share) * share);
+    float grown_1 = ((s_3 < 0.05) ? (s_3 * (1.0 + (s_3 * (0.5 + (s_3 * (0.16666667 + (s_3 * 0.041666668))))))) : (exp(s_3) - 1.0));
+    return (thickness_2 * min((grown_1 / t_2.altitude_growth), 1.0));
 }
 
 float sun_share(Tables t_3, float mu) {
@@ -336,15 +343,15 @@ float harmonic(int index, float mu_1, float along) {
     }
 }
 
-vec3 diffuse_source(highp sampler2D table_2, Medium m_3, Tables t_5, vec3 d_2, float h_5, float mu_2, float mu_sun, float nu) {
+vec3 diffuse_source(highp sampler2D table_2, Medium m_4, Tables t_5, vec3 d_2, float h_6, float mu_2, float mu_sun, float nu) {
     Corner c_1 = Corner(ivec2(0), ivec2(0), vec2(0.0));
     vec3 source = vec3(0.0);
     ivec2 dims = ivec2(uvec2(textureSize(table_2, 0).xy));
     ivec2 size_2 = ivec2(dims.x, ((dims.y - 1) / MOMENTS));
     float _e17 = sun_share(t_5, mu_sun);
-    float _e19 = altitude_share(t_5, h_5, m_3.thickness);
-    vec2 at_1 = (vec2(_e17, _e19) * vec2((size_2 - ivec2(1))));
-    Corner _e26 = corner(at_1, size_2);
+    float _e19 = altitude_share(t_5, h_6, m_4.thickness);
+    vec2 at_2 = (vec2(_e17, _e19) * vec2((size_2 - ivec2(1))));
+    Corner _e26 = corner(at_2, size_2);
     c_1 = _e26;
     int _e30 = c_1.low.y;
     c_1.low.y = (_e30 * MOMENTS);
@@ -367,7 +374,7 @@ vec3 diffuse_source(highp sampler2D table_2, Medium m_3, Tables t_5, vec3 d_2, f
     float _e91 = harmonic(5, mu_2, along_1);
     vec3 l2_ = (((_e69.xyz * _e72) + (_e78.xyz * _e81)) + (_e88.xyz * _e91));
     vec3 _e97 = source;
-    source = (_e97 + ((m_3.rayleigh * d_2.x) * (vec3(0.2820948) + (0.1 * l2_))));
+    source = (_e97 + ((m_4.rayleigh * d_2.x) * (vec3(0.2820948) + (0.1 * l2_))));
     Corner _e108 = c_1;
     vec4 _e112 = bilinear(table_2, _e108, ivec2(0, 1));
     float _e115 = harmonic(1, mu_2, along_1);
@@ -376,7 +383,7 @@ vec3 diffuse_source(highp sampler2D table_2, Medium m_3, Tables t_5, vec3 d_2, f
     float _e124 = harmonic(2, mu_2, along_1);
     vec3 l1_ = ((_e112.xyz * _e115) + (_e121.xyz * _e124));
     vec3 _e127 = source;
-    source = (_e127 + ((m_3.mie_scattering * d_2.y) * (((SH0_ * t_5.mie_moment0_) + (l1_ * t_5.mie_moment1_)) + (l2_ * t_5.mie_moment2_))));
+    source = (_e127 + ((m_4.mie_scattering * d_2.y) * (((SH0_ * t_5.mie_moment0_) + (l1_ * t_5.mie_moment1_)) + (l2_ * t_5.mie_moment2_))));
     vec3 _e142 = source;
     return (_e142 * mean);
 }
@@ -384,8 +391,8 @@ vec3 diffuse_source(highp sampler2D table_2, Medium m_3, Tables t_5, vec3 d_2, f
 vec3 ground_irradiance(highp sampler2D table_3, Tables t_6, float mu_sun_1) {
     ivec2 dims_1 = ivec2(uvec2(textureSize(table_3, 0).xy));
     float _e5 = sun_share(t_6, mu_sun_1);
-    vec2 at_2 = vec2((_e5 * float((dims_1.x - 1))), 0.0);
-    Corner _e16 = corner(at_2, ivec2(dims_1.x, 1));
+    vec2 at_3 = vec2((_e5 * float((dims_1.x - 1))), 0.0);
+    Corner _e16 = corner(at_3, ivec2(dims_1.x, 1));
     vec4 _e22 = bilinear(table_3, _e16, ivec2(0, (dims_1.y - 1)));
     return exp2(_e22.xyz);
 }
@@ -420,12 +427,12 @@ vec2 lit_part(vec2 shadow, float low_2, float t0_, float t1_, float mid) {
 }
 
 Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium, Tables t_8, AirRay ray_2, Low lowest_1, float u_from, float u_to, vec3 gas, vec3 aerosol, float diffuse) {
-    Medium m_4 = Medium(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
+    Medium m_5 = Medium(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
     Gathered out_ = Gathered(vec3(0.0), vec3(1.0), vec3(0.0));
     float t0_1 = 0.0;
     uint i = 0u;
-    m_4 = medium;
-    m_4.mie_extinction = t_8.mie_extinction;
+    m_5 = medium;
+    m_5.mie_extinction = t_8.mie_extinction;
     vec2 _e22 = shadow_stretch(ray_2);
     float low_5 = lowest_1.t;
     float du = ((u_to - u_from) / float(t_8.steps));
@@ -450,41 +457,41 @@ Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium,
             float _e41 = t0_1;
             float step_ = (_e40 - _e41);
             float _e46 = warp(low_5, (u_1 + (0.5 * du)));
-            float _e51 = m_4.radius;
+            float _e51 = m_5.radius;
             float _e52 = altitude_after(lowest_1.x, lowest_1.b, (_e46 - low_5), _e51);
-            Medium _e53 = m_4;
+            Medium _e53 = m_5;
             vec3 _e54 = densities(_e53, _e52);
-            Medium _e55 = m_4;
+            Medium _e55 = m_5;
             vec3 _e56 = extinction(_e55, _e54);
             vec3 tau_1 = (_e56 * step_);
             vec3 _e59 = out_.transmittance;
             vec3 _e60 = mean_transmittance(tau_1);
-            vec3 share_3 = (_e59 * _e60);
+            vec3 share_2 = (_e59 * _e60);
             float _e62 = t0_1;
             vec2 _e63 = lit_part(_e22, low_5, _e62, _e40, _e46);
             if ((_e63.x > 0.0)) {
                 float past = (_e63.y - low_5);
                 float lit_x = max((lowest_1.x + (past * ((2.0 * lowest_1.b) + past))), 0.0);
-                float _e79 = m_4.radius;
+                float _e79 = m_5.radius;
                 float _e80 = altitude_of(lit_x, _e79);
-                Medium _e81 = m_4;
+                Medium _e81 = m_5;
                 vec3 _e82 = densities(_e81, _e80);
-                Medium _e83 = m_4;
+                Medium _e83 = m_5;
                 vec3 _e89 = columns_to_top(columns, _e83, lit_x, _e80, (ray_2.sun_b + (ray_2.nu * _e63.y)));
-                Medium _e95 = m_4;
+                Medium _e95 = m_5;
                 vec3 _e96 = extinction(_e95, _e89);
                 vec3 source_1 = (((gas * _e82.x) + (aerosol * _e82.y)) * exp(-(_e96)));
                 vec3 _e101 = out_.radiance;
-                out_.radiance = (_e101 + ((share_3 * source_1) * _e63.x));
+                out_.radiance = (_e101 + ((share_2 * source_1) * _e63.x));
             }
-            float _e107 = m_4.radius;
+            float _e107 = m_5.radius;
             float r_3 = (_e107 + _e52);
             float mu_4 = clamp((((lowest_1.b + _e46) - low_5) / r_3), -1.0, 1.0);
             float mu_sun_2 = clamp(((ray_2.sun_b + (ray_2.nu * _e46)) / r_3), -1.0, 1.0);
             vec3 _e125 = out_.radiance;
-            Medium _e128 = m_4;
+            Medium _e128 = m_5;
             vec3 _e130 = diffuse_source(moments, _e128, t_8, _e54, _e52, mu_4, mu_sun_2, ray_2.nu);
-            out_.radiance = (_e125 + ((share_3 * (step_ * diffuse)) * _e130));
+            out_.radiance = (_e125 + ((share_2 * (step_ * diffuse)) * _e130));
             vec3 _e134 = out_.transmittance;
             out_.transmittance = (_e134 * exp(-(tau_1)));
             vec3 _e139 = out_.columns;
@@ -535,11 +542,11 @@ vec2 gauss8_(int i_1) {
     }
 }
 
-Direction node_direction(int zenith, int azimuth, float h_6, float radius_7) {
+Direction node_direction(int zenith, int azimuth, float h_7, float radius_7) {
     bool above_1 = (zenith < 8);
     vec2 _e8 = gauss8_((above_1 ? zenith : (zenith - 8)));
-    float _e9 = excess_of(h_6, radius_7);
-    float horizon = (-(sqrt(_e9)) / (radius_7 + h_6));
+    float _e9 = excess_of(h_7, radius_7);
+    float horizon = (-(sqrt(_e9)) / (radius_7 + h_7));
     float span = (above_1 ? (1.0 - horizon) : (-1.0 - horizon));
     float mu_5 = clamp((horizon + ((span * _e8.x) * _e8.x)), -1.0, 1.0);
     return Direction(mu_5, ((float(azimuth) + 0.5) * 0.3926991), above_1, (((((abs(span) * 2.0) * _e8.x) * _e8.y) * 2.0) * 0.3926991));
@@ -550,40 +557,40 @@ void main() {
     vec3 radiance = vec3(0.0);
     vec3 light = vec3(0.0);
     Medium scaled = Medium(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
-    Medium m_5 = _group_0_binding_0_fs.medium;
+    Medium m_6 = _group_0_binding_0_fs.medium;
     Tables t_10 = _group_0_binding_0_fs.tables;
-    ivec2 at_3 = ivec2(position.xy);
+    ivec2 at_4 = ivec2(position.xy);
     ivec2 dims_2 = ivec2(uvec2(textureSize(_group_0_binding_2_fs, 0).xy));
     ivec2 size_3 = ivec2(dims_2.x, ((dims_2.y - 1) / MOMENTS));
-    ivec2 node = ivec2((at_3.x / AZIMUTHS), (at_3.y / ZENITHS));
+    ivec2 node = ivec2((at_4.x / AZIMUTHS), (at_4.y / ZENITHS));
     float _e33 = share_sun(t_10, (float(node.x) / float((size_3.x - 1))));
-    float _e42 = share_altitude(t_10, (float(node.y) / float((size_3.y - 1))), m_5.thickness);
+    float _e42 = share_altitude(t_10, (float(node.y) / float((size_3.y - 1))), m_6.thickness);
     vec3 sun_2 = vec3(sqrt(max(((1.0 - _e33) * (1.0 + _e33)), 0.0)), 0.0, _e33);
-    Direction _e60 = node_direction((at_3.y % ZENITHS), (at_3.x % AZIMUTHS), _e42, m_5.radius);
+    Direction _e60 = node_direction((at_4.y % ZENITHS), (at_4.x % AZIMUTHS), _e42, m_6.radius);
     float sine_1 = sqrt(max(((1.0 - _e60.mu) * (1.0 + _e60.mu)), 0.0));
     vec3 dir_2 = vec3((sine_1 * cos(_e60.azimuth)), (sine_1 * sin(_e60.azimuth)), _e60.mu);
-    AirRay _e83 = inner_ray(dir_2, _e42, m_5.radius, m_5.thickness, sun_2, !(_e60.above));
+    AirRay _e83 = inner_ray(dir_2, _e42, m_6.radius, m_6.thickness, sun_2, !(_e60.above));
     float nu_1 = _e83.nu;
     float _e86 = rayleigh_phase(nu_1);
-    vec3 gas_1 = (m_5.rayleigh * _e86);
+    vec3 gas_1 = (m_6.rayleigh * _e86);
     vec3 _e96 = henyey_greenstein_phase((1.0 - nu_1), (1.0 + nu_1), t_10.mie_asymmetry);
-    vec3 aerosol_1 = ((m_5.mie_scattering * t_10.mie_moment0_) * _e96);
-    Low _e100 = lowest(_e83, _e83.length_, m_5.radius);
+    vec3 aerosol_1 = ((m_6.mie_scattering * t_10.mie_moment0_) * _e96);
+    Low _e100 = lowest(_e83, _e83.length_, m_6.radius);
     float _e105 = unwarp(_e100.t, 0.0);
     float _e108 = unwarp(_e100.t, _e83.length_);
-    Gathered _e110 = gather(_group_0_binding_1_fs, _group_0_binding_2_fs, m_5, t_10, _e83, _e100, _e105, _e108, gas_1, aerosol_1, 1.0);
+    Gathered _e110 = gather(_group_0_binding_1_fs, _group_0_binding_2_fs, m_6, t_10, _e83, _e100, _e105, _e108, gas_1, aerosol_1, 1.0);
     radiance = _e110.radiance;
     if (_e83.ground) {
         float sun_b = (_e83.sun_b + (_e83.nu * _e83.length_));
-        float mu_ground = clamp((sun_b / m_5.radius), -1.0, 1.0);
+        float mu_ground = clamp((sun_b / m_6.radius), -1.0, 1.0);
         vec3 _e125 = ground_irradiance(_group_0_binding_2_fs, t_10, mu_ground);
         light = _e125;
         if ((mu_ground > 0.0)) {
-            scaled = m_5;
+            scaled = m_6;
             scaled.mie_extinction = t_10.mie_extinction;
             vec3 _e132 = light;
             Medium _e133 = scaled;
-            vec3 _e137 = columns_to_top(_group_0_binding_1_fs, m_5, 0.0, 0.0, sun_b);
+            vec3 _e137 = columns_to_top(_group_0_binding_1_fs, m_6, 0.0, 0.0, sun_b);
             vec3 _e138 = extinction(_e133, _e137);
             light = (_e132 + (mu_ground * exp(-(_e138))));
         }

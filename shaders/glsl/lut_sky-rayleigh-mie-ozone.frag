@@ -188,21 +188,26 @@ SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float h
     vec3 side_1 = cross(apart, sun_1);
     s_2.cross2_ = dot(side_1, side_1);
     vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
-    float _e36 = s_2.nu;
-    float _e42 = s_2.nu;
-    s_2.sun_b = ((start < half_) ? ((r_2 * sun_1.z) + (start * _e42)) : ((-(same) * dot(closest, apart)) - (half_ * _e36)));
+    float there = (-(same) * dot(closest, apart));
+    float here = (r_2 * sun_1.z);
+    float _e38 = s_2.nu;
+    float _e44 = s_2.nu;
+    bool nearer = ((abs(here) + (start * abs(_e38))) < (abs(there) + (half_ * abs(_e44))));
+    float _e51 = s_2.nu;
+    float _e55 = s_2.nu;
+    s_2.sun_b = (nearer ? (here + (start * _e55)) : (there - (half_ * _e51)));
     vec3 closest_side = cross(closest, sun_1);
-    float _e51 = s_2.cross2_;
-    s_2.shadow_b = (dot(closest_side, side_1) - (half_ * _e51));
+    float _e63 = s_2.cross2_;
+    s_2.shadow_b = (dot(closest_side, side_1) - (half_ * _e63));
     float q_1 = length((closest_side - (half_ * side_1)));
-    float _e59 = s_2.sun_b;
-    float _e61 = half_chord2_(_e59, x_top_1, (radius_5 - q_1), q_1);
-    s_2.shadow_c = -(_e61);
-    SunSide _e64 = s_2;
-    float _e66 = shadow_half2_(_e64, side_1.z, r_2, radius_5);
-    s_2.shadow_half2_ = _e66;
-    SunSide _e67 = s_2;
-    return _e67;
+    float _e71 = s_2.sun_b;
+    float _e73 = half_chord2_(_e71, x_top_1, (radius_5 - q_1), q_1);
+    s_2.shadow_c = -(_e73);
+    SunSide _e76 = s_2;
+    float _e78 = shadow_half2_(_e76, side_1.z, r_2, radius_5);
+    s_2.shadow_half2_ = _e78;
+    SunSide _e79 = s_2;
+    return _e79;
 }
 
 Low lowest(AirRay ray, float length_, float radius_6) {
@@ -213,7 +218,7 @@ Low lowest(AirRay ray, float length_, float radius_6) {
     if ((-(ray.b) <= length_)) {
         return Low(-(ray.b), ray.x_closest, 0.0);
     }
-    float b_4 = (ray.b + length_);
+    float b_5 = (ray.b + length_);
     if (ray.ground) {
         local = (length_ >= ray.length_);
     } else {
@@ -221,24 +226,24 @@ Low lowest(AirRay ray, float length_, float radius_6) {
     }
     bool _e26 = local;
     if (_e26) {
-        return Low(length_, 0.0, b_4);
+        return Low(length_, 0.0, b_5);
     }
     bool far = ((-(ray.b) * length_) > (radius_6 * radius_6));
-    return Low(length_, (far ? (ray.x_closest + (b_4 * b_4)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_4);
+    return Low(length_, (far ? (ray.x_closest + (b_5 * b_5)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_5);
 }
 
 vec2 shadow_stretch(AirRay ray_1) {
     vec2 stretch = vec2(0.0);
     vec2 none = vec2(1.0, 0.0);
     float a = ray_1.cross2_;
-    float b_5 = ray_1.shadow_b;
+    float b_6 = ray_1.shadow_b;
     float c_3 = ray_1.shadow_c;
     stretch = vec2(-(1e30), 1e30);
     if ((a > 1e-30)) {
         if ((ray_1.shadow_half2_ <= 0.0)) {
             return none;
         }
-        float q_2 = -((b_5 + (((b_5 >= 0.0) ? 1.0 : -1.0) * sqrt((a * ray_1.shadow_half2_)))));
+        float q_2 = -((b_6 + (((b_6 >= 0.0) ? 1.0 : -1.0) * sqrt((a * ray_1.shadow_half2_)))));
         float t0_2 = (q_2 / a);
         float t1_1 = ((q_2 != 0.0) ? (c_3 / q_2) : t0_2);
         stretch = vec2(min(t0_2, t1_1), max(t0_2, t1_1));
@@ -269,21 +274,21 @@ AirRay inner_ray(vec3 dir_2, float h_1, float radius_7, float thickness, vec3 su
     bool local_1 = false;
     float r_3 = (radius_7 + h_1);
     float _e7 = excess_of(h_1, radius_7);
-    float b_6 = (r_3 * dir_2.z);
+    float b_7 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
-    float _e16 = half_chord2_(b_6, _e7, (radius_7 - p_2), p_2);
+    float _e16 = half_chord2_(b_7, _e7, (radius_7 - p_2), p_2);
     SunSide _e17 = sun_side_inside(dir_2, sun_2, r_3, _e7, radius_7);
-    float to_ground = (_e7 / (sqrt(max(_e16, 0.0)) - b_6));
+    float to_ground = (_e7 / (sqrt(max(_e16, 0.0)) - b_7));
     float _e23 = excess_of(thickness, radius_7);
-    float _e24 = distance_to_top(_e7, b_6, _e23);
+    float _e24 = distance_to_top(_e7, b_7, _e23);
     if (ground) {
-        local_1 = (b_6 < 0.0);
+        local_1 = (b_7 < 0.0);
     } else {
         local_1 = false;
     }
     bool _e30 = local_1;
     float reach = (_e30 ? to_ground : _e24);
-    return AirRay(0.0, reach, _e7, b_6, -(_e16), _e17.sun_b, _e17.nu, _e17.cross2_, _e17.shadow_b, _e17.shadow_c, _e17.shadow_half2_, ground);
+    return AirRay(0.0, reach, _e7, b_7, -(_e16), _e17.sun_b, _e17.nu, _e17.cross2_, _e17.shadow_b, _e17.shadow_c, _e17.shadow_half2_, ground);
 }
 
 vec3 densities(Medium m, float h_2) {
@@ -325,21 +330,28 @@ vec4 bilinear(highp sampler2D table, Corner c, ivec2 origin) {
     return mix(bottom, top, c.part.y);
 }
 
-vec3 columns_to_top(highp sampler2D table_1, Medium m_2, float x_4, float h_3, float b_3) {
-    float _e7 = excess_of(m_2.thickness, m_2.radius);
+vec2 columns_share(float x_4, float h_3, float b_3, Medium m_2) {
+    float _e6 = excess_of(m_2.thickness, m_2.radius);
     float rho = sqrt(max(x_4, 0.0));
-    float rho_top = sqrt(_e7);
-    float _e12 = distance_to_top(x_4, b_3, _e7);
+    float rho_top = sqrt(_e6);
+    float _e11 = distance_to_top(x_4, b_3, _e6);
     float shortest = max((m_2.thickness - h_3), 0.0);
-    ivec2 size_1 = ivec2(uvec2(textureSize(table_1, 0).xy));
-    vec2 share_2 = vec2(((_e12 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
-    Corner _e32 = corner((share_2 * vec2((size_1 - ivec2(1)))), size_1);
-    vec4 _e35 = bilinear(table_1, _e32, ivec2(0));
-    return exp2(_e35.xyz);
+    return vec2(((_e11 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
 }
 
-float altitude_share(Tables t_1, float h_4, float thickness_1) {
-    return sqrt((log((1.0 + ((max(h_4, 0.0) / thickness_1) * t_1.altitude_growth))) / t_1.altitude_steepness));
+vec3 columns_to_top(highp sampler2D table_1, Medium m_3, float x_5, float h_4, float b_4) {
+    ivec2 size_1 = ivec2(uvec2(textureSize(table_1, 0).xy));
+    vec2 _e7 = columns_share(x_5, h_4, b_4, m_3);
+    vec2 at_1 = (_e7 * vec2((size_1 - ivec2(1))));
+    Corner _e13 = corner(at_1, size_1);
+    vec4 _e16 = bilinear(table_1, _e13, ivec2(0));
+    return exp2(_e16.xyz);
+}
+
+float altitude_share(Tables t_1, float h_5, float thickness_1) {
+    float grown = ((max(h_5, 0.0) / thickness_1) * t_1.altitude_growth);
+    float s_4 = ((grown < 0.05) ? (grown * (1.0 - (grown * (0.5 - (grown * (0.33333334 - (grown * 0.25))))))) : log((1.0 + grown)));
+    return sqrt((s_4 / t_1.altitude_steepness));
 }
 
 float sun_share(Tables t_2, float mu) {
@@ -370,15 +382,15 @@ float harmonic(int index, float mu_1, float along) {
     }
 }
 
-vec3 diffuse_source(highp sampler2D table_2, Medium m_3, Tables t_3, vec3 d_2, float h_5, float mu_2, float mu_sun, float nu) {
+vec3 diffuse_source(highp sampler2D table_2, Medium m_4, Tables t_3, vec3 d_2, float h_6, float mu_2, float mu_sun, float nu) {
     Corner c_1 = Corner(ivec2(0), ivec2(0), vec2(0.0));
     vec3 source = vec3(0.0);
     ivec2 dims = ivec2(uvec2(textureSize(table_2, 0).xy));
     ivec2 size_2 = ivec2(dims.x, ((dims.y - 1) / MOMENTS));
     float _e17 = sun_share(t_3, mu_sun);
-    float _e19 = altitude_share(t_3, h_5, m_3.thickness);
-    vec2 at_1 = (vec2(_e17, _e19) * vec2((size_2 - ivec2(1))));
-    Corner _e26 = corner(at_1, size_2);
+    float _e19 = altitude_share(t_3, h_6, m_4.thickness);
+    vec2 at_2 = (vec2(_e17, _e19) * vec2((size_2 - ivec2(1))));
+    Corner _e26 = corner(at_2, size_2);
     c_1 = _e26;
     int _e30 = c_1.low.y;
     c_1.low.y = (_e30 * MOMENTS);
@@ -401,7 +413,7 @@ vec3 diffuse_source(highp sampler2D table_2, Medium m_3, Tables t_3, vec3 d_2, f
     float _e91 = harmonic(5, mu_2, along_1);
     vec3 l2_ = (((_e69.xyz * _e72) + (_e78.xyz * _e81)) + (_e88.xyz * _e91));
     vec3 _e97 = source;
-    source = (_e97 + ((m_3.rayleigh * d_2.x) * (vec3(0.2820948) + (0.1 * l2_))));
+    source = (_e97 + ((m_4.rayleigh * d_2.x) * (vec3(0.2820948) + (0.1 * l2_))));
     Corner _e108 = c_1;
     vec4 _e112 = bilinear(table_2, _e108, ivec2(0, 1));
     float _e115 = harmonic(1, mu_2, along_1);
@@ -410,7 +422,7 @@ vec3 diffuse_source(highp sampler2D table_2, Medium m_3, Tables t_3, vec3 d_2, f
     float _e124 = harmonic(2, mu_2, along_1);
     vec3 l1_ = ((_e112.xyz * _e115) + (_e121.xyz * _e124));
     vec3 _e127 = source;
-    source = (_e127 + ((m_3.mie_scattering * d_2.y) * (((SH0_ * t_3.mie_moment0_) + (l1_ * t_3.mie_moment1_)) + (l2_ * t_3.mie_moment2_))));
+    source = (_e127 + ((m_4.mie_scattering * d_2.y) * (((SH0_ * t_3.mie_moment0_) + (l1_ * t_3.mie_moment1_)) + (l2_ * t_3.mie_moment2_))));
     vec3 _e142 = source;
     return (_e142 * mean);
 }
@@ -445,12 +457,12 @@ vec2 lit_part(vec2 shadow, float low_2, float t0_, float t1_, float mid) {
 }
 
 Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium, Tables t_5, AirRay ray_2, Low lowest_1, float u_from, float u_to, vec3 gas, vec3 aerosol, float diffuse) {
-    Medium m_4 = Medium(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
+    Medium m_5 = Medium(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
     Gathered out_ = Gathered(vec3(0.0), vec3(1.0), vec3(0.0));
     float t0_1 = 0.0;
     uint i = 0u;
-    m_4 = medium;
-    m_4.mie_extinction = t_5.mie_extinction;
+    m_5 = medium;
+    m_5.mie_extinction = t_5.mie_extinction;
     vec2 _e22 = shadow_stretch(ray_2);
     float low_5 = lowest_1.t;
     float du = ((u_to - u_from) / float(t_5.steps));
@@ -475,41 +487,41 @@ Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium,
             float _e41 = t0_1;
             float step_ = (_e40 - _e41);
             float _e46 = warp(low_5, (u_1 + (0.5 * du)));
-            float _e51 = m_4.radius;
+            float _e51 = m_5.radius;
             float _e52 = altitude_after(lowest_1.x, lowest_1.b, (_e46 - low_5), _e51);
-            Medium _e53 = m_4;
+            Medium _e53 = m_5;
             vec3 _e54 = densities(_e53, _e52);
-            Medium _e55 = m_4;
+            Medium _e55 = m_5;
             vec3 _e56 = extinction(_e55, _e54);
             vec3 tau_1 = (_e56 * step_);
             vec3 _e59 = out_.transmittance;
             vec3 _e60 = mean_transmittance(tau_1);
-            vec3 share_3 = (_e59 * _e60);
+            vec3 share_2 = (_e59 * _e60);
             float _e62 = t0_1;
             vec2 _e63 = lit_part(_e22, low_5, _e62, _e40, _e46);
             if ((_e63.x > 0.0)) {
                 float past = (_e63.y - low_5);
                 float lit_x = max((lowest_1.x + (past * ((2.0 * lowest_1.b) + past))), 0.0);
-                float _e79 = m_4.radius;
+                float _e79 = m_5.radius;
                 float _e80 = altitude_of(lit_x, _e79);
-                Medium _e81 = m_4;
+                Medium _e81 = m_5;
                 vec3 _e82 = densities(_e81, _e80);
-                Medium _e83 = m_4;
+                Medium _e83 = m_5;
                 vec3 _e89 = columns_to_top(columns, _e83, lit_x, _e80, (ray_2.sun_b + (ray_2.nu * _e63.y)));
-                Medium _e95 = m_4;
+                Medium _e95 = m_5;
                 vec3 _e96 = extinction(_e95, _e89);
                 vec3 source_1 = (((gas * _e82.x) + (aerosol * _e82.y)) * exp(-(_e96)));
                 vec3 _e101 = out_.radiance;
-                out_.radiance = (_e101 + ((share_3 * source_1) * _e63.x));
+                out_.radiance = (_e101 + ((share_2 * source_1) * _e63.x));
             }
-            float _e107 = m_4.radius;
+            float _e107 = m_5.radius;
             float r_4 = (_e107 + _e52);
             float mu_5 = clamp((((lowest_1.b + _e46) - low_5) / r_4), -1.0, 1.0);
             float mu_sun_1 = clamp(((ray_2.sun_b + (ray_2.nu * _e46)) / r_4), -1.0, 1.0);
             vec3 _e125 = out_.radiance;
-            Medium _e128 = m_4;
+            Medium _e128 = m_5;
             vec3 _e130 = diffuse_source(moments, _e128, t_5, _e54, _e52, mu_5, mu_sun_1, ray_2.nu);
-            out_.radiance = (_e125 + ((share_3 * (step_ * diffuse)) * _e130));
+            out_.radiance = (_e125 + ((share_2 * (step_ * diffuse)) * _e130));
             vec3 _e134 = out_.transmittance;
             out_.transmittance = (_e134 * exp(-(tau_1)));
             vec3 _e139 = out_.columns;
@@ -527,71 +539,81 @@ vec2 share_azimuth(float share) {
     return (vec2(((c_4 - share) * (c_4 + share)), ((2.0 * share) * c_4)) * norm);
 }
 
-TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_6, Medium m_5, vec3 sun_3) {
+TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_7, Medium m_6, vec3 sun_3) {
     bool local_2 = false;
     float c2_ = 0.0;
+    float approach = 0.0;
+    float under_top = 0.0;
     float mu_3 = 0.0;
     SunSide s_3 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     float start_1 = 0.0;
-    float r_5 = (m_5.radius + h_6);
-    float _e9 = excess_of(h_6, m_5.radius);
-    float _e12 = excess_of(m_5.thickness, m_5.radius);
+    float r_5 = (m_6.radius + h_7);
+    float _e9 = excess_of(h_7, m_6.radius);
+    float _e12 = excess_of(m_6.thickness, m_6.radius);
     vec2 _e13 = share_azimuth(azimuth);
-    bool outside = (h_6 > m_5.thickness);
+    bool outside = (h_7 > m_6.thickness);
+    float q_3 = (share_1 * share_1);
+    float rest = ((1.0 - share_1) * (1.0 + share_1));
     if (!(outside)) {
         local_2 = !(ground_1);
     } else {
         local_2 = false;
     }
-    bool _e21 = local_2;
-    if (_e21) {
+    bool _e27 = local_2;
+    if (_e27) {
         float horizon = (sqrt(_e9) / r_5);
-        float s_max = sqrt((0.5 + (0.5 * horizon)));
-        float s_4 = (s_max * (1.0 - (share_1 * share_1)));
-        float mu_6 = (1.0 - ((2.0 * s_4) * s_4));
-        vec3 dir_3 = vec3((_e13 * ((2.0 * s_4) * sqrt(max((1.0 - (s_4 * s_4)), 0.0)))), mu_6);
-        AirRay _e52 = inner_ray(dir_3, h_6, m_5.radius, m_5.thickness, sun_3, false);
-        return TableRay(dir_3, _e52);
+        float s_5 = (sqrt((0.5 + (0.5 * horizon))) * rest);
+        float rise = (((0.5 + (0.5 * horizon)) * q_3) * (1.0 + rest));
+        float mu_6 = ((2.0 * rise) - horizon);
+        float foot = (m_6.radius / r_5);
+        vec3 dir_3 = vec3((_e13 * ((2.0 * s_5) * sqrt(((((0.5 * foot) * foot) / (1.0 + horizon)) + rise)))), mu_6);
+        AirRay _e65 = inner_ray(dir_3, h_7, m_6.radius, m_6.thickness, sun_3, false);
+        return TableRay(dir_3, _e65);
     }
     if (ground_1) {
-        float s_5 = (SQRT_HALF * (1.0 - (share_1 * share_1)));
-        mu_3 = max((1.0 - ((2.0 * s_5) * s_5)), 0.0);
-        float _e74 = mu_3;
-        float _e76 = mu_3;
-        c2_ = (((-(m_5.radius) * m_5.radius) * _e74) * _e76);
+        float s_6 = (SQRT_HALF * rest);
+        mu_3 = (q_3 * (1.0 + rest));
+        float _e84 = mu_3;
+        float _e86 = mu_3;
+        c2_ = (((-(m_6.radius) * m_6.radius) * _e84) * _e86);
+        approach = (m_6.radius * ((2.0 * s_6) * sqrt((1.0 - (s_6 * s_6)))));
+        float _e97 = c2_;
+        under_top = (_e12 - _e97);
     } else {
-        float _e82 = excess_of(((m_5.thickness * share_1) * share_1), m_5.radius);
-        c2_ = _e82;
+        float _e102 = excess_of((m_6.thickness * q_3), m_6.radius);
+        c2_ = _e102;
+        approach = (m_6.radius + (m_6.thickness * q_3));
+        under_top = ((m_6.thickness * rest) * ((2.0 * m_6.radius) + (m_6.thickness * (1.0 + q_3))));
     }
+    float above_1 = ((h_7 - m_6.thickness) * (((2.0 * m_6.radius) + m_6.thickness) + h_7));
     float start_x = (outside ? _e12 : _e9);
-    float _e84 = c2_;
-    float b_7 = -(sqrt(max((start_x - _e84), 0.0)));
-    float _e93 = c2_;
-    float approach = sqrt(max(((m_5.radius * m_5.radius) + _e93), 0.0));
-    float sine_1 = min((approach / r_5), 1.0);
-    float _e101 = c2_;
-    float down = (-(sqrt(max((_e9 - _e101), 0.0))) / r_5);
-    vec3 dir_4 = vec3((_e13 * sine_1), down);
+    float _e128 = c2_;
+    float _e132 = under_top;
+    float b_8 = -(sqrt((outside ? _e132 : max((_e9 - _e128), 0.0))));
+    float _e136 = under_top;
+    float down = ((outside ? -(sqrt(max((above_1 + _e136), 0.0))) : b_8) / r_5);
+    float _e144 = approach;
+    vec3 dir_4 = vec3((_e13 * min((_e144 / r_5), 1.0)), down);
     if (outside) {
-        start_1 = (((h_6 - m_5.thickness) * (((2.0 * m_5.radius) + m_5.thickness) + h_6)) / (-(b_7) - (r_5 * down)));
-        float _e126 = start_1;
-        SunSide _e129 = sun_side_outside(dir_4, sun_3, r_5, _e126, -(b_7), _e12, m_5.radius);
-        s_3 = _e129;
+        start_1 = (above_1 / (-(b_8) - (r_5 * down)));
+        float _e157 = start_1;
+        SunSide _e160 = sun_side_outside(dir_4, sun_3, r_5, _e157, -(b_8), _e12, m_6.radius);
+        s_3 = _e160;
     } else {
-        SunSide _e131 = sun_side_inside(dir_4, sun_3, r_5, _e9, m_5.radius);
-        s_3 = _e131;
+        SunSide _e162 = sun_side_inside(dir_4, sun_3, r_5, _e9, m_6.radius);
+        s_3 = _e162;
     }
-    float _e135 = mu_3;
-    float reach_1 = (ground_1 ? (start_x / ((m_5.radius * _e135) - b_7)) : (-2.0 * b_7));
-    float _e140 = start_1;
-    float _e141 = c2_;
-    float _e143 = s_3.sun_b;
-    float _e145 = s_3.nu;
-    float _e147 = s_3.cross2_;
-    float _e149 = s_3.shadow_b;
-    float _e151 = s_3.shadow_c;
-    float _e153 = s_3.shadow_half2_;
-    AirRay ray_3 = AirRay(_e140, reach_1, start_x, b_7, _e141, _e143, _e145, _e147, _e149, _e151, _e153, ground_1);
+    float _e166 = mu_3;
+    float reach_1 = (ground_1 ? (start_x / max(((m_6.radius * _e166) - b_8), 1e-20)) : (-2.0 * b_8));
+    float _e173 = start_1;
+    float _e174 = c2_;
+    float _e176 = s_3.sun_b;
+    float _e178 = s_3.nu;
+    float _e180 = s_3.cross2_;
+    float _e182 = s_3.shadow_b;
+    float _e184 = s_3.shadow_c;
+    float _e186 = s_3.shadow_half2_;
+    AirRay ray_3 = AirRay(_e173, reach_1, start_x, b_8, _e174, _e176, _e178, _e180, _e182, _e184, _e186, ground_1);
     return TableRay(dir_4, ray_3);
 }
 
@@ -603,28 +625,28 @@ void main() {
     vec4 position = gl_FragCoord;
     Frame f = _group_0_binding_0_fs.frame;
     Tables t_7 = _group_0_binding_0_fs.tables;
-    Medium m_6 = f.medium;
-    ivec2 at_2 = ivec2(position.xy);
+    Medium m_7 = f.medium;
+    ivec2 at_3 = ivec2(position.xy);
     ivec2 size_3 = ivec2(t_7.size);
-    float azimuth_1 = (float(at_2.x) / float((size_3.x - 1)));
+    float azimuth_1 = (float(at_3.x) / float((size_3.x - 1)));
     int ground_rows = int(t_7.ground_rows);
-    bool ground_2 = (at_2.y < ground_rows);
+    bool ground_2 = (at_3.y < ground_rows);
     int first_1 = (ground_2 ? 0 : ground_rows);
     int rows = (ground_2 ? ground_rows : (size_3.y - ground_rows));
-    float share_4 = (float((at_2.y - first_1)) / float((rows - 1)));
-    TableRay _e37 = table_ray(azimuth_1, share_4, ground_2, f.altitude, m_6, f.sun);
+    float share_3 = (float((at_3.y - first_1)) / float((rows - 1)));
+    TableRay _e37 = table_ray(azimuth_1, share_3, ground_2, f.altitude, m_7, f.sun);
     AirRay ray_4 = _e37.ray;
     if ((ray_4.length_ <= 0.0)) {
         _fs2p_location0 = vec4(0.0, 0.0, 0.0, 1.0);
         return;
     }
-    Low _e49 = lowest(ray_4, ray_4.length_, m_6.radius);
+    Low _e49 = lowest(ray_4, ray_4.length_, m_7.radius);
     float _e52 = unwarp(_e49.t, 0.0);
     float _e55 = unwarp(_e49.t, ray_4.length_);
     float _e58 = rayleigh_phase(ray_4.nu);
-    vec3 gas_1 = (m_6.rayleigh * _e58);
-    Gathered _e65 = gather(_group_0_binding_1_fs, _group_0_binding_2_fs, m_6, t_7, ray_4, _e49, _e52, _e55, gas_1, vec3(0.0), 1.0);
-    vec3 _e67 = extinction(m_6, _e65.columns);
+    vec3 gas_1 = (m_7.rayleigh * _e58);
+    Gathered _e65 = gather(_group_0_binding_1_fs, _group_0_binding_2_fs, m_7, t_7, ray_4, _e49, _e52, _e55, gas_1, vec3(0.0), 1.0);
+    vec3 _e67 = extinction(m_7, _e65.columns);
     float grey = dot(exp(-(_e67)), vec3(0.33333334));
     float scale = (ground_2 ? (1.0 / ray_4.length_) : 1.0);
     _fs2p_location0 = vec4(sqrt(sqrt((max(_e65.radiance, vec3(0.0)) * scale))), grey);

@@ -45,7 +45,7 @@ struct Low {
     float b;
 };
 const float INV_4PI = 0.07957747;
-const int CASE_TEXELS = 10;
+const int CASE_TEXELS = 12;
 const int ANSWERS = 4;
 
 uniform highp sampler2D _group_0_binding_1_fs;
@@ -117,21 +117,26 @@ SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float h
     vec3 side_1 = cross(apart, sun_1);
     s_2.cross2_ = dot(side_1, side_1);
     vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
-    float _e36 = s_2.nu;
-    float _e42 = s_2.nu;
-    s_2.sun_b = ((start < half_) ? ((r_2 * sun_1.z) + (start * _e42)) : ((-(same) * dot(closest, apart)) - (half_ * _e36)));
+    float there = (-(same) * dot(closest, apart));
+    float here = (r_2 * sun_1.z);
+    float _e38 = s_2.nu;
+    float _e44 = s_2.nu;
+    bool nearer = ((abs(here) + (start * abs(_e38))) < (abs(there) + (half_ * abs(_e44))));
+    float _e51 = s_2.nu;
+    float _e55 = s_2.nu;
+    s_2.sun_b = (nearer ? (here + (start * _e55)) : (there - (half_ * _e51)));
     vec3 closest_side = cross(closest, sun_1);
-    float _e51 = s_2.cross2_;
-    s_2.shadow_b = (dot(closest_side, side_1) - (half_ * _e51));
+    float _e63 = s_2.cross2_;
+    s_2.shadow_b = (dot(closest_side, side_1) - (half_ * _e63));
     float q_1 = length((closest_side - (half_ * side_1)));
-    float _e59 = s_2.sun_b;
-    float _e61 = half_chord2_(_e59, x_top_1, (radius_5 - q_1), q_1);
-    s_2.shadow_c = -(_e61);
-    SunSide _e64 = s_2;
-    float _e66 = shadow_half2_(_e64, side_1.z, r_2, radius_5);
-    s_2.shadow_half2_ = _e66;
-    SunSide _e67 = s_2;
-    return _e67;
+    float _e71 = s_2.sun_b;
+    float _e73 = half_chord2_(_e71, x_top_1, (radius_5 - q_1), q_1);
+    s_2.shadow_c = -(_e73);
+    SunSide _e76 = s_2;
+    float _e78 = shadow_half2_(_e76, side_1.z, r_2, radius_5);
+    s_2.shadow_half2_ = _e78;
+    SunSide _e79 = s_2;
+    return _e79;
 }
 
 AirRay air_ray(vec3 dir_2, float h_1, float radius_6, float thickness, vec3 sun_2) {
@@ -272,31 +277,33 @@ void main() {
     vec4 light = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(7, 0)), 0);
     vec4 path = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(8, 0)), 0);
     vec4 angle = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(9, 0)), 0);
-    AirRay _e48 = air_ray(view.xyz, view.w, _e14.radius, _e14.thickness, light.xyz);
+    vec4 share = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(10, 0)), 0);
+    vec4 scale = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(11, 0)), 0);
+    AirRay _e62 = air_ray(view.xyz, view.w, _e14.radius, _e14.thickness, light.xyz);
     if ((answer == 0)) {
-        _fs2p_location0 = vec4(_e48.start, _e48.length_, _e48.x, _e48.b);
+        _fs2p_location0 = vec4(_e62.start, _e62.length_, _e62.x, _e62.b);
         return;
     }
     if ((answer == 1)) {
-        _fs2p_location0 = vec4(_e48.sun_b, _e48.nu, _e48.cross2_, float(_e48.ground));
+        _fs2p_location0 = vec4(_e62.sun_b, _e62.nu, _e62.cross2_, float(_e62.ground));
         return;
     }
     if ((answer == 2)) {
-        float reach_2 = max(_e48.length_, 0.0);
-        vec2 _e69 = shadow_stretch(_e48);
-        vec2 shadow = clamp(_e69, vec2(0.0), vec2(reach_2));
-        bool _e77 = hits_planet(view.xyz, view.w, _e14.radius);
-        float hits = float(_e77);
-        Low _e80 = lowest(_e48, reach_2, _e14.radius);
-        float _e88 = altitude_after(_e80.x, _e80.b, ((light.w * reach_2) - _e80.t), _e14.radius);
-        _fs2p_location0 = vec4(_e88, hits, shadow);
+        float reach_2 = max(_e62.length_, 0.0);
+        vec2 _e83 = shadow_stretch(_e62);
+        vec2 shadow = clamp(_e83, vec2(0.0), vec2(reach_2));
+        bool _e91 = hits_planet(view.xyz, view.w, _e14.radius);
+        float hits = float(_e91);
+        Low _e94 = lowest(_e62, reach_2, _e14.radius);
+        float _e102 = altitude_after(_e94.x, _e94.b, ((light.w * reach_2) - _e94.t), _e14.radius);
+        _fs2p_location0 = vec4(_e102, hits, shadow);
         return;
     }
-    float _e92 = excess_of(view.w, _e14.radius);
-    float _e94 = altitude_of(_e92, _e14.radius);
-    float _e99 = excess_of(_e14.thickness, _e14.radius);
-    float _e100 = distance_to_top(path.x, path.y, _e99);
-    _fs2p_location0 = vec4(_e92, _e94, _e100, 0.0);
+    float _e106 = excess_of(view.w, _e14.radius);
+    float _e108 = altitude_of(_e106, _e14.radius);
+    float _e113 = excess_of(_e14.thickness, _e14.radius);
+    float _e114 = distance_to_top(path.x, path.y, _e113);
+    _fs2p_location0 = vec4(_e106, _e108, _e114, 0.0);
     return;
 }
 

@@ -18,7 +18,7 @@ struct Medium {
     float thickness;
 };
 const float INV_4PI = 0.07957747;
-const int CASE_TEXELS = 10;
+const int CASE_TEXELS = 12;
 const int ANSWERS = 5;
 
 uniform highp sampler2D _group_0_binding_1_fs;
@@ -88,30 +88,32 @@ void main() {
     vec4 light = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(7, 0)), 0);
     vec4 path = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(8, 0)), 0);
     vec4 angle = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(9, 0)), 0);
-    vec3 _e44 = densities(_e14, view.w);
+    vec4 share = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(10, 0)), 0);
+    vec4 scale = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(11, 0)), 0);
+    vec3 _e58 = densities(_e14, view.w);
     if ((answer == 0)) {
-        float _e50 = rayleigh_phase((1.0 - angle.x));
-        _fs2p_location0 = vec4(_e44, _e50);
+        float _e64 = rayleigh_phase((1.0 - angle.x));
+        _fs2p_location0 = vec4(_e58, _e64);
         return;
     }
     if ((answer == 1)) {
-        vec3 _e54 = extinction(_e14, _e44);
-        _fs2p_location0 = vec4(_e54, 0.0);
+        vec3 _e68 = extinction(_e14, _e58);
+        _fs2p_location0 = vec4(_e68, 0.0);
         return;
     }
     if ((answer == 2)) {
-        vec3 _e64 = henyey_greenstein_phase(angle.x, (2.0 - angle.x), _e14.mie_asymmetry);
-        _fs2p_location0 = vec4(_e64, 0.0);
+        vec3 _e78 = henyey_greenstein_phase(angle.x, (2.0 - angle.x), _e14.mie_asymmetry);
+        _fs2p_location0 = vec4(_e78, 0.0);
         return;
     }
     if ((answer == 3)) {
-        vec3 _e74 = cornette_shanks_phase(angle.x, (2.0 - angle.x), _e14.mie_asymmetry);
-        _fs2p_location0 = vec4(_e74, 0.0);
+        vec3 _e88 = cornette_shanks_phase(angle.x, (2.0 - angle.x), _e14.mie_asymmetry);
+        _fs2p_location0 = vec4(_e88, 0.0);
         return;
     }
-    vec3 _e77 = extinction(_e14, _e44);
-    vec3 _e80 = mean_transmittance((_e77 * path.z));
-    _fs2p_location0 = vec4(_e80, 0.0);
+    vec3 _e91 = extinction(_e14, _e58);
+    vec3 _e94 = mean_transmittance((_e91 * path.z));
+    _fs2p_location0 = vec4(_e94, 0.0);
     return;
 }
 

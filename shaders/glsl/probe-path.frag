@@ -18,7 +18,7 @@ struct Medium {
     float thickness;
 };
 const float INV_4PI = 0.07957747;
-const int CASE_TEXELS = 10;
+const int CASE_TEXELS = 12;
 const int ANSWERS = 2;
 
 uniform highp sampler2D _group_0_binding_1_fs;
@@ -137,13 +137,15 @@ void main() {
     vec4 light = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(7, 0)), 0);
     vec4 path = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(8, 0)), 0);
     vec4 angle = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(9, 0)), 0);
+    vec4 share = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(10, 0)), 0);
+    vec4 scale = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(11, 0)), 0);
     if ((answer == 0)) {
-        vec3 _e50 = path_densities(_e14, path.x, path.y, path.z, uint(path.w));
-        _fs2p_location0 = vec4(_e50, 0.0);
+        vec3 _e64 = path_densities(_e14, path.x, path.y, path.z, uint(path.w));
+        _fs2p_location0 = vec4(_e64, 0.0);
         return;
     }
-    vec3 _e57 = sun_transmittance(_e14, path.x, path.y, uint(path.w));
-    _fs2p_location0 = vec4(_e57, 0.0);
+    vec3 _e71 = sun_transmittance(_e14, path.x, path.y, uint(path.w));
+    _fs2p_location0 = vec4(_e71, 0.0);
     return;
 }
 

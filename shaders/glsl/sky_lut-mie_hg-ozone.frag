@@ -115,12 +115,16 @@ vec3 pixel_ray(Frame f, vec2 pixel) {
     return ((f.ray_forward + (f.ray_right * ndc.x)) + (f.ray_up * ndc.y));
 }
 
-float excess_of(float h, float radius) {
-    return (h * ((2.0 * radius) + h));
+float altitude_of(float x, float radius) {
+    return (x / (radius + sqrt(max(((radius * radius) + x), 0.0))));
 }
 
-float distance_to_top(float x, float b, float x_top) {
-    float c_2 = max((x_top - x), 0.0);
+float excess_of(float h, float radius_1) {
+    return (h * ((2.0 * radius_1) + h));
+}
+
+float distance_to_top(float x_1, float b, float x_top) {
+    float c_2 = max((x_top - x_1), 0.0);
     float root = sqrt(((b * b) + c_2));
     if ((b > 0.0)) {
         return (c_2 / (b + root));
@@ -136,14 +140,14 @@ float half_chord2_(float b_1, float above, float depth, float p) {
     return (depth * (sphere + p));
 }
 
-float shadow_half2_(SunSide s, float side_z, float r, float radius_1) {
+float shadow_half2_(SunSide s, float side_z, float r, float radius_2) {
     float sine = max(sqrt(s.cross2_), 1e-18);
     float p_1 = ((r * abs(side_z)) / sine);
-    float _e15 = half_chord2_((s.shadow_b / sine), s.shadow_c, (radius_1 - p_1), p_1);
+    float _e15 = half_chord2_((s.shadow_b / sine), s.shadow_c, (radius_2 - p_1), p_1);
     return _e15;
 }
 
-SunSide sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_1, float radius_2) {
+SunSide sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_2, float radius_3) {
     SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     s_1.nu = dot(dir, sun);
     float _e9 = s_1.nu;
@@ -153,16 +157,16 @@ SunSide sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_1, float radius_2
     s_1.shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
     float q = (r_1 * length(sun.xy));
     float _e37 = s_1.sun_b;
-    float _e39 = half_chord2_(_e37, x_1, (radius_2 - q), q);
+    float _e39 = half_chord2_(_e37, x_2, (radius_3 - q), q);
     s_1.shadow_c = -(_e39);
     SunSide _e42 = s_1;
-    float _e44 = shadow_half2_(_e42, side.z, r_1, radius_2);
+    float _e44 = shadow_half2_(_e42, side.z, r_1, radius_3);
     s_1.shadow_half2_ = _e44;
     SunSide _e45 = s_1;
     return _e45;
 }
 
-SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half_, float x_top_1, float radius_3) {
+SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half_, float x_top_1, float radius_4) {
     SunSide s_2 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     s_2.nu = dot(dir_1, sun_1);
     float _e11 = s_2.nu;
@@ -171,32 +175,37 @@ SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float h
     vec3 side_1 = cross(apart, sun_1);
     s_2.cross2_ = dot(side_1, side_1);
     vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
-    float _e36 = s_2.nu;
-    float _e42 = s_2.nu;
-    s_2.sun_b = ((start < half_) ? ((r_2 * sun_1.z) + (start * _e42)) : ((-(same) * dot(closest, apart)) - (half_ * _e36)));
+    float there = (-(same) * dot(closest, apart));
+    float here = (r_2 * sun_1.z);
+    float _e38 = s_2.nu;
+    float _e44 = s_2.nu;
+    bool nearer = ((abs(here) + (start * abs(_e38))) < (abs(there) + (half_ * abs(_e44))));
+    float _e51 = s_2.nu;
+    float _e55 = s_2.nu;
+    s_2.sun_b = (nearer ? (here + (start * _e55)) : (there - (half_ * _e51)));
     vec3 closest_side = cross(closest, sun_1);
-    float _e51 = s_2.cross2_;
-    s_2.shadow_b = (dot(closest_side, side_1) - (half_ * _e51));
+    float _e63 = s_2.cross2_;
+    s_2.shadow_b = (dot(closest_side, side_1) - (half_ * _e63));
     float q_1 = length((closest_side - (half_ * side_1)));
-    float _e59 = s_2.sun_b;
-    float _e61 = half_chord2_(_e59, x_top_1, (radius_3 - q_1), q_1);
-    s_2.shadow_c = -(_e61);
-    SunSide _e64 = s_2;
-    float _e66 = shadow_half2_(_e64, side_1.z, r_2, radius_3);
-    s_2.shadow_half2_ = _e66;
-    SunSide _e67 = s_2;
-    return _e67;
+    float _e71 = s_2.sun_b;
+    float _e73 = half_chord2_(_e71, x_top_1, (radius_4 - q_1), q_1);
+    s_2.shadow_c = -(_e73);
+    SunSide _e76 = s_2;
+    float _e78 = shadow_half2_(_e76, side_1.z, r_2, radius_4);
+    s_2.shadow_half2_ = _e78;
+    SunSide _e79 = s_2;
+    return _e79;
 }
 
-AirRay air_ray(vec3 dir_2, float h_1, float radius_4, float thickness, vec3 sun_2) {
+AirRay air_ray(vec3 dir_2, float h_1, float radius_5, float thickness, vec3 sun_2) {
     bool local = false;
     bool local_1 = false;
-    float r_3 = (radius_4 + h_1);
-    float _e6 = excess_of(thickness, radius_4);
+    float r_3 = (radius_5 + h_1);
+    float _e6 = excess_of(thickness, radius_5);
     float b_2 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
-    float _e14 = excess_of(h_1, radius_4);
-    float _e16 = half_chord2_(b_2, _e14, (radius_4 - p_2), p_2);
+    float _e14 = excess_of(h_1, radius_5);
+    float _e16 = half_chord2_(b_2, _e14, (radius_5 - p_2), p_2);
     if ((b_2 < 0.0)) {
         local = (_e16 >= 0.0);
     } else {
@@ -204,14 +213,14 @@ AirRay air_ray(vec3 dir_2, float h_1, float radius_4, float thickness, vec3 sun_
     }
     bool ground_1 = local;
     if ((h_1 <= thickness)) {
-        float _e26 = excess_of(h_1, radius_4);
-        SunSide _e27 = sun_side_inside(dir_2, sun_2, r_3, _e26, radius_4);
+        float _e26 = excess_of(h_1, radius_5);
+        SunSide _e27 = sun_side_inside(dir_2, sun_2, r_3, _e26, radius_5);
         float to_ground = (_e26 / (sqrt(max(_e16, 0.0)) - b_2));
         float _e33 = distance_to_top(_e26, b_2, _e6);
         float reach = (ground_1 ? to_ground : _e33);
         return AirRay(0.0, reach, _e26, b_2, -(_e16), _e27.sun_b, _e27.nu, _e27.cross2_, _e27.shadow_b, _e27.shadow_c, _e27.shadow_half2_, ground_1);
     }
-    float above_1 = ((h_1 - thickness) * ((r_3 + radius_4) + thickness));
+    float above_1 = ((h_1 - thickness) * ((r_3 + radius_5) + thickness));
     float top2_ = (((b_2 * b_2) < _e6) ? ((b_2 * b_2) - above_1) : (_e16 + _e6));
     if (!((b_2 >= 0.0))) {
         local_1 = (top2_ <= 0.0);
@@ -224,7 +233,7 @@ AirRay air_ray(vec3 dir_2, float h_1, float radius_4, float thickness, vec3 sun_
     }
     float half_1 = sqrt(top2_);
     float start_1 = (above_1 / (half_1 - b_2));
-    SunSide _e79 = sun_side_outside(dir_2, sun_2, r_3, start_1, half_1, _e6, radius_4);
+    SunSide _e79 = sun_side_outside(dir_2, sun_2, r_3, start_1, half_1, _e6, radius_5);
     float reach_1 = (ground_1 ? (_e6 / (half_1 + sqrt(max(_e16, 0.0)))) : (2.0 * half_1));
     return AirRay(start_1, reach_1, _e6, -(half_1), -(_e16), _e79.sun_b, _e79.nu, _e79.cross2_, _e79.shadow_b, _e79.shadow_c, _e79.shadow_half2_, ground_1);
 }
@@ -262,24 +271,27 @@ float azimuth_share(vec3 dir_3) {
 
 float zenith_share(AirRay ray, vec3 dir_4, float h_2, Medium m) {
     bool local_2 = false;
+    float flat_1 = length(dir_4.xy);
     if (ray.ground) {
         float mu = clamp((-((ray.b + ray.length_)) / m.radius), 0.0, 1.0);
-        float _e22 = crowded((0.5 * mu), sqrt((0.5 - (0.5 * mu))), SQRT_HALF);
-        return _e22;
+        float s_5 = (((1.0 + (h_2 / m.radius)) * flat_1) / sqrt((2.0 + (2.0 * mu))));
+        float _e30 = crowded((0.5 * mu), s_5, SQRT_HALF);
+        return _e30;
     }
     if (!((ray.start > 0.0))) {
         local_2 = (h_2 > m.thickness);
     } else {
         local_2 = true;
     }
-    bool _e32 = local_2;
-    if (_e32) {
-        float tangent = (((m.radius + h_2) * length(dir_4.xy)) - m.radius);
-        return sqrt(clamp((tangent / m.thickness), 0.0, 1.0));
+    bool _e40 = local_2;
+    if (_e40) {
+        float _e43 = altitude_of(ray.x_closest, m.radius);
+        return sqrt(clamp((_e43 / m.thickness), 0.0, 1.0));
     }
     float horizon = (sqrt(ray.x) / (m.radius + h_2));
-    float _e68 = crowded((0.5 * (dir_4.z + horizon)), sqrt(max((0.5 - (0.5 * dir_4.z)), 0.0)), sqrt((0.5 + (0.5 * horizon))));
-    return _e68;
+    float s_6 = ((dir_4.z > 0.0) ? (flat_1 / sqrt(max((2.0 + (2.0 * dir_4.z)), 1.0))) : sqrt((0.5 - (0.5 * dir_4.z))));
+    float _e83 = crowded((0.5 * (dir_4.z + horizon)), s_6, sqrt((0.5 + (0.5 * horizon))));
+    return _e83;
 }
 
 float sky_row(float share, bool ground, int rows, float ground_rows) {

@@ -102,8 +102,11 @@ fn sun_side_outside(dir: vec3f, sun: vec3f, r: f32, start: f32, half: f32, x_top
     s.cross2 = dot(side, side);
     // Point of closest approach, r (z - mu dir), has the parts below; the entry is `half` before it.
     let closest = vec3f(-dir.z * dir.xy, dot(dir.xy, dir.xy)) * r;
-    // closest . dir = 0, so closest . sun = closest . (sun - same dir). From whichever point is nearer to the entry.
-    s.sun_b = select(-same * dot(closest, apart) - half * s.nu, r * sun.z + start * s.nu, start < half);
+    // closest . dir = 0, so closest . sun = closest . (sun - same dir). From there or from the camera: the smaller terms.
+    let there = -same * dot(closest, apart);
+    let here = r * sun.z;
+    let nearer = abs(here) + start * abs(s.nu) < abs(there) + half * abs(s.nu);
+    s.sun_b = select(there - half * s.nu, here + start * s.nu, nearer);
     let closest_side = cross(closest, sun);
     s.shadow_b = dot(closest_side, side) - half * s.cross2;
     let q = length(closest_side - half * side);

@@ -32,17 +32,20 @@ fn share_azimuth(share: f32) -> vec2f {
 
 // Share of a ray along its part of the rows. h: camera's altitude.
 fn zenith_share(ray: AirRay, dir: vec3f, h: f32, m: Medium) -> f32 {
+    let flat = length(dir.xy);
     if ray.ground {
-        // Cosine of the angle to the vertical where the ray ends.
+        // Cosine of the angle to the vertical where the ray ends, and the sine of half of it.
         let mu = clamp(-(ray.b + ray.length) / m.radius, 0.0, 1.0);
-        return crowded(0.5 * mu, sqrt(0.5 - 0.5 * mu), SQRT_HALF);
+        let s = (1.0 + h / m.radius) * flat / sqrt(2.0 + 2.0 * mu);
+        return crowded(0.5 * mu, s, SQRT_HALF);
     }
     if ray.start > 0.0 || h > m.thickness {
-        let tangent = (m.radius + h) * length(dir.xy) - m.radius;
-        return sqrt(clamp(tangent / m.thickness, 0.0, 1.0));
+        return sqrt(clamp(altitude_of(ray.x_closest, m.radius) / m.thickness, 0.0, 1.0));
     }
     let horizon = sqrt(ray.x) / (m.radius + h); // less the horizon's cosine
-    return crowded(0.5 * (dir.z + horizon), sqrt(max(0.5 - 0.5 * dir.z, 0.0)), sqrt(0.5 + 0.5 * horizon));
+    // Half the zenith angle's sine; near the zenith not from the cosine, which is 1 there.
+    let s = select(sqrt(0.5 - 0.5 * dir.z), flat / sqrt(max(2.0 + 2.0 * dir.z, 1.0)), dir.z > 0.0);
+    return crowded(0.5 * (dir.z + horizon), s, sqrt(0.5 + 0.5 * horizon));
 }
 
 struct TableRay {
@@ -57,39 +60,48 @@ fn table_ray(azimuth: f32, share: f32, ground: bool, h: f32, m: Medium, sun: vec
     let x_top = excess_of(m.thickness, m.radius);
     let around = share_azimuth(azimuth);
     let outside = h > m.thickness;
+    let q = share * share;
+    let rest = (1.0 - share) * (1.0 + share); // 1 - q
     if !outside && !ground {
         let horizon = sqrt(x) / r;
-        let s_max = sqrt(0.5 + 0.5 * horizon);
-        let s = s_max * (1.0 - share * share);
-        let mu = 1.0 - 2.0 * s * s;
-        let dir = vec3f(around * (2.0 * s * sqrt(max(1.0 - s * s, 0.0))), mu);
+        let s = sqrt(0.5 + 0.5 * horizon) * rest;
+        // 1 - 2 s^2 and 1 - s^2, of which neither is a difference at the horizon.
+        let rise = (0.5 + 0.5 * horizon) * q * (1.0 + rest);
+        let mu = 2.0 * rise - horizon;
+        let foot = m.radius / r;
+        let dir = vec3f(around * (2.0 * s * sqrt(0.5 * foot * foot / (1.0 + horizon) + rise)), mu);
         return TableRay(dir, inner_ray(dir, h, m.radius, m.thickness, sun, false));
     }
-    // The rest is given by the closest approach, c2 = its square less R^2.
+    // The rest is given by the closest approach p: p^2 = R^2 + c2.
     var c2 = 0.0;
+    var approach = 0.0;
+    var under_top = 0.0; // x_top - c2
     var mu = 0.0; // cosine at the ground
     if ground {
-        let s = SQRT_HALF * (1.0 - share * share);
-        mu = max(1.0 - 2.0 * s * s, 0.0);
+        let s = SQRT_HALF * rest;
+        mu = q * (1.0 + rest); // 1 - 2 s^2
         c2 = -m.radius * m.radius * mu * mu;
+        approach = m.radius * (2.0 * s * sqrt(1.0 - s * s));
+        under_top = x_top - c2;
     } else {
-        c2 = excess_of(m.thickness * share * share, m.radius);
+        c2 = excess_of(m.thickness * q, m.radius);
+        approach = m.radius + m.thickness * q;
+        under_top = m.thickness * rest * (2.0 * m.radius + m.thickness * (1.0 + q));
     }
+    let above = (h - m.thickness) * (2.0 * m.radius + m.thickness + h);
     let start_x = select(x, x_top, outside);
-    let b = -sqrt(max(start_x - c2, 0.0));
-    let approach = sqrt(max(m.radius * m.radius + c2, 0.0));
-    let sine = min(approach / r, 1.0);
-    let down = -sqrt(max((x - c2), 0.0)) / r;
-    let dir = vec3f(around * sine, down);
+    let b = -sqrt(select(max(x - c2, 0.0), under_top, outside));
+    let down = select(b, -sqrt(max(above + under_top, 0.0)), outside) / r;
+    let dir = vec3f(around * min(approach / r, 1.0), down);
     var s: SunSide;
     var start = 0.0;
     if outside {
-        start = (h - m.thickness) * (2.0 * m.radius + m.thickness + h) / (-b - r * down);
+        start = above / (-b - r * down);
         s = sun_side_outside(dir, sun, r, start, -b, x_top, m.radius);
     } else {
         s = sun_side_inside(dir, sun, r, x, m.radius);
     }
-    let reach = select(-2.0 * b, start_x / (m.radius * mu - b), ground);
+    let reach = select(-2.0 * b, start_x / max(m.radius * mu - b, 1e-20), ground);
     let ray = AirRay(start, reach, start_x, b, c2, s.sun_b, s.nu, s.cross2, s.shadow_b, s.shadow_c, s.shadow_half2, ground);
     return TableRay(dir, ray);
 }

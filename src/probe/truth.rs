@@ -113,7 +113,7 @@ impl Input {
 
     /// The direction turned up or down by a relative part of its sine or cosine, whichever is smaller: that is
     /// what f32 holds finely.
-    fn tilted(self, e: f64) -> Self {
+    pub fn tilted(self, e: f64) -> Self {
         let d = self.direction;
         let sin = d.x.hypot(d.y);
         let flat = if sin > 0.0 { DVec3::new(d.x / sin, d.y / sin, 0.0) } else { DVec3::X };
@@ -376,9 +376,7 @@ pub(super) fn brightest_source(case: &Case, input: &Input, cornette_shanks: bool
     let medium = Air64(case, input.layer);
     let aerosol = if cornette_shanks { medium.cornette_shanks(half) } else { medium.henyey_greenstein(half) };
     let (m, gas) = (&case.medium, phase::rayleigh(1.0 - half));
-    (0..3)
-        .map(|c| f64::from(m.rayleigh[c]) * gas + f64::from(m.mie_scattering[c]) * aerosol[c])
-        .fold(0.0, f64::max)
+    (0..3).map(|c| f64::from(m.rayleigh[c]) * gas + f64::from(m.mie_scattering[c]) * aerosol[c]).fold(0.0, f64::max)
 }
 
 /// The f64 twin of `single_scattering`: radiance and transmittance.
