@@ -11,7 +11,7 @@ use std::sync::OnceLock;
 use common::lines::{Line, along};
 use common::{View, on_both};
 use welkin::backend::{Backend, Format, Target, TextureDesc};
-use welkin::passes::lut::MediumTables;
+use welkin::passes::lut::TablesUniform;
 use welkin::reference::multiple::{Orders, Settings};
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering, transmittance};
 use welkin::{
@@ -58,7 +58,7 @@ fn truth(scene: &Scene, query: &RayQuery, method: Method) -> [f64; 3] {
 }
 
 /// Pixels of a line.
-const N: u32 = 33;
+const N: u32 = 32;
 
 /// Lines within one picture: a column of pixels from its top to its bottom, or a row.
 fn within() -> Vec<(&'static str, View, [u32; 2])> {
@@ -71,7 +71,7 @@ fn within() -> Vec<(&'static str, View, [u32; 2])> {
         for (heading, sun_elevation) in [(0.0, 20.0), (90.0, 2.0), (180.0, -4.0)] {
             let pitch = dip(altitude, 0.0);
             let view = View { altitude, pitch, fov: 0.4, heading, sun_elevation, ..View::default() };
-            all.push(("horizon", column(view), up));
+            all.push((if sun_elevation < 0.0 { "horizon at dusk" } else { "horizon" }, column(view), up));
         }
     }
     for altitude in [4e5, 3.6e7, 3.844e8] {
@@ -86,7 +86,7 @@ fn within() -> Vec<(&'static str, View, [u32; 2])> {
                 sun_elevation: if heading == 90.0 { -10.0 } else { 25.0 },
                 ..View::default()
             };
-            all.push(("limb", column(view), up));
+            all.push((if heading == 90.0 { "limb at night" } else { "limb" }, column(view), up));
         }
     }
     for altitude in [2.0, 2e4] {
@@ -128,24 +128,26 @@ fn through() -> Vec<(&'static str, Vec<View>)> {
     all
 }
 
-/// What second differences may differ by from the reference's, of the logarithm of light; and neighbours, in
-/// 255ths of what a screen shows, at an exposure that makes the line's brightest 0.8, and at 1e5.
+/// What second differences may differ by from the reference's, of the logarithm of light; and steps between neighbours,
+/// in 255ths of what a screen shows, at an exposure that makes the line's brightest 0.8 and at 1e5. Single scattering by
+/// 256 × 64 samples, then the tables of [`Quality::MEDIUM`].
 ///
-/// Marched with many samples every line is the reference's. With tables what is seen is their texels: light between them
-/// is interpolated, and its slope steps from one to the next.
-const BOUNDS: [(&str, [f64; 2], [f64; 2]); 11] = [
-    // name, single scattering, tables
-    ("horizon", [0.02, 2.0], [0.05, 4.0]),
-    ("limb", [0.02, 2.0], [0.05, 4.0]),
-    ("sun's azimuth", [0.02, 2.0], [0.05, 4.0]),
-    ("zenith", [0.02, 2.0], [0.05, 4.0]),
-    ("nadir", [0.02, 2.0], [0.05, 4.0]),
-    ("terminator", [0.02, 2.0], [0.05, 4.0]),
-    ("hand-over begins", [0.02, 2.0], [0.05, 4.0]),
-    ("hand-over ends", [0.02, 2.0], [0.05, 4.0]),
-    ("top", [0.02, 2.0], [0.05, 4.0]),
-    ("sunset", [0.02, 2.0], [0.05, 4.0]),
-    ("-", [0.0, 0.0], [0.0, 0.0]),
+/// A rounded 255th is a step of 1 or 2. What the tables have more than that is their own error, which is not the same on
+/// both sides: at dusk a long ray along the horizon is 26 % too dark from 30 km, and one that just meets the ground 3 %;
+/// and rows stand for other rays outside the air than inside, so that there is a step of 3.8 % at the top.
+const BOUNDS: [(&str, [f64; 2], [f64; 2]); 12] = [
+    ("horizon", [0.02, 2.0], [0.05, 3.0]),
+    ("horizon at dusk", [0.02, 2.0], [0.3, 18.0]),
+    ("limb", [0.02, 2.0], [0.1, 5.0]),
+    ("limb at night", [0.04, 2.0], [0.18, 8.0]),
+    ("sun's azimuth", [1e-3, 2.0], [2e-3, 2.0]),
+    ("zenith", [1e-3, 2.0], [2e-3, 2.0]),
+    ("nadir", [1e-3, 2.0], [2e-3, 2.0]),
+    ("terminator", [1e-3, 2.0], [0.02, 2.0]),
+    ("hand-over begins", [1e-3, 2.0], [0.01, 2.0]),
+    ("hand-over ends", [1e-3, 2.0], [2e-3, 2.0]),
+    ("top", [1e-3, 2.0], [0.045, 4.0]),
+    ("sunset", [1e-3, 2.0], [8e-3, 2.0]),
 ];
 
 fn continuous(method: Method, bounds: impl Fn(&str) -> [f64; 2]) {
@@ -175,7 +177,7 @@ fn continuous(method: Method, bounds: impl Fn(&str) -> [f64; 2]) {
             pixels.chunks_exact(4).map(|p| [0, 1, 2].map(|c| f64::from(p[c]))).collect()
         };
         let mut worst: Vec<(&str, [f64; 2])> = Vec::new();
-        let mut judge = |line: &'static str, got: Vec<[f64; 3]>, want: &[[f64; 3]], what: &str| {
+        let mut judge = |line: &'static str, got: Vec<[f64; 3]>, want: &[[f64; 3]], what: &View| {
             assert_eq!(got.len(), N as usize);
             let line_of = Line { got: &got, want };
             let figures = [line_of.bend(), line_of.levels().max(line_of.levels_at(1e5))];
@@ -187,15 +189,20 @@ fn continuous(method: Method, bounds: impl Fn(&str) -> [f64; 2]) {
                 entry.1[i] = entry.1[i].max(figures[i]);
             }
             if figures.iter().zip(bounds(line)).any(|(f, b)| *f > b) {
-                println!("{name} {line}: {figures:.4?} {what}\n got {:.5?}\nwant {:.5?}", line_of.channel(), want);
+                let View { altitude, pitch, heading, fov, sun_elevation, .. } = what;
+                println!(
+                    "{name} {line}: {figures:.4?} at {altitude} m, pitch {pitch}, heading {heading}, fov {fov}, sun {sun_elevation}: blue {:.4?}, off by {:.4?}",
+                    want.iter().map(|v| v[2]).collect::<Vec<_>>(),
+                    line_of.channel()
+                );
             }
         };
         for (line, want, view, size) in &within {
-            judge(line, draw(b, view, *size), want, &format!("{view:?}"));
+            judge(line, draw(b, view, *size), want, view);
         }
         for (line, want, views) in &through {
             let got = views.iter().flat_map(|v| draw(b, v, [1, 1])).collect();
-            judge(line, got, want, &format!("from {:?}", views[0]));
+            judge(line, got, want, &views[0]);
         }
         renderer.destroy(b);
         println!("{name} {}: bend and 255ths beyond the reference's: {worst:.4?}", method.name());
@@ -229,9 +236,9 @@ fn gas(depth: f64, albedo: f64) -> AtmosphereParams {
     }
 }
 
-/// Net flux of diffuse light upwards, less the sun's downwards, through spheres: a row for each altitude of the table,
-/// the mean over all angles of the sun, in shares of what meets a flat plate. Zero means that all that comes, leaves.
-fn balance(b: &mut dyn Backend, params: &AtmosphereParams, lut: LutSettings) -> Vec<(f64, [f64; 3])> {
+/// Net flux upwards of all light but the sun's own, through spheres: altitude and flux for each row of the table, the mean
+/// over all angles of the sun, in shares of what meets a flat plate.
+fn diffuse_flux(b: &mut dyn Backend, params: &AtmosphereParams, lut: LutSettings) -> Vec<(f64, [f64; 3])> {
     let view = View { params: params.clone(), ..View::default() };
     let target = b.create_texture(&TextureDesc::new("sky", 4, 4, Format::Rgba32Float)).unwrap();
     let settings = SkySettings { method: Method::Lut(lut), ..SkySettings::default() };
@@ -240,8 +247,7 @@ fn balance(b: &mut dyn Backend, params: &AtmosphereParams, lut: LutSettings) -> 
     b.run(&passes).unwrap();
     let last = passes.iter().rfind(|p| p.label == "moments table").unwrap();
     let texels = b.read(last.target.color).unwrap();
-    let block: MediumTables = bytemuck::pod_read_unaligned(last.uniform.bytes());
-    let t = block.tables;
+    let t = TablesUniform::new(params, &lut);
     sky.destroy(b);
     b.destroy_texture(target);
     let [suns, altitudes] = lut.moments.map(|n| n as usize);
@@ -253,35 +259,43 @@ fn balance(b: &mut dyn Backend, params: &AtmosphereParams, lut: LutSettings) -> 
     };
     (0..altitudes)
         .map(|row| {
-            let s = (row as f64 / (altitudes - 1) as f64).powi(2) * span(t.altitude_steepness);
-            let altitude = params.thickness() * (s.exp_m1() / span(t.altitude_growth)).min(1.0);
-            let net = std::array::from_fn(|c| {
-                // The moment of cos(zenith) over its harmonic's factor sqrt(3 / 4π), per unit of the mean's.
+            let altitude = rows(params, lut)[row];
+            let flux = std::array::from_fn(|c| {
+                // The moment of cos(zenith) of where light comes from, over its harmonic's factor sqrt(3 / 4π).
                 let factor = (3.0 / (4.0 * std::f64::consts::PI)).sqrt();
-                let diffuse = |x: usize| value(x, 6 * row, c).exp2() * value(x, 6 * row + 1, c) / factor;
+                let diffuse = |x: usize| -value(x, 6 * row, c).exp2() * value(x, 6 * row + 1, c) / factor;
                 // Trapezia: the columns crowd where light changes.
                 (1..suns).map(|x| 0.5 * (diffuse(x) + diffuse(x - 1)) * (sun(x) - sun(x - 1))).sum::<f64>() * 0.5
             });
-            (altitude, net)
-        })
-        .map(|(altitude, net): (f64, [f64; 3])| {
-            // The sun's own flux through the same sphere, by many angles from the reference.
-            let mut direct = [0.0; 3];
-            let n = 4000;
-            let dip = -(1.0 - (params.planet_radius / (params.planet_radius + altitude)).powi(2)).sqrt();
-            for i in 0..n {
-                // Even in the square of the way from the edge of the shadow.
-                let u = (f64::from(i) + 0.5) / f64::from(n);
-                let mu = dip + (1.0 - dip) * u * u;
-                let query = RayQuery::new(altitude, mu.acos(), 0.0, 0.0);
-                let through = transmittance(params, &query, Tolerance { relative: 1e-6 }).unwrap();
-                for c in 0..3 {
-                    direct[c] += 0.5 * mu * through[c] * (1.0 - dip) * 2.0 * u / f64::from(n);
-                }
-            }
-            (altitude, std::array::from_fn(|c| net[c] - direct[c]))
+            (altitude, flux)
         })
         .collect()
+}
+
+/// Altitudes of the table's rows.
+fn rows(params: &AtmosphereParams, lut: LutSettings) -> Vec<f64> {
+    let t = TablesUniform::new(params, &lut);
+    let share = |row: u32| f64::from(row) / f64::from(lut.moments[1] - 1);
+    let grown = |row| (share(row).powi(2) * f64::from(t.altitude_steepness)).exp_m1() / f64::from(t.altitude_growth);
+    (0..lut.moments[1]).map(|row| params.thickness() * grown(row).min(1.0)).collect()
+}
+
+/// The sun's flux downwards through the sphere at an altitude, as [`diffuse_flux`] gives the other light's.
+fn direct_flux(params: &AtmosphereParams, altitude: f64) -> [f64; 3] {
+    const ANGLES: u32 = 400;
+    let dip = -(1.0 - (params.planet_radius / (params.planet_radius + altitude)).powi(2)).sqrt();
+    let mut sum = [0.0; 3];
+    for i in 0..ANGLES {
+        // Even in the root of the way from the edge of the shadow.
+        let u = (f64::from(i) + 0.5) / f64::from(ANGLES);
+        let mu = dip + (1.0 - dip) * u * u;
+        let query = RayQuery::new(altitude, mu.acos(), 0.0, 0.0);
+        let through = transmittance(params, &query, Tolerance { relative: 1e-6 }).unwrap();
+        for c in 0..3 {
+            sum[c] += 0.5 * mu * through[c] * (1.0 - dip) * 2.0 * u / f64::from(ANGLES);
+        }
+    }
+    sum
 }
 
 /// Of the light that meets the planet's disk, a quarter per area of the sphere.
@@ -290,25 +304,33 @@ const INCOMING: f64 = 0.25;
 #[test]
 fn energy_neither_comes_nor_goes() {
     let lut = LutSettings { orders: 64, ..LutSettings::HIGH };
+    let direct = [0.05, 0.5].map(|depth| {
+        let params = gas(depth, 0.0);
+        let altitudes = rows(&params, lut);
+        (depth, altitudes.into_iter().map(|h| direct_flux(&params, h)).collect::<Vec<_>>())
+    });
     on_both(|b| {
         let name = b.info().backend;
-        for depth in [0.05, 0.5] {
+        for (depth, direct) in &direct {
             // White ground and air that absorbs nothing: through no sphere anything is lost or won.
-            let furnace = balance(b, &gas(depth, 1.0), lut);
+            let furnace = diffuse_flux(b, &gas(*depth, 1.0), lut);
             // Black ground: all that is lost is lost there; nothing on the way.
-            let black = balance(b, &gas(depth, 0.0), lut);
-            let ground = black[0].1;
-            let radius = gas(depth, 0.0).planet_radius;
+            let black = diffuse_flux(b, &gas(*depth, 0.0), lut);
+            let radius = gas(*depth, 0.0).planet_radius;
+            let lost = |flux: [f64; 3], direct: [f64; 3], altitude: f64, c: usize| {
+                ((radius + altitude) / radius).powi(2) * (direct[c] - flux[c]) / INCOMING
+            };
             let mut worst = [0.0_f64; 2];
-            for ((altitude, open), (_, net)) in furnace.iter().zip(&black) {
-                let sphere = ((radius + altitude) / radius).powi(2);
+            for ((altitude, open), ((_, closed), direct_here)) in furnace.iter().zip(black.iter().zip(direct)) {
                 for c in 0..3 {
-                    worst[0] = worst[0].max((open[c] / INCOMING).abs());
-                    worst[1] = worst[1].max(((net[c] * sphere - ground[c]) / INCOMING).abs());
+                    worst[0] = worst[0].max(lost(*open, *direct_here, *altitude, c).abs());
+                    let here = lost(*closed, *direct_here, *altitude, c);
+                    let ground = lost(black[0].1, direct[0], 0.0, c);
+                    assert!(ground > 0.1, "{name} {depth}: black ground takes only {ground}");
+                    worst[1] = worst[1].max((here - ground).abs());
                 }
             }
-            println!("{name}: depth {depth}: white ground loses {:.4}, black ground's air {:.4}", worst[0], worst[1]);
-            assert!(ground.iter().all(|g| *g < -0.1 * INCOMING), "black ground takes light: {ground:?}");
+            println!("{name}: depth {depth}: white ground loses {:.4}, air over black {:.4}", worst[0], worst[1]);
             assert!(worst.iter().all(|w| *w < 0.02), "{name} {depth}: {worst:?}");
         }
         // An absorber over black ground creates nothing.

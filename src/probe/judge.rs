@@ -494,7 +494,7 @@ fn tables(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
     let input = Input { direction: wide(dir).normalize(), ..Input::of(case) };
     // A table's direction is computed, not given: as many roundings.
     let tilted = [-4.0, -2.0, 2.0, 4.0].map(|e| input.tilted(e * RESOLUTION));
-    let near = input.neighbours().into_iter().chain(tilted.iter().flat_map(|i| i.neighbours()));
+    let near = input.neighbours().into_iter().chain(tilted);
     let all: Vec<_> = near.filter_map(|i| Air::new(&i)).filter(|a| a.ground == ground).collect();
     let length = answers[2][3];
     if all.is_empty() {

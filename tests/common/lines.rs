@@ -28,9 +28,9 @@ impl Line<'_> {
     }
 
     /// Largest second difference of the logarithm of light that the reference does not have; what is less than a
-    /// thousandth of the brightest counts as that.
+    /// thousandth of the brightest, or what is black at an exposure of 1e5, counts as that.
     pub fn bend(&self) -> f64 {
-        let floor = 1e-3 * self.brightest();
+        let floor = (1e-3 * self.brightest()).max(1e-8);
         let log = |v: &[f64; 3], c: usize| v[c].max(floor).ln();
         let bends = |l: &[[f64; 3]], c: usize| -> Vec<f64> {
             l.windows(3).map(|w| log(&w[0], c) - 2.0 * log(&w[1], c) + log(&w[2], c)).collect()
@@ -43,9 +43,9 @@ impl Line<'_> {
             .fold(0.0, f64::max)
     }
 
-    /// [`Self::levels_at`] the exposure that makes the line's brightest value 0.8 of white.
+    /// [`Self::levels_at`] the exposure that makes the line's brightest value 0.8 of white, at most 1e5.
     pub fn levels(&self) -> f64 {
-        self.levels_at(1.6 / self.brightest())
+        self.levels_at((1.6 / self.brightest()).min(1e5))
     }
 
     /// Largest step between neighbours on a screen of 8 bits, in 255ths, that the reference does not have. Of light L a
