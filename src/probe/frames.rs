@@ -115,7 +115,7 @@ pub fn frame(seed: u64, number: u64) -> Frame {
     };
     let turn = DQuat::from_euler(glam::EulerRot::XYZ, rng.f64(), rng.f64(), rng.f64());
     let center = [0.0, 1e9, 1e12][rng.usize(0..3)] * DVec3::new(0.6, -0.8, 0.3);
-    let fov = [1.0, 1e-6, 0.01, 2.5][rng.usize(0..4)];
+    let fov = [1.0, 1e-4, 0.01, 2.5][rng.usize(0..4)];
     let pose = Pose { altitude, pitch, heading: [0.0, PI, FRAC_PI_2, 1.0][rng.usize(0..4)], fov_y: fov };
     let aspect = f64::from(size[0]) / f64::from(size[1]);
     let camera = Camera::above(DVec3::ZERO, radius, DVec3::Z, DVec3::X, pose, aspect);
