@@ -494,7 +494,9 @@ fn tables(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
     let input = Input { direction: wide(dir).normalize(), ..Input::of(case) };
     // A table's direction is computed, not given: as many roundings.
     let tilted = [-4.0, -2.0, 2.0, 4.0].map(|e| input.tilted(e * RESOLUTION));
-    let near = input.neighbours().into_iter().chain(tilted);
+    // Up to the one between those that end differently, which touches the planet or the top.
+    let edge = input.edge(&tilted).into_iter().flatten();
+    let near = input.neighbours().into_iter().chain(tilted).chain(edge);
     let all: Vec<_> = near.filter_map(|i| Air::new(&i)).filter(|a| a.ground == ground).collect();
     let length = answers[2][3];
     if all.is_empty() {
@@ -583,7 +585,11 @@ fn tables(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
     let limits = if up { [horizon, 1.0] } else { [-1.0, horizon] };
     let inside = f64::from(mu).clamp(limits[0], limits[1]);
     let check = among(Quantity::NodeDirection, mu, Promise { relative: 0.0, absolute: RESOLUTION }, once(inside));
-    note(if (above > 0.5) == up && (0.0..=3.1416).contains(&turn) { check } else { Check { got: f32::NAN, ..check } });
+    note(if (above > 0.5) == up && (0.0..=std::f32::consts::PI).contains(&turn) {
+        check
+    } else {
+        Check { got: f32::NAN, ..check }
+    });
     let whole = 4.0 * std::f64::consts::PI;
     note(among(Quantity::NodeSphere, sphere, Promise { relative: 1e-5, absolute: 0.0 }, once(whole)));
 

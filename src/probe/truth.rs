@@ -99,7 +99,7 @@ impl Input {
     }
 
     /// The ray between two that end differently, from both sides.
-    fn edge(self, all: &[Self]) -> Option<[Self; 2]> {
+    pub fn edge(self, all: &[Self]) -> Option<[Self; 2]> {
         let ending = |i: &Self| Air::new(i).map(|a| a.ground);
         let own = ending(&self);
         let mut other = *all.iter().find(|i| i.direction != self.direction && ending(i) != own)?;
