@@ -3,6 +3,7 @@
 //!
 //! `cargo test --features cli --test hard -- --nocapture` prints the figures.
 #![cfg(feature = "cli")]
+#![allow(clippy::needless_range_loop)] // Loops over the three channels index several arrays.
 
 mod common;
 
