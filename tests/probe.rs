@@ -19,7 +19,7 @@ fn judged(backend: &mut dyn Backend, count: usize) -> Tally {
     for batch in 0..count.div_ceil(BATCH) {
         let list: Vec<Case> = cases.by_ref().take(BATCH.min(count - batch * BATCH)).collect();
         let phase = [MiePhase::HenyeyGreenstein, MiePhase::CornetteShanks][batch % 2];
-        for which in [Probe::Geometry, Probe::Medium, Probe::Path, Probe::Scatter(phase)] {
+        for which in [Probe::Geometry, Probe::Medium, Probe::Path, Probe::Tables, Probe::Scatter(phase)] {
             let answers = probe::run(backend, which, &list).unwrap();
             tally.add(probe::judge(which, batch * BATCH, &list, &answers));
         }
@@ -35,7 +35,7 @@ fn a_million_cases_keep_every_promise() {
         // Textures are freed.
         assert_eq!((live.textures, live.bind_groups), (backend.live().textures, backend.live().bind_groups));
         for (quantity, row) in &tally.rows {
-            println!("{:<28} {:>8} worst {:.1e} broken {}", quantity.name(), row.tried, row.worst, row.broken);
+            println!("{:<33} {:>8} worst {:.1e} broken {}", quantity.name(), row.tried, row.worst, row.broken);
         }
         for f in &tally.findings {
             println!("{}: case {} got {} expected {}", f.quantity.name(), f.index, f.got, f.expected);
@@ -43,6 +43,42 @@ fn a_million_cases_keep_every_promise() {
         }
         assert_eq!(tally.rows.len(), probe::Quantity::ALL.len(), "a quantity was never judged");
         assert_eq!(tally.broken(), 0);
+    });
+}
+
+/// Cases that no random seed need find again.
+#[test]
+fn rays_that_once_lost_the_shadow_keep_it() {
+    let earth = MediumUniform::new(&AtmosphereParams::earth());
+    let medium = |radius: f32, thickness: f32| MediumUniform { radius, thickness, ..earth };
+    let ray =
+        |medium, altitude, direction, sun| Case { medium, altitude, direction, sun, fraction: 0.5, ..Case::default() };
+    let cases = [
+        // 29 m of 71,656 km inside the shadow's edge, at the foot of a ray of 325,000 km: 190 km of shadow were lost.
+        ray(
+            medium(71_656.39, 261_611.23),
+            261_704.78,
+            [0.0574992, -0.207118, -0.976_624_8],
+            [0.634_123_44, 0.0, -0.773_231_86],
+        ),
+        // Towards the sun past the limb, from just outside a shell of two radii and from farther out.
+        ray(medium(6360.0, 12_720.0), 12_720.001, [1.0 / 3.0, 0.0, -0.942_809_05], [0.333_333_3, 0.0, -0.942_809_05]),
+        ray(
+            medium(6360.0, 12_720.0),
+            20_526.395,
+            [0.236_560_58, 0.0, -0.971_616_74],
+            [0.236_560_58, 0.0, -0.971_616_74],
+        ),
+    ];
+    on_both(|backend| {
+        let answers = probe::run(backend, Probe::Geometry, &cases).unwrap();
+        let tally = probe::judge(Probe::Geometry, 0, &cases, &answers);
+        assert!(tally.broken() == 0, "{:#?}", tally.findings);
+        // Of the first, f64 has 132 to 239 km.
+        let dark = answers[2][3] - answers[2][2];
+        assert!((132.0..239.0).contains(&dark), "{dark} km of shadow");
+        // Along the sun's own line its height is the ray's.
+        assert_eq!(answers[9][0], answers[8][3], "r cos(sun) and r cos(zenith)");
     });
 }
 

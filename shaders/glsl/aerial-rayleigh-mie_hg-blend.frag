@@ -56,6 +56,7 @@ struct AirRay {
     float cross2_;
     float shadow_b;
     float shadow_c;
+    float shadow_half2_;
     bool ground;
 };
 struct SunSide {
@@ -64,6 +65,7 @@ struct SunSide {
     float cross2_;
     float shadow_b;
     float shadow_c;
+    float shadow_half2_;
 };
 struct Line {
     float b;
@@ -155,71 +157,90 @@ float half_chord2_(float b_3, float above, float depth_1, float p) {
     return (depth_1 * (sphere + p));
 }
 
-SunSide sun_side_inside(vec3 dir, vec3 sun, float r, float x_3, float radius_4) {
-    SunSide s = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
-    s.nu = dot(dir, sun);
-    float _e9 = s.nu;
-    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s.cross2_ = dot(side, side);
-    s.sun_b = (r * sun.z);
-    s.shadow_b = (r * ((sun.x * side.y) - (sun.y * side.x)));
-    float q = (r * length(sun.xy));
-    float _e37 = s.sun_b;
-    float _e39 = half_chord2_(_e37, x_3, (radius_4 - q), q);
-    s.shadow_c = -(_e39);
-    SunSide _e41 = s;
-    return _e41;
+float shadow_half2_(SunSide s, float side_z, float r, float radius_4) {
+    float sine = max(sqrt(s.cross2_), 1e-18);
+    float p_1 = ((r * abs(side_z)) / sine);
+    float _e15 = half_chord2_((s.shadow_b / sine), s.shadow_c, (radius_4 - p_1), p_1);
+    return _e15;
 }
 
-SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_1, float half_, float x_top_1, float radius_5) {
-    SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
-    s_1.nu = dot(dir_1, sun_1);
-    float _e10 = s_1.nu;
-    float same = ((_e10 >= 0.0) ? 1.0 : -1.0);
+SunSide sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_3, float radius_5) {
+    SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    s_1.nu = dot(dir, sun);
+    float _e9 = s_1.nu;
+    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    s_1.cross2_ = dot(side, side);
+    s_1.sun_b = (r_1 * sun.z);
+    s_1.shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+    float q = (r_1 * length(sun.xy));
+    float _e37 = s_1.sun_b;
+    float _e39 = half_chord2_(_e37, x_3, (radius_5 - q), q);
+    s_1.shadow_c = -(_e39);
+    SunSide _e42 = s_1;
+    float _e44 = shadow_half2_(_e42, side.z, r_1, radius_5);
+    s_1.shadow_half2_ = _e44;
+    SunSide _e45 = s_1;
+    return _e45;
+}
+
+SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start_1, float half_, float x_top_1, float radius_6) {
+    SunSide s_2 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    s_2.nu = dot(dir_1, sun_1);
+    float _e11 = s_2.nu;
+    float same = ((_e11 >= 0.0) ? 1.0 : -1.0);
     vec3 apart = (dir_1 - (same * sun_1));
     vec3 side_1 = cross(apart, sun_1);
-    s_1.cross2_ = dot(side_1, side_1);
-    vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_1);
-    float _e35 = s_1.nu;
-    s_1.sun_b = ((-(same) * dot(closest, apart)) - (half_ * _e35));
+    s_2.cross2_ = dot(side_1, side_1);
+    vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
+    float there = (-(same) * dot(closest, apart));
+    float here = (r_2 * sun_1.z);
+    float _e38 = s_2.nu;
+    float _e44 = s_2.nu;
+    bool nearer = ((abs(here) + (start_1 * abs(_e38))) < (abs(there) + (half_ * abs(_e44))));
+    float _e51 = s_2.nu;
+    float _e55 = s_2.nu;
+    s_2.sun_b = (nearer ? (here + (start_1 * _e55)) : (there - (half_ * _e51)));
     vec3 closest_side = cross(closest, sun_1);
-    float _e42 = s_1.cross2_;
-    s_1.shadow_b = (dot(closest_side, side_1) - (half_ * _e42));
+    float _e63 = s_2.cross2_;
+    s_2.shadow_b = (dot(closest_side, side_1) - (half_ * _e63));
     float q_1 = length((closest_side - (half_ * side_1)));
-    float _e50 = s_1.sun_b;
-    float _e52 = half_chord2_(_e50, x_top_1, (radius_5 - q_1), q_1);
-    s_1.shadow_c = -(_e52);
-    SunSide _e54 = s_1;
-    return _e54;
+    float _e71 = s_2.sun_b;
+    float _e73 = half_chord2_(_e71, x_top_1, (radius_6 - q_1), q_1);
+    s_2.shadow_c = -(_e73);
+    SunSide _e76 = s_2;
+    float _e78 = shadow_half2_(_e76, side_1.z, r_2, radius_6);
+    s_2.shadow_half2_ = _e78;
+    SunSide _e79 = s_2;
+    return _e79;
 }
 
-Line line_past(vec3 dir_2, float h_1, float radius_6) {
+Line line_past(vec3 dir_2, float h_1, float radius_7) {
     bool local_1 = false;
-    float r_2 = (radius_6 + h_1);
-    float b_5 = (r_2 * dir_2.z);
-    float p_1 = (r_2 * sqrt(dot(dir_2.xy, dir_2.xy)));
-    float _e11 = excess_of(h_1, radius_6);
-    float _e13 = half_chord2_(b_5, _e11, (radius_6 - p_1), p_1);
+    float r_3 = (radius_7 + h_1);
+    float b_5 = (r_3 * dir_2.z);
+    float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
+    float _e11 = excess_of(h_1, radius_7);
+    float _e13 = half_chord2_(b_5, _e11, (radius_7 - p_2), p_2);
     if ((b_5 < 0.0)) {
         local_1 = (_e13 >= 0.0);
     } else {
         local_1 = false;
     }
     bool _e22 = local_1;
-    return Line(b_5, p_1, -(_e13), _e22);
+    return Line(b_5, p_2, -(_e13), _e22);
 }
 
-AirPath air_path(Line line, float h_2, float radius_7, float thickness) {
+AirPath air_path(Line line, float h_2, float radius_8, float thickness) {
     bool local_2 = false;
-    float _e4 = excess_of(thickness, radius_7);
+    float _e4 = excess_of(thickness, radius_8);
     float ground_root = sqrt(max(-(line.x_closest), 0.0));
     if ((h_2 <= thickness)) {
-        float _e11 = excess_of(h_2, radius_7);
+        float _e11 = excess_of(h_2, radius_8);
         float _e13 = distance_to_top(_e11, line.b, _e4);
         float reach_1 = (line.ground ? (_e11 / (ground_root - line.b)) : _e13);
         return AirPath(0.0, reach_1, _e11, line.b);
     }
-    float above_1 = ((h_2 - thickness) * (((2.0 * radius_7) + thickness) + h_2));
+    float above_1 = ((h_2 - thickness) * (((2.0 * radius_8) + thickness) + h_2));
     float b2_ = (line.b * line.b);
     float top2_ = ((b2_ < _e4) ? (b2_ - above_1) : (_e4 - line.x_closest));
     if (!((line.b >= 0.0))) {
@@ -235,20 +256,20 @@ AirPath air_path(Line line, float h_2, float radius_7, float thickness) {
     return AirPath((above_1 / (half_1 - line.b)), (line.ground ? (_e4 / (half_1 + ground_root)) : (2.0 * half_1)), _e4, -(half_1));
 }
 
-AirRay air_ray(vec3 dir_3, float h_3, float radius_8, float thickness_1, vec3 sun_2) {
-    SunSide s_2 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
+AirRay air_ray(vec3 dir_3, float h_3, float radius_9, float thickness_1, vec3 sun_2) {
+    SunSide s_3 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     bool local_3 = false;
-    Line _e5 = line_past(dir_3, h_3, radius_8);
-    AirPath _e6 = air_path(_e5, h_3, radius_8, thickness_1);
+    Line _e5 = line_past(dir_3, h_3, radius_9);
+    AirPath _e6 = air_path(_e5, h_3, radius_9, thickness_1);
     if ((h_3 <= thickness_1)) {
-        SunSide _e11 = sun_side_inside(dir_3, sun_2, (radius_8 + h_3), _e6.x, radius_8);
-        s_2 = _e11;
+        SunSide _e11 = sun_side_inside(dir_3, sun_2, (radius_9 + h_3), _e6.x, radius_9);
+        s_3 = _e11;
     } else {
         if ((_e6.length_ > 0.0)) {
-            SunSide _e19 = sun_side_outside(dir_3, sun_2, (radius_8 + h_3), -(_e6.b), _e6.x, radius_8);
-            s_2 = _e19;
+            SunSide _e20 = sun_side_outside(dir_3, sun_2, (radius_9 + h_3), _e6.start, -(_e6.b), _e6.x, radius_9);
+            s_3 = _e20;
         } else {
-            s_2.nu = dot(dir_3, sun_2);
+            s_3.nu = dot(dir_3, sun_2);
         }
     }
     if (_e5.ground) {
@@ -257,15 +278,16 @@ AirRay air_ray(vec3 dir_3, float h_3, float radius_8, float thickness_1, vec3 su
         local_3 = false;
     }
     bool ground_1 = local_3;
-    float _e36 = s_2.sun_b;
-    float _e38 = s_2.nu;
-    float _e40 = s_2.cross2_;
-    float _e42 = s_2.shadow_b;
-    float _e44 = s_2.shadow_c;
-    return AirRay(_e6.start, _e6.length_, _e6.x, _e6.b, _e5.x_closest, _e36, _e38, _e40, _e42, _e44, ground_1);
+    float _e37 = s_3.sun_b;
+    float _e39 = s_3.nu;
+    float _e41 = s_3.cross2_;
+    float _e43 = s_3.shadow_b;
+    float _e45 = s_3.shadow_c;
+    float _e47 = s_3.shadow_half2_;
+    return AirRay(_e6.start, _e6.length_, _e6.x, _e6.b, _e5.x_closest, _e37, _e39, _e41, _e43, _e45, _e47, ground_1);
 }
 
-Low lowest(AirRay ray, float length_1, float radius_9) {
+Low lowest(AirRay ray, float length_1, float radius_10) {
     bool local_4 = false;
     if ((ray.b >= 0.0)) {
         return Low(0.0, ray.x, ray.b);
@@ -283,7 +305,7 @@ Low lowest(AirRay ray, float length_1, float radius_9) {
     if (_e26) {
         return Low(length_1, 0.0, b_6);
     }
-    bool far = ((-(ray.b) * length_1) > (radius_9 * radius_9));
+    bool far = ((-(ray.b) * length_1) > (radius_10 * radius_10));
     return Low(length_1, (far ? (ray.x_closest + (b_6 * b_6)) : (ray.x + (length_1 * ((2.0 * ray.b) + length_1)))), b_6);
 }
 
@@ -294,12 +316,11 @@ vec2 shadow_stretch(AirRay ray_1) {
     float b_7 = ray_1.shadow_b;
     float c_2 = ray_1.shadow_c;
     stretch = vec2(-(1e30), 1e30);
-    float disc = ((b_7 * b_7) - (a * c_2));
     if ((a > 1e-30)) {
-        if ((disc <= 0.0)) {
+        if ((ray_1.shadow_half2_ <= 0.0)) {
             return none;
         }
-        float q_2 = -((b_7 + (((b_7 >= 0.0) ? 1.0 : -1.0) * sqrt(disc))));
+        float q_2 = -((b_7 + (((b_7 >= 0.0) ? 1.0 : -1.0) * sqrt((a * ray_1.shadow_half2_)))));
         float t0_2 = (q_2 / a);
         float t1_ = ((q_2 != 0.0) ? (c_2 / q_2) : t0_2);
         stretch = vec2(min(t0_2, t1_), max(t0_2, t1_));
@@ -360,7 +381,7 @@ float unwarp(float low_1, float t_1) {
     return (sign((t_1 - low_1)) * sqrt(abs((t_1 - low_1))));
 }
 
-vec3 path_densities(vec4 layers_1, float radius_10, float x_4, float b_4, float distance_1, uint samples) {
+vec3 path_densities(vec4 layers_1, float radius_11, float x_4, float b_4, float distance_1, uint samples) {
     vec3 sum_1 = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
@@ -384,7 +405,7 @@ vec3 path_densities(vec4 layers_1, float radius_10, float x_4, float b_4, float 
             float u_1 = (u0_ + (du * float(_e25)));
             float _e32 = warp(low_2, (u_1 + (0.5 * du)));
             float _e34 = warp(low_2, (u_1 + du));
-            float _e35 = altitude_after(x_4, b_4, _e32, radius_10);
+            float _e35 = altitude_after(x_4, b_4, _e32, radius_11);
             vec3 _e36 = sum_1;
             vec3 _e37 = densities(layers_1, _e35);
             float _e38 = t0_;
@@ -411,10 +432,10 @@ vec3 henyey_greenstein_phase(float away, float toward, vec3 g) {
     return ((INV_4PI * (vec3(1.0) - (g * g))) / (base * sqrt(base)));
 }
 
-vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_11, float thickness_2, float x_5, float sun_b, uint samples_1) {
-    float _e7 = excess_of(thickness_2, radius_11);
+vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_12, float thickness_2, float x_5, float sun_b, uint samples_1) {
+    float _e7 = excess_of(thickness_2, radius_12);
     float _e8 = distance_to_top(x_5, sun_b, _e7);
-    vec3 _e9 = path_densities(layers_2, radius_11, x_5, sun_b, _e8, samples_1);
+    vec3 _e9 = path_densities(layers_2, radius_12, x_5, sun_b, _e8, samples_1);
     vec3 _e10 = extinction(coefficients_1, _e9);
     return exp(-(_e10));
 }

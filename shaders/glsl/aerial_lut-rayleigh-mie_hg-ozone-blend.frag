@@ -175,17 +175,17 @@ float half_chord2_(float b_2, float above, float depth_1, float p) {
 Line line_past(vec3 dir, float h_1, float radius_3) {
     bool local_3 = false;
     float r = (radius_3 + h_1);
-    float b_4 = (r * dir.z);
+    float b_5 = (r * dir.z);
     float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
     float _e11 = excess_of(h_1, radius_3);
-    float _e13 = half_chord2_(b_4, _e11, (radius_3 - p_1), p_1);
-    if ((b_4 < 0.0)) {
+    float _e13 = half_chord2_(b_5, _e11, (radius_3 - p_1), p_1);
+    if ((b_5 < 0.0)) {
         local_3 = (_e13 >= 0.0);
     } else {
         local_3 = false;
     }
     bool _e22 = local_3;
-    return Line(b_4, p_1, -(_e13), _e22);
+    return Line(b_5, p_1, -(_e13), _e22);
 }
 
 AirPath air_path(Line line, float h_2, float radius_4, float thickness) {
@@ -248,17 +248,22 @@ vec2 table_uv(float x_share, float row, vec2 size_2) {
     return ((vec2((x_share * (size_2.x - 1.0)), row) + vec2(0.5)) / size_2);
 }
 
-vec3 columns_to_top(highp sampler2D table_1, float radius_5, float thickness_1, float x_2, float h_3, float b_3) {
-    float _e6 = excess_of(thickness_1, radius_5);
+vec2 columns_share(float x_2, float h_3, float b_3, float radius_5, float thickness_1) {
+    float _e5 = excess_of(thickness_1, radius_5);
     float rho = sqrt(max(x_2, 0.0));
-    float rho_top = sqrt(_e6);
-    float _e11 = distance_to_top(x_2, b_3, _e6);
+    float rho_top = sqrt(_e5);
+    float _e10 = distance_to_top(x_2, b_3, _e5);
     float shortest = max((thickness_1 - h_3), 0.0);
+    return vec2(((_e10 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
+}
+
+vec3 columns_to_top(highp sampler2D table_1, float radius_6, float thickness_2, float x_3, float h_4, float b_4) {
     ivec2 size_3 = ivec2(uvec2(textureSize(table_1, 0).xy));
-    vec2 share_1 = vec2(((_e11 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
-    Corner _e30 = corner((share_1 * vec2((size_3 - ivec2(1)))), size_3);
-    vec4 _e33 = bilinear(table_1, _e30, ivec2(0));
-    return exp2(_e33.xyz);
+    vec2 _e8 = columns_share(x_3, h_4, b_4, radius_6, thickness_2);
+    vec2 at_2 = (_e8 * vec2((size_3 - ivec2(1))));
+    Corner _e14 = corner(at_2, size_3);
+    vec4 _e17 = bilinear(table_1, _e14, ivec2(0));
+    return exp2(_e17.xyz);
 }
 
 float crowded(float rest, float s, float s_max) {
@@ -274,18 +279,19 @@ float azimuth_share(vec3 dir_1) {
     return (s_1 / (large + small));
 }
 
-float zenith_share(Line line_1, float mu, float h_4, float radius_6, float thickness_2, vec2 limb) {
+float zenith_share(Line line_1, float mu, float h_5, float radius_7, float thickness_3, vec2 limb) {
     if (line_1.ground) {
-        float cosine_1 = min((sqrt(max(-(line_1.x_closest), 0.0)) / radius_6), 1.0);
-        float _e23 = crowded((0.5 * cosine_1), sqrt((0.5 - (0.5 * cosine_1))), SQRT_HALF);
-        return _e23;
+        float cosine_1 = min((sqrt(max(-(line_1.x_closest), 0.0)) / radius_7), 1.0);
+        float _e26 = crowded((0.5 * cosine_1), ((line_1.p / radius_7) / sqrt((2.0 + (2.0 * cosine_1)))), SQRT_HALF);
+        return _e26;
     }
     if ((mu >= 0.0)) {
-        float _e40 = crowded((0.5 * mu), sqrt(max((0.5 - (0.5 * mu)), 0.0)), SQRT_HALF);
-        return (limb.x + ((1.0 - limb.x) * _e40));
+        float s_2 = ((line_1.p / (radius_7 + h_5)) / sqrt((2.0 + (2.0 * mu))));
+        float _e45 = crowded((0.5 * mu), s_2, SQRT_HALF);
+        return (limb.x + ((1.0 - limb.x) * _e45));
     }
-    float lowest = (max(line_1.x_closest, 0.0) / (radius_6 + line_1.p));
-    float part = min((lowest / max(min(h_4, thickness_2), 1e-20)), 1.0);
+    float lowest = (max(line_1.x_closest, 0.0) / (radius_7 + line_1.p));
+    float part = min((lowest / max(min(h_5, thickness_3), 1e-20)), 1.0);
     float v_1 = sqrt((1.0 - part));
     return (limb.x * sqrt(((part * (1.0 + (limb.y * v_1))) / (1.0 + v_1))));
 }
@@ -352,11 +358,11 @@ void main() {
     vec4 _e30 = texelFetch(_group_0_binding_1_fs, pixel_1, 0);
     float _e32 = depth_distance(_e27, _e30.x, ray_length_1);
     vec3 dir_3 = (_e22 / vec3(ray_length_1));
-    float h_5 = _group_0_binding_0_fs.frame.altitude;
-    float radius_7 = _group_0_binding_0_fs.frame.medium.radius;
-    float thickness_3 = _group_0_binding_0_fs.frame.medium.thickness;
-    Line _e49 = line_past(dir_3, h_5, radius_7);
-    AirPath _e50 = air_path(_e49, h_5, radius_7, thickness_3);
+    float h_6 = _group_0_binding_0_fs.frame.altitude;
+    float radius_8 = _group_0_binding_0_fs.frame.medium.radius;
+    float thickness_4 = _group_0_binding_0_fs.frame.medium.thickness;
+    Line _e49 = line_past(dir_3, h_6, radius_8);
+    AirPath _e50 = air_path(_e49, h_6, radius_8, thickness_4);
     if (_e49.ground) {
         local = (_e50.length_ >= 0.0);
     } else {
@@ -366,7 +372,7 @@ void main() {
     end = _e50.length_;
     if ((_e32 >= 0.0)) {
         float _e73 = _group_0_binding_0_fs.frame.pixel_angle;
-        float _e74 = scene_reach(_e50.start, _e50.length_, _e50.b, ground_2, _e32, radius_7, _e73);
+        float _e74 = scene_reach(_e50.start, _e50.length_, _e50.b, ground_2, _e32, radius_8, _e73);
         end = _e74;
     } else {
         if (!(ground_2)) {
@@ -390,7 +396,7 @@ void main() {
     }
     float _e94 = azimuth_share(dir_3);
     vec2 _e99 = _group_0_binding_0_fs.frame.limb;
-    float _e100 = zenith_share(_e49, dir_3.z, h_5, radius_7, thickness_3, _e99);
+    float _e100 = zenith_share(_e49, dir_3.z, h_6, radius_8, thickness_4, _e99);
     vec2 size_4 = vec2(uvec2(textureSize(_group_0_binding_2_fs, 0).xy));
     float _e108 = _group_0_binding_0_fs.tables.ground_rows;
     float _e109 = sky_row(_e100, ground_2, size_4.y, _e108);
@@ -415,8 +421,8 @@ void main() {
     if (_e151) {
         bool _e152 = dims;
         if (_e152) {
-            float _e156 = altitude_of(_e50.x, radius_7);
-            vec3 _e158 = columns_to_top(_group_0_binding_4_fs, radius_7, thickness_3, _e50.x, _e156, _e50.b);
+            float _e156 = altitude_of(_e50.x, radius_8);
+            vec3 _e158 = columns_to_top(_group_0_binding_4_fs, radius_8, thickness_4, _e50.x, _e156, _e50.b);
             vec3 _e163 = _group_0_binding_0_fs.frame.medium.rayleigh;
             vec3 _e168 = _group_0_binding_0_fs.frame.medium.mie_extinction;
             vec3 _e173 = _group_0_binding_0_fs.frame.medium.ozone;
@@ -436,17 +442,17 @@ void main() {
         float _e207 = end;
         float _e208 = unwarp(low_3, _e207);
         float _e211 = unwarp(low_3, _e50.length_);
-        float at_2 = ((((_e208 - _e206) / (_e211 - _e206)) * slices) - 1.0);
+        float at_3 = ((((_e208 - _e206) / (_e211 - _e206)) * slices) - 1.0);
         float _e217 = end;
         if ((_e217 < _e50.length_)) {
             vec3 _e220 = light;
-            vec3 _e227 = air_between(_group_0_binding_3_fs, texel_1, at_2, (slices - 1.0), AIR_SMOOTH, table_3, 0.0);
+            vec3 _e227 = air_between(_group_0_binding_3_fs, texel_1, at_3, (slices - 1.0), AIR_SMOOTH, table_3, 0.0);
             light = (_e220 * _e227);
             vec3 _e229 = aerosol;
-            vec3 _e236 = air_between(_group_0_binding_3_fs, texel_1, at_2, (slices - 1.0), AIR_AEROSOL, table_3, 0.0);
+            vec3 _e236 = air_between(_group_0_binding_3_fs, texel_1, at_3, (slices - 1.0), AIR_AEROSOL, table_3, 0.0);
             aerosol = (_e229 * _e236);
         }
-        vec3 _e244 = air_between(_group_0_binding_3_fs, texel_1, at_2, (slices - 1.0), AIR_THROUGH, table_3, 1.0);
+        vec3 _e244 = air_between(_group_0_binding_3_fs, texel_1, at_3, (slices - 1.0), AIR_THROUGH, table_3, 1.0);
         through = _e244;
     }
     vec3 _e245 = light;

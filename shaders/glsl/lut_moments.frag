@@ -70,7 +70,7 @@ float excess_of(float h, float radius) {
 
 float share_altitude(Tables t, float share, float thickness) {
     float s = ((t.altitude_steepness * share) * share);
-    float grown = ((s < 0.02) ? (s * (1.0 + (s * (0.5 + (s * 0.16666667))))) : (exp(s) - 1.0));
+    float grown = ((s < 0.05) ? (s * (1.0 + (s * (0.5 + (s * (0.16666667 + (s * 0.041666668))))))) : (exp(s) - 1.0));
     return (thickness * min((grown / t.altitude_growth), 1.0));
 }
 

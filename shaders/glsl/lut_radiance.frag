@@ -28,6 +28,7 @@ struct AirRay {
     float cross2_;
     float shadow_b;
     float shadow_c;
+    float shadow_half2_;
     bool ground;
 };
 struct SunSide {
@@ -36,6 +37,7 @@ struct SunSide {
     float cross2_;
     float shadow_b;
     float shadow_c;
+    float shadow_half2_;
 };
 struct Low {
     float t;
@@ -137,23 +139,33 @@ float half_chord2_(float b_2, float above, float depth, float p) {
     return (depth * (sphere + p));
 }
 
-SunSide sun_side_inside(vec3 dir, vec3 sun, float r, float x_3, float radius_3) {
-    SunSide s = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
-    s.nu = dot(dir, sun);
-    float _e9 = s.nu;
-    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s.cross2_ = dot(side, side);
-    s.sun_b = (r * sun.z);
-    s.shadow_b = (r * ((sun.x * side.y) - (sun.y * side.x)));
-    float q = (r * length(sun.xy));
-    float _e37 = s.sun_b;
-    float _e39 = half_chord2_(_e37, x_3, (radius_3 - q), q);
-    s.shadow_c = -(_e39);
-    SunSide _e41 = s;
-    return _e41;
+float shadow_half2_(SunSide s, float side_z, float r, float radius_3) {
+    float sine = max(sqrt(s.cross2_), 1e-18);
+    float p_1 = ((r * abs(side_z)) / sine);
+    float _e15 = half_chord2_((s.shadow_b / sine), s.shadow_c, (radius_3 - p_1), p_1);
+    return _e15;
 }
 
-Low lowest(AirRay ray, float length_, float radius_4) {
+SunSide sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_3, float radius_4) {
+    SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    s_1.nu = dot(dir, sun);
+    float _e9 = s_1.nu;
+    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    s_1.cross2_ = dot(side, side);
+    s_1.sun_b = (r_1 * sun.z);
+    s_1.shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+    float q = (r_1 * length(sun.xy));
+    float _e37 = s_1.sun_b;
+    float _e39 = half_chord2_(_e37, x_3, (radius_4 - q), q);
+    s_1.shadow_c = -(_e39);
+    SunSide _e42 = s_1;
+    float _e44 = shadow_half2_(_e42, side.z, r_1, radius_4);
+    s_1.shadow_half2_ = _e44;
+    SunSide _e45 = s_1;
+    return _e45;
+}
+
+Low lowest(AirRay ray, float length_, float radius_5) {
     bool local = false;
     if ((ray.b >= 0.0)) {
         return Low(0.0, ray.x, ray.b);
@@ -161,7 +173,7 @@ Low lowest(AirRay ray, float length_, float radius_4) {
     if ((-(ray.b) <= length_)) {
         return Low(-(ray.b), ray.x_closest, 0.0);
     }
-    float b_4 = (ray.b + length_);
+    float b_5 = (ray.b + length_);
     if (ray.ground) {
         local = (length_ >= ray.length_);
     } else {
@@ -169,25 +181,24 @@ Low lowest(AirRay ray, float length_, float radius_4) {
     }
     bool _e26 = local;
     if (_e26) {
-        return Low(length_, 0.0, b_4);
+        return Low(length_, 0.0, b_5);
     }
-    bool far = ((-(ray.b) * length_) > (radius_4 * radius_4));
-    return Low(length_, (far ? (ray.x_closest + (b_4 * b_4)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_4);
+    bool far = ((-(ray.b) * length_) > (radius_5 * radius_5));
+    return Low(length_, (far ? (ray.x_closest + (b_5 * b_5)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_5);
 }
 
 vec2 shadow_stretch(AirRay ray_1) {
     vec2 stretch = vec2(0.0);
     vec2 none = vec2(1.0, 0.0);
     float a = ray_1.cross2_;
-    float b_5 = ray_1.shadow_b;
+    float b_6 = ray_1.shadow_b;
     float c_3 = ray_1.shadow_c;
     stretch = vec2(-(1e30), 1e30);
-    float disc = ((b_5 * b_5) - (a * c_3));
     if ((a > 1e-30)) {
-        if ((disc <= 0.0)) {
+        if ((ray_1.shadow_half2_ <= 0.0)) {
             return none;
         }
-        float q_1 = -((b_5 + (((b_5 >= 0.0) ? 1.0 : -1.0) * sqrt(disc))));
+        float q_1 = -((b_6 + (((b_6 >= 0.0) ? 1.0 : -1.0) * sqrt((a * ray_1.shadow_half2_)))));
         float t0_2 = (q_1 / a);
         float t1_1 = ((q_1 != 0.0) ? (c_3 / q_1) : t0_2);
         stretch = vec2(min(t0_2, t1_1), max(t0_2, t1_1));
@@ -214,25 +225,25 @@ vec2 shadow_stretch(AirRay ray_1) {
     return _e59;
 }
 
-AirRay inner_ray(vec3 dir_1, float h_1, float radius_5, float thickness, vec3 sun_1, bool ground) {
+AirRay inner_ray(vec3 dir_1, float h_1, float radius_6, float thickness, vec3 sun_1, bool ground) {
     bool local_1 = false;
-    float r_1 = (radius_5 + h_1);
-    float _e7 = excess_of(h_1, radius_5);
-    float b_6 = (r_1 * dir_1.z);
-    float p_1 = (r_1 * sqrt(dot(dir_1.xy, dir_1.xy)));
-    float _e16 = half_chord2_(b_6, _e7, (radius_5 - p_1), p_1);
-    SunSide _e17 = sun_side_inside(dir_1, sun_1, r_1, _e7, radius_5);
-    float to_ground = (_e7 / (sqrt(max(_e16, 0.0)) - b_6));
-    float _e23 = excess_of(thickness, radius_5);
-    float _e24 = distance_to_top(_e7, b_6, _e23);
+    float r_2 = (radius_6 + h_1);
+    float _e7 = excess_of(h_1, radius_6);
+    float b_7 = (r_2 * dir_1.z);
+    float p_2 = (r_2 * sqrt(dot(dir_1.xy, dir_1.xy)));
+    float _e16 = half_chord2_(b_7, _e7, (radius_6 - p_2), p_2);
+    SunSide _e17 = sun_side_inside(dir_1, sun_1, r_2, _e7, radius_6);
+    float to_ground = (_e7 / (sqrt(max(_e16, 0.0)) - b_7));
+    float _e23 = excess_of(thickness, radius_6);
+    float _e24 = distance_to_top(_e7, b_7, _e23);
     if (ground) {
-        local_1 = (b_6 < 0.0);
+        local_1 = (b_7 < 0.0);
     } else {
         local_1 = false;
     }
     bool _e30 = local_1;
     float reach = (_e30 ? to_ground : _e24);
-    return AirRay(0.0, reach, _e7, b_6, -(_e16), _e17.sun_b, _e17.nu, _e17.cross2_, _e17.shadow_b, _e17.shadow_c, ground);
+    return AirRay(0.0, reach, _e7, b_7, -(_e16), _e17.sun_b, _e17.nu, _e17.cross2_, _e17.shadow_b, _e17.shadow_c, _e17.shadow_half2_, ground);
 }
 
 vec4 layers_of(Medium m) {
@@ -278,27 +289,34 @@ vec4 bilinear(highp sampler2D table, Corner c, ivec2 origin) {
     return mix(bottom, top, c.part.y);
 }
 
-vec3 columns_to_top(highp sampler2D table_1, float radius_6, float thickness_1, float x_4, float h_3, float b_3) {
-    float _e6 = excess_of(thickness_1, radius_6);
+vec2 columns_share(float x_4, float h_3, float b_3, float radius_7, float thickness_1) {
+    float _e5 = excess_of(thickness_1, radius_7);
     float rho = sqrt(max(x_4, 0.0));
-    float rho_top = sqrt(_e6);
-    float _e11 = distance_to_top(x_4, b_3, _e6);
+    float rho_top = sqrt(_e5);
+    float _e10 = distance_to_top(x_4, b_3, _e5);
     float shortest = max((thickness_1 - h_3), 0.0);
+    return vec2(((_e10 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
+}
+
+vec3 columns_to_top(highp sampler2D table_1, float radius_8, float thickness_2, float x_5, float h_4, float b_4) {
     ivec2 size_1 = ivec2(uvec2(textureSize(table_1, 0).xy));
-    vec2 share_2 = vec2(((_e11 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
-    Corner _e30 = corner((share_2 * vec2((size_1 - ivec2(1)))), size_1);
-    vec4 _e33 = bilinear(table_1, _e30, ivec2(0));
-    return exp2(_e33.xyz);
+    vec2 _e8 = columns_share(x_5, h_4, b_4, radius_8, thickness_2);
+    vec2 at_2 = (_e8 * vec2((size_1 - ivec2(1))));
+    Corner _e14 = corner(at_2, size_1);
+    vec4 _e17 = bilinear(table_1, _e14, ivec2(0));
+    return exp2(_e17.xyz);
 }
 
-float altitude_share(float steepness, float growth, float h_4, float thickness_2) {
-    return sqrt((log((1.0 + ((max(h_4, 0.0) / thickness_2) * growth))) / steepness));
+float altitude_share(float steepness, float growth, float h_5, float thickness_3) {
+    float grown = ((max(h_5, 0.0) / thickness_3) * growth);
+    float s_2 = ((grown < 0.05) ? (grown * (1.0 - (grown * (0.5 - (grown * (0.33333334 - (grown * 0.25))))))) : log((1.0 + grown)));
+    return sqrt((s_2 / steepness));
 }
 
-float share_altitude(Tables t_1, float share, float thickness_3) {
-    float s_1 = ((t_1.altitude_steepness * share) * share);
-    float grown = ((s_1 < 0.02) ? (s_1 * (1.0 + (s_1 * (0.5 + (s_1 * 0.16666667))))) : (exp(s_1) - 1.0));
-    return (thickness_3 * min((grown / t_1.altitude_growth), 1.0));
+float share_altitude(Tables t_1, float share, float thickness_4) {
+    float s_3 = ((t_1.altitude_steepness * share) * share);
+    float grown_1 = ((s_3 < 0.05) ? (s_3 * (1.0 + (s_3 * (0.5 + (s_3 * (0.16666667 + (s_3 * 0.041666668))))))) : (exp(s_3) - 1.0));
+    return (thickness_4 * min((grown_1 / t_1.altitude_growth), 1.0));
 }
 
 vec4 sun_axis(Tables t_2) {
@@ -352,8 +370,8 @@ vec3 ground_irradiance(highp sampler2D table_3, Tables t_4, float mu_sun_1) {
     ivec2 dims_1 = ivec2(uvec2(textureSize(table_3, 0).xy));
     vec4 _e5 = sun_axis(t_4);
     float _e6 = sun_share(_e5, mu_sun_1);
-    vec2 at_2 = vec2((_e6 * float((dims_1.x - 1))), 0.0);
-    Corner _e17 = corner(at_2, ivec2(dims_1.x, 1));
+    vec2 at_3 = vec2((_e6 * float((dims_1.x - 1))), 0.0);
+    Corner _e17 = corner(at_3, ivec2(dims_1.x, 1));
     vec4 _e23 = bilinear(table_3, _e17, ivec2(0, (dims_1.y - 1)));
     return exp2(_e23.xyz);
 }
@@ -392,8 +410,8 @@ Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium,
     float t0_1 = 0.0;
     uint group = 0u;
     uint i = 0u;
-    float radius_8 = medium.radius;
-    float thickness_4 = medium.thickness;
+    float radius_10 = medium.radius;
+    float thickness_5 = medium.thickness;
     vec4 _e13 = layers_of(medium);
     mat3x3 coefficients_1 = mat3x3(medium.rayleigh, t_6.mie_extinction, medium.ozone);
     vec2 _e26 = shadow_stretch(ray_2);
@@ -423,11 +441,11 @@ Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium,
             uint _e69 = group;
             float u_group = (u_from + (du * float((each * _e69))));
             float _e79 = warp(low_5, (u_group + ((0.5 * float(each)) * du)));
-            float _e83 = altitude_after(lowest_1.x, lowest_1.b, (_e79 - low_5), radius_8);
-            float r_2 = (radius_8 + _e83);
-            float mu_3 = clamp((((lowest_1.b + _e79) - low_5) / r_2), -1.0, 1.0);
-            float mu_sun_2 = clamp(((ray_2.sun_b + (ray_2.nu * _e79)) / r_2), -1.0, 1.0);
-            float _e102 = altitude_share(t_6.altitude_steepness, t_6.altitude_growth, _e83, thickness_4);
+            float _e83 = altitude_after(lowest_1.x, lowest_1.b, (_e79 - low_5), radius_10);
+            float r_3 = (radius_10 + _e83);
+            float mu_3 = clamp((((lowest_1.b + _e79) - low_5) / r_3), -1.0, 1.0);
+            float mu_sun_2 = clamp(((ray_2.sun_b + (ray_2.nu * _e79)) / r_3), -1.0, 1.0);
+            float _e102 = altitude_share(t_6.altitude_steepness, t_6.altitude_growth, _e83, thickness_5);
             float _e103 = sun_share(_e27, mu_sun_2);
             Source _e108 = diffuse_source(moments, (vec2(_e103, _e102) * nodes), medium.rayleigh, scattered, mu_3, mu_sun_2, ray_2.nu);
             i = 0u;
@@ -450,28 +468,28 @@ Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium,
                     float _e119 = t0_1;
                     float step_ = (_e118 - _e119);
                     float _e124 = warp(low_5, (u_1 + (0.5 * du)));
-                    float _e128 = altitude_after(lowest_1.x, lowest_1.b, (_e124 - low_5), radius_8);
+                    float _e128 = altitude_after(lowest_1.x, lowest_1.b, (_e124 - low_5), radius_10);
                     vec3 _e129 = densities(_e13, _e128);
                     vec3 _e130 = extinction(coefficients_1, _e129);
                     vec3 tau_1 = (_e130 * step_);
                     vec3 _e133 = out_.transmittance;
                     vec3 _e134 = mean_transmittance(tau_1);
-                    vec3 share_3 = (_e133 * _e134);
+                    vec3 share_2 = (_e133 * _e134);
                     float _e136 = t0_1;
                     vec2 _e137 = lit_part(_e26, low_5, _e136, _e118, _e124);
                     if ((_e137.x > 0.0)) {
                         float past = (_e137.y - low_5);
                         float lit_x = max((lowest_1.x + (past * ((2.0 * lowest_1.b) + past))), 0.0);
-                        float _e152 = altitude_of(lit_x, radius_8);
+                        float _e152 = altitude_of(lit_x, radius_10);
                         vec3 _e153 = densities(_e13, _e152);
-                        vec3 _e159 = columns_to_top(columns, radius_8, thickness_4, lit_x, _e152, (ray_2.sun_b + (ray_2.nu * _e137.y)));
+                        vec3 _e159 = columns_to_top(columns, radius_10, thickness_5, lit_x, _e152, (ray_2.sun_b + (ray_2.nu * _e137.y)));
                         vec3 _e165 = extinction(coefficients_1, _e159);
                         vec3 source_1 = (((gas_1 * _e153.x) + (aerosol_1 * _e153.y)) * exp(-(_e165)));
                         vec3 _e170 = out_.radiance;
-                        out_.radiance = (_e170 + ((share_3 * source_1) * _e137.x));
+                        out_.radiance = (_e170 + ((share_2 * source_1) * _e137.x));
                     }
                     vec3 _e176 = out_.radiance;
-                    out_.radiance = (_e176 + ((share_3 * (step_ * diffuse)) * ((_e108.gas * _e129.x) + (_e108.aerosol * _e129.y))));
+                    out_.radiance = (_e176 + ((share_2 * (step_ * diffuse)) * ((_e108.gas * _e129.x) + (_e108.aerosol * _e129.y))));
                     vec3 _e189 = out_.transmittance;
                     out_.transmittance = (_e189 * exp(-(tau_1)));
                     vec3 _e194 = out_.columns;
@@ -524,11 +542,11 @@ vec2 gauss8_(int i_1) {
     }
 }
 
-Direction node_direction(int zenith, int azimuth, float h_5, float radius_7) {
+Direction node_direction(int zenith, int azimuth, float h_6, float radius_9) {
     bool above_1 = (zenith < 8);
     vec2 _e8 = gauss8_((above_1 ? zenith : (zenith - 8)));
-    float _e9 = excess_of(h_5, radius_7);
-    float horizon = (-(sqrt(_e9)) / (radius_7 + h_5));
+    float _e9 = excess_of(h_6, radius_9);
+    float horizon = (-(sqrt(_e9)) / (radius_9 + h_6));
     float span = (above_1 ? (1.0 - horizon) : (-1.0 - horizon));
     float mu_4 = clamp((horizon + ((span * _e8.x) * _e8.x)), -1.0, 1.0);
     return Direction(mu_4, ((float(azimuth) + 0.5) * 0.3926991), above_1, (((((abs(span) * 2.0) * _e8.x) * _e8.y) * 2.0) * 0.3926991));
@@ -540,16 +558,16 @@ void main() {
     vec3 light = vec3(0.0);
     Medium m_1 = _group_0_binding_0_fs.medium;
     Tables t_8 = _group_0_binding_0_fs.tables;
-    ivec2 at_3 = ivec2(position.xy);
+    ivec2 at_4 = ivec2(position.xy);
     ivec2 dims_3 = ivec2(uvec2(textureSize(_group_0_binding_2_fs, 0).xy));
     ivec2 size_2 = ivec2(dims_3.x, ((dims_3.y - 1) / MOMENTS));
-    ivec2 node = ivec2((at_3.x / AZIMUTHS), (at_3.y / ZENITHS));
+    ivec2 node = ivec2((at_4.x / AZIMUTHS), (at_4.y / ZENITHS));
     float _e33 = share_sun(t_8, (float(node.x) / float((size_2.x - 1))));
     float _e42 = share_altitude(t_8, (float(node.y) / float((size_2.y - 1))), m_1.thickness);
     vec3 sun_2 = vec3(sqrt(max(((1.0 - _e33) * (1.0 + _e33)), 0.0)), 0.0, _e33);
-    Direction _e60 = node_direction((at_3.y % ZENITHS), (at_3.x % AZIMUTHS), _e42, m_1.radius);
-    float sine = sqrt(max(((1.0 - _e60.mu) * (1.0 + _e60.mu)), 0.0));
-    vec3 dir_2 = vec3((sine * cos(_e60.azimuth)), (sine * sin(_e60.azimuth)), _e60.mu);
+    Direction _e60 = node_direction((at_4.y % ZENITHS), (at_4.x % AZIMUTHS), _e42, m_1.radius);
+    float sine_1 = sqrt(max(((1.0 - _e60.mu) * (1.0 + _e60.mu)), 0.0));
+    vec3 dir_2 = vec3((sine_1 * cos(_e60.azimuth)), (sine_1 * sin(_e60.azimuth)), _e60.mu);
     AirRay _e83 = inner_ray(dir_2, _e42, m_1.radius, m_1.thickness, sun_2, !(_e60.above));
     float nu_1 = _e83.nu;
     float _e86 = rayleigh_phase(nu_1);

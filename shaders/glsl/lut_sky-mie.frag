@@ -56,6 +56,7 @@ struct AirRay {
     float cross2_;
     float shadow_b;
     float shadow_c;
+    float shadow_half2_;
     bool ground;
 };
 struct SunSide {
@@ -64,6 +65,7 @@ struct SunSide {
     float cross2_;
     float shadow_b;
     float shadow_c;
+    float shadow_half2_;
 };
 struct Low {
     float t;
@@ -161,45 +163,64 @@ float half_chord2_(float b_2, float above, float depth, float p) {
     return (depth * (sphere + p));
 }
 
-SunSide sun_side_inside(vec3 dir, vec3 sun, float r, float x_3, float radius_3) {
-    SunSide s = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
-    s.nu = dot(dir, sun);
-    float _e9 = s.nu;
-    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s.cross2_ = dot(side, side);
-    s.sun_b = (r * sun.z);
-    s.shadow_b = (r * ((sun.x * side.y) - (sun.y * side.x)));
-    float q = (r * length(sun.xy));
-    float _e37 = s.sun_b;
-    float _e39 = half_chord2_(_e37, x_3, (radius_3 - q), q);
-    s.shadow_c = -(_e39);
-    SunSide _e41 = s;
-    return _e41;
+float shadow_half2_(SunSide s, float side_z, float r, float radius_3) {
+    float sine = max(sqrt(s.cross2_), 1e-18);
+    float p_1 = ((r * abs(side_z)) / sine);
+    float _e15 = half_chord2_((s.shadow_b / sine), s.shadow_c, (radius_3 - p_1), p_1);
+    return _e15;
 }
 
-SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_1, float half_, float x_top_1, float radius_4) {
-    SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
-    s_1.nu = dot(dir_1, sun_1);
-    float _e10 = s_1.nu;
-    float same = ((_e10 >= 0.0) ? 1.0 : -1.0);
+SunSide sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_3, float radius_4) {
+    SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    s_1.nu = dot(dir, sun);
+    float _e9 = s_1.nu;
+    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    s_1.cross2_ = dot(side, side);
+    s_1.sun_b = (r_1 * sun.z);
+    s_1.shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+    float q = (r_1 * length(sun.xy));
+    float _e37 = s_1.sun_b;
+    float _e39 = half_chord2_(_e37, x_3, (radius_4 - q), q);
+    s_1.shadow_c = -(_e39);
+    SunSide _e42 = s_1;
+    float _e44 = shadow_half2_(_e42, side.z, r_1, radius_4);
+    s_1.shadow_half2_ = _e44;
+    SunSide _e45 = s_1;
+    return _e45;
+}
+
+SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half_, float x_top_1, float radius_5) {
+    SunSide s_2 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    s_2.nu = dot(dir_1, sun_1);
+    float _e11 = s_2.nu;
+    float same = ((_e11 >= 0.0) ? 1.0 : -1.0);
     vec3 apart = (dir_1 - (same * sun_1));
     vec3 side_1 = cross(apart, sun_1);
-    s_1.cross2_ = dot(side_1, side_1);
-    vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_1);
-    float _e35 = s_1.nu;
-    s_1.sun_b = ((-(same) * dot(closest, apart)) - (half_ * _e35));
+    s_2.cross2_ = dot(side_1, side_1);
+    vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
+    float there = (-(same) * dot(closest, apart));
+    float here = (r_2 * sun_1.z);
+    float _e38 = s_2.nu;
+    float _e44 = s_2.nu;
+    bool nearer = ((abs(here) + (start * abs(_e38))) < (abs(there) + (half_ * abs(_e44))));
+    float _e51 = s_2.nu;
+    float _e55 = s_2.nu;
+    s_2.sun_b = (nearer ? (here + (start * _e55)) : (there - (half_ * _e51)));
     vec3 closest_side = cross(closest, sun_1);
-    float _e42 = s_1.cross2_;
-    s_1.shadow_b = (dot(closest_side, side_1) - (half_ * _e42));
+    float _e63 = s_2.cross2_;
+    s_2.shadow_b = (dot(closest_side, side_1) - (half_ * _e63));
     float q_1 = length((closest_side - (half_ * side_1)));
-    float _e50 = s_1.sun_b;
-    float _e52 = half_chord2_(_e50, x_top_1, (radius_4 - q_1), q_1);
-    s_1.shadow_c = -(_e52);
-    SunSide _e54 = s_1;
-    return _e54;
+    float _e71 = s_2.sun_b;
+    float _e73 = half_chord2_(_e71, x_top_1, (radius_5 - q_1), q_1);
+    s_2.shadow_c = -(_e73);
+    SunSide _e76 = s_2;
+    float _e78 = shadow_half2_(_e76, side_1.z, r_2, radius_5);
+    s_2.shadow_half2_ = _e78;
+    SunSide _e79 = s_2;
+    return _e79;
 }
 
-Low lowest(AirRay ray, float length_, float radius_5) {
+Low lowest(AirRay ray, float length_, float radius_6) {
     bool local = false;
     if ((ray.b >= 0.0)) {
         return Low(0.0, ray.x, ray.b);
@@ -207,7 +228,7 @@ Low lowest(AirRay ray, float length_, float radius_5) {
     if ((-(ray.b) <= length_)) {
         return Low(-(ray.b), ray.x_closest, 0.0);
     }
-    float b_4 = (ray.b + length_);
+    float b_5 = (ray.b + length_);
     if (ray.ground) {
         local = (length_ >= ray.length_);
     } else {
@@ -215,25 +236,24 @@ Low lowest(AirRay ray, float length_, float radius_5) {
     }
     bool _e26 = local;
     if (_e26) {
-        return Low(length_, 0.0, b_4);
+        return Low(length_, 0.0, b_5);
     }
-    bool far = ((-(ray.b) * length_) > (radius_5 * radius_5));
-    return Low(length_, (far ? (ray.x_closest + (b_4 * b_4)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_4);
+    bool far = ((-(ray.b) * length_) > (radius_6 * radius_6));
+    return Low(length_, (far ? (ray.x_closest + (b_5 * b_5)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_5);
 }
 
 vec2 shadow_stretch(AirRay ray_1) {
     vec2 stretch = vec2(0.0);
     vec2 none = vec2(1.0, 0.0);
     float a = ray_1.cross2_;
-    float b_5 = ray_1.shadow_b;
+    float b_6 = ray_1.shadow_b;
     float c_3 = ray_1.shadow_c;
     stretch = vec2(-(1e30), 1e30);
-    float disc = ((b_5 * b_5) - (a * c_3));
     if ((a > 1e-30)) {
-        if ((disc <= 0.0)) {
+        if ((ray_1.shadow_half2_ <= 0.0)) {
             return none;
         }
-        float q_2 = -((b_5 + (((b_5 >= 0.0) ? 1.0 : -1.0) * sqrt(disc))));
+        float q_2 = -((b_6 + (((b_6 >= 0.0) ? 1.0 : -1.0) * sqrt((a * ray_1.shadow_half2_)))));
         float t0_2 = (q_2 / a);
         float t1_1 = ((q_2 != 0.0) ? (c_3 / q_2) : t0_2);
         stretch = vec2(min(t0_2, t1_1), max(t0_2, t1_1));
@@ -260,25 +280,25 @@ vec2 shadow_stretch(AirRay ray_1) {
     return _e59;
 }
 
-AirRay inner_ray(vec3 dir_2, float h_1, float radius_6, float thickness, vec3 sun_2, bool ground) {
+AirRay inner_ray(vec3 dir_2, float h_1, float radius_7, float thickness, vec3 sun_2, bool ground) {
     bool local_1 = false;
-    float r_2 = (radius_6 + h_1);
-    float _e7 = excess_of(h_1, radius_6);
-    float b_6 = (r_2 * dir_2.z);
-    float p_1 = (r_2 * sqrt(dot(dir_2.xy, dir_2.xy)));
-    float _e16 = half_chord2_(b_6, _e7, (radius_6 - p_1), p_1);
-    SunSide _e17 = sun_side_inside(dir_2, sun_2, r_2, _e7, radius_6);
-    float to_ground = (_e7 / (sqrt(max(_e16, 0.0)) - b_6));
-    float _e23 = excess_of(thickness, radius_6);
-    float _e24 = distance_to_top(_e7, b_6, _e23);
+    float r_3 = (radius_7 + h_1);
+    float _e7 = excess_of(h_1, radius_7);
+    float b_7 = (r_3 * dir_2.z);
+    float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
+    float _e16 = half_chord2_(b_7, _e7, (radius_7 - p_2), p_2);
+    SunSide _e17 = sun_side_inside(dir_2, sun_2, r_3, _e7, radius_7);
+    float to_ground = (_e7 / (sqrt(max(_e16, 0.0)) - b_7));
+    float _e23 = excess_of(thickness, radius_7);
+    float _e24 = distance_to_top(_e7, b_7, _e23);
     if (ground) {
-        local_1 = (b_6 < 0.0);
+        local_1 = (b_7 < 0.0);
     } else {
         local_1 = false;
     }
     bool _e30 = local_1;
     float reach = (_e30 ? to_ground : _e24);
-    return AirRay(0.0, reach, _e7, b_6, -(_e16), _e17.sun_b, _e17.nu, _e17.cross2_, _e17.shadow_b, _e17.shadow_c, ground);
+    return AirRay(0.0, reach, _e7, b_7, -(_e16), _e17.sun_b, _e17.nu, _e17.cross2_, _e17.shadow_b, _e17.shadow_c, _e17.shadow_half2_, ground);
 }
 
 vec4 layers_of(Medium m) {
@@ -322,21 +342,28 @@ vec4 bilinear(highp sampler2D table, Corner c, ivec2 origin) {
     return mix(bottom, top, c.part.y);
 }
 
-vec3 columns_to_top(highp sampler2D table_1, float radius_7, float thickness_1, float x_4, float h_3, float b_3) {
-    float _e6 = excess_of(thickness_1, radius_7);
+vec2 columns_share(float x_4, float h_3, float b_3, float radius_8, float thickness_1) {
+    float _e5 = excess_of(thickness_1, radius_8);
     float rho = sqrt(max(x_4, 0.0));
-    float rho_top = sqrt(_e6);
-    float _e11 = distance_to_top(x_4, b_3, _e6);
+    float rho_top = sqrt(_e5);
+    float _e10 = distance_to_top(x_4, b_3, _e5);
     float shortest = max((thickness_1 - h_3), 0.0);
-    ivec2 size_1 = ivec2(uvec2(textureSize(table_1, 0).xy));
-    vec2 share_2 = vec2(((_e11 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
-    Corner _e30 = corner((share_2 * vec2((size_1 - ivec2(1)))), size_1);
-    vec4 _e33 = bilinear(table_1, _e30, ivec2(0));
-    return exp2(_e33.xyz);
+    return vec2(((_e10 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
 }
 
-float altitude_share(float steepness, float growth, float h_4, float thickness_2) {
-    return sqrt((log((1.0 + ((max(h_4, 0.0) / thickness_2) * growth))) / steepness));
+vec3 columns_to_top(highp sampler2D table_1, float radius_9, float thickness_2, float x_5, float h_4, float b_4) {
+    ivec2 size_1 = ivec2(uvec2(textureSize(table_1, 0).xy));
+    vec2 _e8 = columns_share(x_5, h_4, b_4, radius_9, thickness_2);
+    vec2 at_2 = (_e8 * vec2((size_1 - ivec2(1))));
+    Corner _e14 = corner(at_2, size_1);
+    vec4 _e17 = bilinear(table_1, _e14, ivec2(0));
+    return exp2(_e17.xyz);
+}
+
+float altitude_share(float steepness, float growth, float h_5, float thickness_3) {
+    float grown = ((max(h_5, 0.0) / thickness_3) * growth);
+    float s_4 = ((grown < 0.05) ? (grown * (1.0 - (grown * (0.5 - (grown * (0.33333334 - (grown * 0.25))))))) : log((1.0 + grown)));
+    return sqrt((s_4 / steepness));
 }
 
 vec4 sun_axis(Tables t_1) {
@@ -415,8 +442,8 @@ Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium,
     float t0_1 = 0.0;
     uint group = 0u;
     uint i = 0u;
-    float radius_9 = medium.radius;
-    float thickness_4 = medium.thickness;
+    float radius_11 = medium.radius;
+    float thickness_5 = medium.thickness;
     vec4 _e13 = layers_of(medium);
     mat3x3 coefficients_1 = mat3x3(medium.rayleigh, t_3.mie_extinction, medium.ozone);
     vec2 _e26 = shadow_stretch(ray_2);
@@ -446,11 +473,11 @@ Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium,
             uint _e69 = group;
             float u_group = (u_from + (du * float((each * _e69))));
             float _e79 = warp(low_5, (u_group + ((0.5 * float(each)) * du)));
-            float _e83 = altitude_after(lowest_1.x, lowest_1.b, (_e79 - low_5), radius_9);
-            float r_3 = (radius_9 + _e83);
-            float mu_4 = clamp((((lowest_1.b + _e79) - low_5) / r_3), -1.0, 1.0);
-            float mu_sun_1 = clamp(((ray_2.sun_b + (ray_2.nu * _e79)) / r_3), -1.0, 1.0);
-            float _e102 = altitude_share(t_3.altitude_steepness, t_3.altitude_growth, _e83, thickness_4);
+            float _e83 = altitude_after(lowest_1.x, lowest_1.b, (_e79 - low_5), radius_11);
+            float r_4 = (radius_11 + _e83);
+            float mu_4 = clamp((((lowest_1.b + _e79) - low_5) / r_4), -1.0, 1.0);
+            float mu_sun_1 = clamp(((ray_2.sun_b + (ray_2.nu * _e79)) / r_4), -1.0, 1.0);
+            float _e102 = altitude_share(t_3.altitude_steepness, t_3.altitude_growth, _e83, thickness_5);
             float _e103 = sun_share(_e27, mu_sun_1);
             Source _e108 = diffuse_source(moments, (vec2(_e103, _e102) * nodes), medium.rayleigh, scattered, mu_4, mu_sun_1, ray_2.nu);
             i = 0u;
@@ -473,28 +500,28 @@ Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium,
                     float _e119 = t0_1;
                     float step_ = (_e118 - _e119);
                     float _e124 = warp(low_5, (u_1 + (0.5 * du)));
-                    float _e128 = altitude_after(lowest_1.x, lowest_1.b, (_e124 - low_5), radius_9);
+                    float _e128 = altitude_after(lowest_1.x, lowest_1.b, (_e124 - low_5), radius_11);
                     vec3 _e129 = densities(_e13, _e128);
                     vec3 _e130 = extinction(coefficients_1, _e129);
                     vec3 tau_1 = (_e130 * step_);
                     vec3 _e133 = out_.transmittance;
                     vec3 _e134 = mean_transmittance(tau_1);
-                    vec3 share_3 = (_e133 * _e134);
+                    vec3 share_2 = (_e133 * _e134);
                     float _e136 = t0_1;
                     vec2 _e137 = lit_part(_e26, low_5, _e136, _e118, _e124);
                     if ((_e137.x > 0.0)) {
                         float past = (_e137.y - low_5);
                         float lit_x = max((lowest_1.x + (past * ((2.0 * lowest_1.b) + past))), 0.0);
-                        float _e152 = altitude_of(lit_x, radius_9);
+                        float _e152 = altitude_of(lit_x, radius_11);
                         vec3 _e153 = densities(_e13, _e152);
-                        vec3 _e159 = columns_to_top(columns, radius_9, thickness_4, lit_x, _e152, (ray_2.sun_b + (ray_2.nu * _e137.y)));
+                        vec3 _e159 = columns_to_top(columns, radius_11, thickness_5, lit_x, _e152, (ray_2.sun_b + (ray_2.nu * _e137.y)));
                         vec3 _e165 = extinction(coefficients_1, _e159);
                         vec3 source_1 = (((gas_1 * _e153.x) + (aerosol_1 * _e153.y)) * exp(-(_e165)));
                         vec3 _e170 = out_.radiance;
-                        out_.radiance = (_e170 + ((share_3 * source_1) * _e137.x));
+                        out_.radiance = (_e170 + ((share_2 * source_1) * _e137.x));
                     }
                     vec3 _e176 = out_.radiance;
-                    out_.radiance = (_e176 + ((share_3 * (step_ * diffuse)) * ((_e108.gas * _e129.x) + (_e108.aerosol * _e129.y))));
+                    out_.radiance = (_e176 + ((share_2 * (step_ * diffuse)) * ((_e108.gas * _e129.x) + (_e108.aerosol * _e129.y))));
                     vec3 _e189 = out_.transmittance;
                     out_.transmittance = (_e189 * exp(-(tau_1)));
                     vec3 _e194 = out_.columns;
@@ -514,19 +541,19 @@ vec2 share_azimuth(float share) {
     return (vec2(((c_4 - share) * (c_4 + share)), ((2.0 * share) * c_4)) * norm);
 }
 
-TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_5, float radius_8, float thickness_3, vec2 limb, vec3 sun_3) {
+TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_6, float radius_10, float thickness_4, vec2 limb, vec3 sun_3) {
     bool local_2 = false;
     float c2_ = 0.0;
-    float mu_2 = 0.0;
-    float from_camera = 0.0;
+    float approach = 0.0;
     float from_start = 0.0;
-    SunSide s_2 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
-    float start = 0.0;
-    float r_4 = (radius_8 + h_5);
-    float _e9 = excess_of(h_5, radius_8);
-    float _e10 = excess_of(thickness_3, radius_8);
+    float mu_2 = 0.0;
+    SunSide s_3 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    float start_1 = 0.0;
+    float r_5 = (radius_10 + h_6);
+    float _e9 = excess_of(h_6, radius_10);
+    float _e10 = excess_of(thickness_4, radius_10);
     vec2 _e11 = share_azimuth(azimuth);
-    bool outside = (h_5 > thickness_3);
+    bool outside = (h_6 > thickness_4);
     if (!(ground_1)) {
         local_2 = (share_1 > limb.x);
     } else {
@@ -535,63 +562,63 @@ TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_5, float
     bool _e19 = local_2;
     if (_e19) {
         float u_2 = ((share_1 - limb.x) / (1.0 - limb.x));
-        float s_3 = (SQRT_HALF * (1.0 - (u_2 * u_2)));
-        float mu_5 = (1.0 - ((2.0 * s_3) * s_3));
-        vec3 dir_3 = vec3((_e11 * ((2.0 * s_3) * sqrt(max((1.0 - (s_3 * s_3)), 0.0)))), mu_5);
-        AirRay _e48 = inner_ray(dir_3, h_5, radius_8, thickness_3, sun_3, false);
-        return TableRay(dir_3, _e48);
+        float rest = ((1.0 - u_2) * (1.0 + u_2));
+        float s_5 = (SQRT_HALF * rest);
+        vec3 dir_3 = vec3((_e11 * ((2.0 * s_5) * sqrt((1.0 - (s_5 * s_5))))), ((u_2 * u_2) * (1.0 + rest)));
+        AirRay _e47 = inner_ray(dir_3, h_6, radius_10, thickness_4, sun_3, false);
+        return TableRay(dir_3, _e47);
     }
     float start_x = (outside ? _e10 : _e9);
     if (ground_1) {
-        float s_4 = (SQRT_HALF * (1.0 - (share_1 * share_1)));
-        mu_2 = max((1.0 - ((2.0 * s_4) * s_4)), 0.0);
+        float rest_1 = ((1.0 - share_1) * (1.0 + share_1));
+        float s_6 = (SQRT_HALF * rest_1);
+        mu_2 = ((share_1 * share_1) * (1.0 + rest_1));
+        float _e71 = mu_2;
         float _e73 = mu_2;
-        float _e75 = mu_2;
-        c2_ = (((-(radius_8) * radius_8) * _e73) * _e75);
-        float _e77 = c2_;
-        from_camera = (_e9 - _e77);
-        float _e79 = c2_;
-        from_start = (start_x - _e79);
+        c2_ = (((-(radius_10) * radius_10) * _e71) * _e73);
+        approach = (radius_10 * ((2.0 * s_6) * sqrt((1.0 - (s_6 * s_6)))));
+        float _e83 = c2_;
+        from_start = (start_x - _e83);
     } else {
-        float limit = min(h_5, thickness_3);
-        float s_5 = min((share_1 / max(limb.x, 1e-20)), 1.0);
-        float y_1 = ((1.0 - s_5) * (1.0 + s_5));
+        float limit = min(h_6, thickness_4);
+        float s_7 = min((share_1 / max(limb.x, 1e-20)), 1.0);
+        float y_1 = ((1.0 - s_7) * (1.0 + s_7));
         float k = (1.0 - limb.y);
         float v = ((2.0 * y_1) / max((k + sqrt(((k * k) + ((4.0 * limb.y) * y_1)))), 1e-20));
-        float lowest_2 = (limit * min((((s_5 * s_5) * (1.0 + v)) / (1.0 + (limb.y * v))), 1.0));
-        float _e121 = excess_of(lowest_2, radius_8);
-        c2_ = _e121;
-        from_start = (((limit * v) * v) * (((2.0 * radius_8) + limit) + lowest_2));
-        float _e129 = from_start;
-        from_camera = (outside ? ((h_5 - lowest_2) * (((2.0 * radius_8) + h_5) + lowest_2)) : _e129);
+        float lowest_2 = (limit * min((((s_7 * s_7) * (1.0 + v)) / (1.0 + (limb.y * v))), 1.0));
+        float _e125 = excess_of(lowest_2, radius_10);
+        c2_ = _e125;
+        approach = (radius_10 + lowest_2);
+        from_start = (((limit * v) * v) * (((2.0 * radius_10) + limit) + lowest_2));
     }
-    float _e137 = from_start;
-    float b_7 = -(sqrt(max(_e137, 0.0)));
-    float _e143 = c2_;
-    float approach = sqrt(max(((radius_8 * radius_8) + _e143), 0.0));
-    float sine = min((approach / r_4), 1.0);
-    float _e151 = from_camera;
-    float down = (-(sqrt(max(_e151, 0.0))) / r_4);
-    vec3 dir_4 = vec3((_e11 * sine), down);
+    float above_1 = ((h_6 - thickness_4) * (((2.0 * radius_10) + thickness_4) + h_6));
+    float _e140 = from_start;
+    float b_8 = -(sqrt(max(_e140, 0.0)));
+    float _e145 = from_start;
+    float down = ((outside ? -(sqrt(max((above_1 + _e145), 0.0))) : b_8) / r_5);
+    float _e153 = approach;
+    vec3 dir_4 = vec3((_e11 * min((_e153 / r_5), 1.0)), down);
     if (outside) {
-        start = (((h_5 - thickness_3) * (((2.0 * radius_8) + thickness_3) + h_5)) / (-(b_7) - (r_4 * down)));
-        SunSide _e173 = sun_side_outside(dir_4, sun_3, r_4, -(b_7), _e10, radius_8);
-        s_2 = _e173;
+        start_1 = (above_1 / (-(b_8) - (r_5 * down)));
+        float _e166 = start_1;
+        SunSide _e168 = sun_side_outside(dir_4, sun_3, r_5, _e166, -(b_8), _e10, radius_10);
+        s_3 = _e168;
     } else {
-        SunSide _e174 = sun_side_inside(dir_4, sun_3, r_4, _e9, radius_8);
-        s_2 = _e174;
+        SunSide _e169 = sun_side_inside(dir_4, sun_3, r_5, _e9, radius_10);
+        s_3 = _e169;
     }
-    float _e175 = distance_to_top(start_x, b_7, _e10);
-    float _e176 = mu_2;
-    float reach_1 = (ground_1 ? (start_x / ((radius_8 * _e176) - b_7)) : _e175);
-    float _e181 = start;
-    float _e182 = c2_;
-    float _e184 = s_2.sun_b;
-    float _e186 = s_2.nu;
-    float _e188 = s_2.cross2_;
-    float _e190 = s_2.shadow_b;
-    float _e192 = s_2.shadow_c;
-    AirRay ray_3 = AirRay(_e181, reach_1, start_x, b_7, _e182, _e184, _e186, _e188, _e190, _e192, ground_1);
+    float _e170 = distance_to_top(start_x, b_8, _e10);
+    float _e171 = mu_2;
+    float reach_1 = (ground_1 ? (start_x / max(((radius_10 * _e171) - b_8), 1e-20)) : _e170);
+    float _e178 = start_1;
+    float _e179 = c2_;
+    float _e181 = s_3.sun_b;
+    float _e183 = s_3.nu;
+    float _e185 = s_3.cross2_;
+    float _e187 = s_3.shadow_b;
+    float _e189 = s_3.shadow_c;
+    float _e191 = s_3.shadow_half2_;
+    AirRay ray_3 = AirRay(_e178, reach_1, start_x, b_8, _e179, _e181, _e183, _e185, _e187, _e189, _e191, ground_1);
     return TableRay(dir_4, ray_3);
 }
 
@@ -604,15 +631,15 @@ void main() {
     Frame f = _group_0_binding_0_fs.frame;
     Tables t_5 = _group_0_binding_0_fs.tables;
     Medium m_2 = f.medium;
-    ivec2 at_2 = ivec2(position.xy);
+    ivec2 at_3 = ivec2(position.xy);
     ivec2 size_2 = ivec2(t_5.size);
-    float azimuth_1 = (float(at_2.x) / float((size_2.x - 1)));
+    float azimuth_1 = (float(at_3.x) / float((size_2.x - 1)));
     int ground_rows = int(t_5.ground_rows);
-    bool ground_2 = (at_2.y < ground_rows);
+    bool ground_2 = (at_3.y < ground_rows);
     int first_1 = (ground_2 ? 0 : ground_rows);
     int rows = (ground_2 ? ground_rows : (size_2.y - ground_rows));
-    float share_4 = (float((at_2.y - first_1)) / float((rows - 1)));
-    TableRay _e40 = table_ray(azimuth_1, share_4, ground_2, f.altitude, m_2.radius, m_2.thickness, f.limb, f.sun);
+    float share_3 = (float((at_3.y - first_1)) / float((rows - 1)));
+    TableRay _e40 = table_ray(azimuth_1, share_3, ground_2, f.altitude, m_2.radius, m_2.thickness, f.limb, f.sun);
     AirRay ray_4 = _e40.ray;
     if ((ray_4.length_ <= 0.0)) {
         _fs2p_location0 = vec4(0.0, 0.0, 0.0, 1.0);

@@ -18,7 +18,7 @@ struct Medium {
     float thickness;
 };
 const float INV_4PI = 0.07957747;
-const int CASE_TEXELS = 10;
+const int CASE_TEXELS = 13;
 const int ANSWERS = 5;
 
 uniform highp sampler2D _group_0_binding_1_fs;
@@ -96,33 +96,35 @@ void main() {
     vec4 light = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(7, 0)), 0);
     vec4 path = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(8, 0)), 0);
     vec4 angle = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(9, 0)), 0);
-    vec4 _e43 = layers_of(_e14);
-    vec3 _e45 = densities(_e43, view.w);
+    vec4 share = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(10, 0)), 0);
+    vec4 scale = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(11, 0)), 0);
+    vec4 _e57 = layers_of(_e14);
+    vec3 _e59 = densities(_e57, view.w);
     if ((answer == 0)) {
-        float _e51 = rayleigh_phase((1.0 - angle.x));
-        _fs2p_location0 = vec4(_e45, _e51);
+        float _e65 = rayleigh_phase((1.0 - angle.x));
+        _fs2p_location0 = vec4(_e59, _e65);
         return;
     }
     if ((answer == 1)) {
-        mat3x3 _e55 = coefficients_of(_e14);
-        vec3 _e56 = extinction(_e55, _e45);
-        _fs2p_location0 = vec4(_e56, 0.0);
+        mat3x3 _e69 = coefficients_of(_e14);
+        vec3 _e70 = extinction(_e69, _e59);
+        _fs2p_location0 = vec4(_e70, 0.0);
         return;
     }
     if ((answer == 2)) {
-        vec3 _e66 = henyey_greenstein_phase(angle.x, (2.0 - angle.x), _e14.mie_asymmetry);
-        _fs2p_location0 = vec4(_e66, 0.0);
+        vec3 _e80 = henyey_greenstein_phase(angle.x, (2.0 - angle.x), _e14.mie_asymmetry);
+        _fs2p_location0 = vec4(_e80, 0.0);
         return;
     }
     if ((answer == 3)) {
-        vec3 _e76 = cornette_shanks_phase(angle.x, (2.0 - angle.x), _e14.mie_asymmetry);
-        _fs2p_location0 = vec4(_e76, 0.0);
+        vec3 _e90 = cornette_shanks_phase(angle.x, (2.0 - angle.x), _e14.mie_asymmetry);
+        _fs2p_location0 = vec4(_e90, 0.0);
         return;
     }
-    mat3x3 _e79 = coefficients_of(_e14);
-    vec3 _e80 = extinction(_e79, _e45);
-    vec3 _e83 = mean_transmittance((_e80 * path.z));
-    _fs2p_location0 = vec4(_e83, 0.0);
+    mat3x3 _e93 = coefficients_of(_e14);
+    vec3 _e94 = extinction(_e93, _e59);
+    vec3 _e97 = mean_transmittance((_e94 * path.z));
+    _fs2p_location0 = vec4(_e97, 0.0);
     return;
 }
 

@@ -18,7 +18,7 @@ struct Medium {
     float thickness;
 };
 const float INV_4PI = 0.07957747;
-const int CASE_TEXELS = 10;
+const int CASE_TEXELS = 13;
 const int ANSWERS = 2;
 
 uniform highp sampler2D _group_0_binding_1_fs;
@@ -145,16 +145,18 @@ void main() {
     vec4 light = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(7, 0)), 0);
     vec4 path = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(8, 0)), 0);
     vec4 angle = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(9, 0)), 0);
+    vec4 share = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(10, 0)), 0);
+    vec4 scale = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(11, 0)), 0);
     if ((answer == 0)) {
-        vec4 _e45 = layers_of(_e14);
-        vec3 _e52 = path_densities(_e45, _e14.radius, path.x, path.y, path.z, uint(path.w));
-        _fs2p_location0 = vec4(_e52, 0.0);
+        vec4 _e59 = layers_of(_e14);
+        vec3 _e66 = path_densities(_e59, _e14.radius, path.x, path.y, path.z, uint(path.w));
+        _fs2p_location0 = vec4(_e66, 0.0);
         return;
     }
-    mat3x3 _e55 = coefficients_of(_e14);
-    vec4 _e56 = layers_of(_e14);
-    vec3 _e63 = sun_transmittance(_e55, _e56, _e14.radius, _e14.thickness, path.x, path.y, uint(path.w));
-    _fs2p_location0 = vec4(_e63, 0.0);
+    mat3x3 _e69 = coefficients_of(_e14);
+    vec4 _e70 = layers_of(_e14);
+    vec3 _e77 = sun_transmittance(_e69, _e70, _e14.radius, _e14.thickness, path.x, path.y, uint(path.w));
+    _fs2p_location0 = vec4(_e77, 0.0);
     return;
 }
 

@@ -56,6 +56,7 @@ struct AirRay {
     float cross2_;
     float shadow_b;
     float shadow_c;
+    float shadow_half2_;
     bool ground;
 };
 struct SunSide {
@@ -64,6 +65,7 @@ struct SunSide {
     float cross2_;
     float shadow_b;
     float shadow_c;
+    float shadow_half2_;
 };
 struct Line {
     float b;
@@ -128,71 +130,90 @@ float half_chord2_(float b_2, float above, float depth, float p) {
     return (depth * (sphere + p));
 }
 
-SunSide sun_side_inside(vec3 dir, vec3 sun, float r, float x_3, float radius_3) {
-    SunSide s = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
-    s.nu = dot(dir, sun);
-    float _e9 = s.nu;
-    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s.cross2_ = dot(side, side);
-    s.sun_b = (r * sun.z);
-    s.shadow_b = (r * ((sun.x * side.y) - (sun.y * side.x)));
-    float q = (r * length(sun.xy));
-    float _e37 = s.sun_b;
-    float _e39 = half_chord2_(_e37, x_3, (radius_3 - q), q);
-    s.shadow_c = -(_e39);
-    SunSide _e41 = s;
-    return _e41;
+float shadow_half2_(SunSide s, float side_z, float r, float radius_3) {
+    float sine = max(sqrt(s.cross2_), 1e-18);
+    float p_1 = ((r * abs(side_z)) / sine);
+    float _e15 = half_chord2_((s.shadow_b / sine), s.shadow_c, (radius_3 - p_1), p_1);
+    return _e15;
 }
 
-SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_1, float half_, float x_top_1, float radius_4) {
-    SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
-    s_1.nu = dot(dir_1, sun_1);
-    float _e10 = s_1.nu;
-    float same = ((_e10 >= 0.0) ? 1.0 : -1.0);
+SunSide sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_3, float radius_4) {
+    SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    s_1.nu = dot(dir, sun);
+    float _e9 = s_1.nu;
+    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    s_1.cross2_ = dot(side, side);
+    s_1.sun_b = (r_1 * sun.z);
+    s_1.shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+    float q = (r_1 * length(sun.xy));
+    float _e37 = s_1.sun_b;
+    float _e39 = half_chord2_(_e37, x_3, (radius_4 - q), q);
+    s_1.shadow_c = -(_e39);
+    SunSide _e42 = s_1;
+    float _e44 = shadow_half2_(_e42, side.z, r_1, radius_4);
+    s_1.shadow_half2_ = _e44;
+    SunSide _e45 = s_1;
+    return _e45;
+}
+
+SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half_, float x_top_1, float radius_5) {
+    SunSide s_2 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    s_2.nu = dot(dir_1, sun_1);
+    float _e11 = s_2.nu;
+    float same = ((_e11 >= 0.0) ? 1.0 : -1.0);
     vec3 apart = (dir_1 - (same * sun_1));
     vec3 side_1 = cross(apart, sun_1);
-    s_1.cross2_ = dot(side_1, side_1);
-    vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_1);
-    float _e35 = s_1.nu;
-    s_1.sun_b = ((-(same) * dot(closest, apart)) - (half_ * _e35));
+    s_2.cross2_ = dot(side_1, side_1);
+    vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
+    float there = (-(same) * dot(closest, apart));
+    float here = (r_2 * sun_1.z);
+    float _e38 = s_2.nu;
+    float _e44 = s_2.nu;
+    bool nearer = ((abs(here) + (start * abs(_e38))) < (abs(there) + (half_ * abs(_e44))));
+    float _e51 = s_2.nu;
+    float _e55 = s_2.nu;
+    s_2.sun_b = (nearer ? (here + (start * _e55)) : (there - (half_ * _e51)));
     vec3 closest_side = cross(closest, sun_1);
-    float _e42 = s_1.cross2_;
-    s_1.shadow_b = (dot(closest_side, side_1) - (half_ * _e42));
+    float _e63 = s_2.cross2_;
+    s_2.shadow_b = (dot(closest_side, side_1) - (half_ * _e63));
     float q_1 = length((closest_side - (half_ * side_1)));
-    float _e50 = s_1.sun_b;
-    float _e52 = half_chord2_(_e50, x_top_1, (radius_4 - q_1), q_1);
-    s_1.shadow_c = -(_e52);
-    SunSide _e54 = s_1;
-    return _e54;
+    float _e71 = s_2.sun_b;
+    float _e73 = half_chord2_(_e71, x_top_1, (radius_5 - q_1), q_1);
+    s_2.shadow_c = -(_e73);
+    SunSide _e76 = s_2;
+    float _e78 = shadow_half2_(_e76, side_1.z, r_2, radius_5);
+    s_2.shadow_half2_ = _e78;
+    SunSide _e79 = s_2;
+    return _e79;
 }
 
-Line line_past(vec3 dir_2, float h_1, float radius_5) {
+Line line_past(vec3 dir_2, float h_1, float radius_6) {
     bool local = false;
-    float r_2 = (radius_5 + h_1);
-    float b_3 = (r_2 * dir_2.z);
-    float p_1 = (r_2 * sqrt(dot(dir_2.xy, dir_2.xy)));
-    float _e11 = excess_of(h_1, radius_5);
-    float _e13 = half_chord2_(b_3, _e11, (radius_5 - p_1), p_1);
+    float r_3 = (radius_6 + h_1);
+    float b_3 = (r_3 * dir_2.z);
+    float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
+    float _e11 = excess_of(h_1, radius_6);
+    float _e13 = half_chord2_(b_3, _e11, (radius_6 - p_2), p_2);
     if ((b_3 < 0.0)) {
         local = (_e13 >= 0.0);
     } else {
         local = false;
     }
     bool _e22 = local;
-    return Line(b_3, p_1, -(_e13), _e22);
+    return Line(b_3, p_2, -(_e13), _e22);
 }
 
-AirPath air_path(Line line, float h_2, float radius_6, float thickness) {
+AirPath air_path(Line line, float h_2, float radius_7, float thickness) {
     bool local_1 = false;
-    float _e4 = excess_of(thickness, radius_6);
+    float _e4 = excess_of(thickness, radius_7);
     float ground_root = sqrt(max(-(line.x_closest), 0.0));
     if ((h_2 <= thickness)) {
-        float _e11 = excess_of(h_2, radius_6);
+        float _e11 = excess_of(h_2, radius_7);
         float _e13 = distance_to_top(_e11, line.b, _e4);
         float reach = (line.ground ? (_e11 / (ground_root - line.b)) : _e13);
         return AirPath(0.0, reach, _e11, line.b);
     }
-    float above_1 = ((h_2 - thickness) * (((2.0 * radius_6) + thickness) + h_2));
+    float above_1 = ((h_2 - thickness) * (((2.0 * radius_7) + thickness) + h_2));
     float b2_ = (line.b * line.b);
     float top2_ = ((b2_ < _e4) ? (b2_ - above_1) : (_e4 - line.x_closest));
     if (!((line.b >= 0.0))) {
@@ -208,20 +229,20 @@ AirPath air_path(Line line, float h_2, float radius_6, float thickness) {
     return AirPath((above_1 / (half_1 - line.b)), (line.ground ? (_e4 / (half_1 + ground_root)) : (2.0 * half_1)), _e4, -(half_1));
 }
 
-AirRay air_ray(vec3 dir_3, float h_3, float radius_7, float thickness_1, vec3 sun_2) {
-    SunSide s_2 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0);
+AirRay air_ray(vec3 dir_3, float h_3, float radius_8, float thickness_1, vec3 sun_2) {
+    SunSide s_3 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     bool local_2 = false;
-    Line _e5 = line_past(dir_3, h_3, radius_7);
-    AirPath _e6 = air_path(_e5, h_3, radius_7, thickness_1);
+    Line _e5 = line_past(dir_3, h_3, radius_8);
+    AirPath _e6 = air_path(_e5, h_3, radius_8, thickness_1);
     if ((h_3 <= thickness_1)) {
-        SunSide _e11 = sun_side_inside(dir_3, sun_2, (radius_7 + h_3), _e6.x, radius_7);
-        s_2 = _e11;
+        SunSide _e11 = sun_side_inside(dir_3, sun_2, (radius_8 + h_3), _e6.x, radius_8);
+        s_3 = _e11;
     } else {
         if ((_e6.length_ > 0.0)) {
-            SunSide _e19 = sun_side_outside(dir_3, sun_2, (radius_7 + h_3), -(_e6.b), _e6.x, radius_7);
-            s_2 = _e19;
+            SunSide _e20 = sun_side_outside(dir_3, sun_2, (radius_8 + h_3), _e6.start, -(_e6.b), _e6.x, radius_8);
+            s_3 = _e20;
         } else {
-            s_2.nu = dot(dir_3, sun_2);
+            s_3.nu = dot(dir_3, sun_2);
         }
     }
     if (_e5.ground) {
@@ -230,15 +251,16 @@ AirRay air_ray(vec3 dir_3, float h_3, float radius_7, float thickness_1, vec3 su
         local_2 = false;
     }
     bool ground = local_2;
-    float _e36 = s_2.sun_b;
-    float _e38 = s_2.nu;
-    float _e40 = s_2.cross2_;
-    float _e42 = s_2.shadow_b;
-    float _e44 = s_2.shadow_c;
-    return AirRay(_e6.start, _e6.length_, _e6.x, _e6.b, _e5.x_closest, _e36, _e38, _e40, _e42, _e44, ground);
+    float _e37 = s_3.sun_b;
+    float _e39 = s_3.nu;
+    float _e41 = s_3.cross2_;
+    float _e43 = s_3.shadow_b;
+    float _e45 = s_3.shadow_c;
+    float _e47 = s_3.shadow_half2_;
+    return AirRay(_e6.start, _e6.length_, _e6.x, _e6.b, _e5.x_closest, _e37, _e39, _e41, _e43, _e45, _e47, ground);
 }
 
-Low lowest(AirRay ray, float length_, float radius_8) {
+Low lowest(AirRay ray, float length_, float radius_9) {
     bool local_3 = false;
     if ((ray.b >= 0.0)) {
         return Low(0.0, ray.x, ray.b);
@@ -256,12 +278,12 @@ Low lowest(AirRay ray, float length_, float radius_8) {
     if (_e26) {
         return Low(length_, 0.0, b_4);
     }
-    bool far = ((-(ray.b) * length_) > (radius_8 * radius_8));
+    bool far = ((-(ray.b) * length_) > (radius_9 * radius_9));
     return Low(length_, (far ? (ray.x_closest + (b_4 * b_4)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_4);
 }
 
-bool hits_planet(vec3 dir_4, float h_4, float radius_9) {
-    Line _e3 = line_past(dir_4, h_4, radius_9);
+bool hits_planet(vec3 dir_4, float h_4, float radius_10) {
+    Line _e3 = line_past(dir_4, h_4, radius_10);
     return _e3.ground;
 }
 

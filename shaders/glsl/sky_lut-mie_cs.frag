@@ -148,12 +148,13 @@ float azimuth_share(vec3 dir_1) {
 float zenith_share(Line line, float mu, float h_2, float radius_2, float thickness, vec2 limb) {
     if (line.ground) {
         float cosine_1 = min((sqrt(max(-(line.x_closest), 0.0)) / radius_2), 1.0);
-        float _e23 = crowded((0.5 * cosine_1), sqrt((0.5 - (0.5 * cosine_1))), SQRT_HALF);
-        return _e23;
+        float _e26 = crowded((0.5 * cosine_1), ((line.p / radius_2) / sqrt((2.0 + (2.0 * cosine_1)))), SQRT_HALF);
+        return _e26;
     }
     if ((mu >= 0.0)) {
-        float _e40 = crowded((0.5 * mu), sqrt(max((0.5 - (0.5 * mu)), 0.0)), SQRT_HALF);
-        return (limb.x + ((1.0 - limb.x) * _e40));
+        float s_2 = ((line.p / (radius_2 + h_2)) / sqrt((2.0 + (2.0 * mu))));
+        float _e45 = crowded((0.5 * mu), s_2, SQRT_HALF);
+        return (limb.x + ((1.0 - limb.x) * _e45));
     }
     float lowest = (max(line.x_closest, 0.0) / (radius_2 + line.p));
     float part = min((lowest / max(min(h_2, thickness), 1e-20)), 1.0);

@@ -31,6 +31,7 @@ struct AirRay {
     cross2: f32,   // squared sine of that angle
     shadow_b: f32, // at the entry: position times direction, both without their parts along the sun
     shadow_c: f32, // squared distance of the entry from the planet's axis towards the sun, less R^2
+    shadow_half2: f32, // squared half of the chord that the planet's shadow cuts from the ray's part across the sun's direction
     ground: bool,  // the ray ends on the ground
 }
 
@@ -64,6 +65,15 @@ struct SunSide {
     cross2: f32,
     shadow_b: f32,
     shadow_c: f32,
+    shadow_half2: f32,
+}
+
+// The shadow's cylinder across the sun's direction is a circle, and the ray's part there a line that passes its
+// centre at a distance that is a product: the component of dir x sun along r, over its length.
+fn shadow_half2(s: SunSide, side_z: f32, r: f32, radius: f32) -> f32 {
+    let sine = max(sqrt(s.cross2), 1e-18);
+    let p = r * abs(side_z) / sine;
+    return half_chord2(s.shadow_b / sine, s.shadow_c, radius - p, p);
 }
 
 // From a camera in the air at r = R + h, r^2 - R^2 = x.
@@ -78,11 +88,12 @@ fn sun_side_inside(dir: vec3f, sun: vec3f, r: f32, x: f32, radius: f32) -> SunSi
     s.shadow_b = r * (sun.x * side.y - sun.y * side.x);
     let q = r * length(sun.xy);
     s.shadow_c = -half_chord2(s.sun_b, x, radius - q, q);
+    s.shadow_half2 = shadow_half2(s, side.z, r, radius);
     return s;
 }
 
-// From the entry, `half` before the closest approach of a ray from outside at distance r.
-fn sun_side_outside(dir: vec3f, sun: vec3f, r: f32, half: f32, x_top: f32, radius: f32) -> SunSide {
+// From the entry, `start` after the camera at distance r and `half` before the ray's closest approach.
+fn sun_side_outside(dir: vec3f, sun: vec3f, r: f32, start: f32, half: f32, x_top: f32, radius: f32) -> SunSide {
     var s: SunSide;
     s.nu = dot(dir, sun);
     let same = select(-1.0, 1.0, s.nu >= 0.0);
@@ -91,12 +102,16 @@ fn sun_side_outside(dir: vec3f, sun: vec3f, r: f32, half: f32, x_top: f32, radiu
     s.cross2 = dot(side, side);
     // Point of closest approach, r (z - mu dir), has the parts below; the entry is `half` before it.
     let closest = vec3f(-dir.z * dir.xy, dot(dir.xy, dir.xy)) * r;
-    // closest . dir = 0, so closest . sun = closest . (sun - same dir).
-    s.sun_b = -same * dot(closest, apart) - half * s.nu;
+    // closest . dir = 0, so closest . sun = closest . (sun - same dir). From there or from the camera: the smaller terms.
+    let there = -same * dot(closest, apart);
+    let here = r * sun.z;
+    let nearer = abs(here) + start * abs(s.nu) < abs(there) + half * abs(s.nu);
+    s.sun_b = select(there - half * s.nu, here + start * s.nu, nearer);
     let closest_side = cross(closest, sun);
     s.shadow_b = dot(closest_side, side) - half * s.cross2;
     let q = length(closest_side - half * side);
     s.shadow_c = -half_chord2(s.sun_b, x_top, radius - q, q);
+    s.shadow_half2 = shadow_half2(s, side.z, r, radius);
     return s;
 }
 
@@ -155,12 +170,14 @@ fn air_ray(dir: vec3f, h: f32, radius: f32, thickness: f32, sun: vec3f) -> AirRa
     if h <= thickness {
         s = sun_side_inside(dir, sun, radius + h, path.x, radius);
     } else if path.length > 0.0 {
-        s = sun_side_outside(dir, sun, radius + h, -path.b, path.x, radius);
+        s = sun_side_outside(dir, sun, radius + h, path.start, -path.b, path.x, radius);
     } else {
         s.nu = dot(dir, sun);
     }
     let ground = line.ground && path.length >= 0.0;
-    return AirRay(path.start, path.length, path.x, path.b, line.x_closest, s.sun_b, s.nu, s.cross2, s.shadow_b, s.shadow_c, ground);
+    return AirRay(
+        path.start, path.length, path.x, path.b, line.x_closest,
+        s.sun_b, s.nu, s.cross2, s.shadow_b, s.shadow_c, s.shadow_half2, ground);
 }
 
 // The lowest point of a ray's first `length` km, from which altitudes along it are told: that is where the
@@ -201,12 +218,11 @@ fn shadow_stretch(ray: AirRay) -> vec2f {
     let b = ray.shadow_b;
     let c = ray.shadow_c;
     var stretch = vec2f(-far, far);
-    let disc = b * b - a * c;
     if a > 1e-30 {
-        if disc <= 0.0 {
+        if ray.shadow_half2 <= 0.0 {
             return none;
         }
-        let q = -(b + select(-1.0, 1.0, b >= 0.0) * sqrt(disc));
+        let q = -(b + select(-1.0, 1.0, b >= 0.0) * sqrt(a * ray.shadow_half2));
         let t0 = q / a;
         let t1 = select(t0, c / q, q != 0.0);
         stretch = vec2f(min(t0, t1), max(t0, t1));
@@ -239,5 +255,5 @@ fn inner_ray(dir: vec3f, h: f32, radius: f32, thickness: f32, sun: vec3f, ground
     let s = sun_side_inside(dir, sun, r, x, radius);
     let to_ground = x / (sqrt(max(ground2, 0.0)) - b);
     let reach = select(distance_to_top(x, b, excess_of(thickness, radius)), to_ground, ground && b < 0.0);
-    return AirRay(0.0, reach, x, b, -ground2, s.sun_b, s.nu, s.cross2, s.shadow_b, s.shadow_c, ground);
+    return AirRay(0.0, reach, x, b, -ground2, s.sun_b, s.nu, s.cross2, s.shadow_b, s.shadow_c, s.shadow_half2, ground);
 }

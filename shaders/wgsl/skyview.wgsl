@@ -35,12 +35,14 @@ fn share_azimuth(share: f32) -> vec2f {
 // limb: the limb's share, and how far it is spaced as from outside (0 to 1), see `FrameUniform::limb` in Rust.
 fn zenith_share(line: Line, mu: f32, h: f32, radius: f32, thickness: f32, limb: vec2f) -> f32 {
     if line.ground {
-        // Cosine of the angle to the vertical where the ray ends.
+        // Cosine of the angle to the vertical where the ray ends, and the sine of half of it.
         let cosine = min(sqrt(max(-line.x_closest, 0.0)) / radius, 1.0);
-        return crowded(0.5 * cosine, sqrt(0.5 - 0.5 * cosine), SQRT_HALF);
+        return crowded(0.5 * cosine, line.p / radius / sqrt(2.0 + 2.0 * cosine), SQRT_HALF);
     }
     if mu >= 0.0 {
-        return limb.x + (1.0 - limb.x) * crowded(0.5 * mu, sqrt(max(0.5 - 0.5 * mu, 0.0)), SQRT_HALF);
+        // Half the zenith angle's sine, not from the cosine: near the zenith that is 1.
+        let s = line.p / (radius + h) / sqrt(2.0 + 2.0 * mu);
+        return limb.x + (1.0 - limb.x) * crowded(0.5 * mu, s, SQRT_HALF);
     }
     let lowest = max(line.x_closest, 0.0) / (radius + line.p);
     let part = min(lowest / max(min(h, thickness), 1e-20), 1.0);
@@ -63,23 +65,23 @@ fn table_ray(azimuth: f32, share: f32, ground: bool, h: f32, radius: f32, thickn
     let outside = h > thickness;
     if !ground && share > limb.x {
         let u = (share - limb.x) / (1.0 - limb.x);
-        let s = SQRT_HALF * (1.0 - u * u);
-        let mu = 1.0 - 2.0 * s * s;
-        let dir = vec3f(around * (2.0 * s * sqrt(max(1.0 - s * s, 0.0))), mu);
+        let rest = (1.0 - u) * (1.0 + u); // 1 - u^2
+        let s = SQRT_HALF * rest;
+        let dir = vec3f(around * (2.0 * s * sqrt(1.0 - s * s)), u * u * (1.0 + rest)); // 1 - 2 s^2
         return TableRay(dir, inner_ray(dir, h, radius, thickness, sun, false));
     }
-    // The rest is given by the closest approach, c2 = its square less R^2; its distance squared from the camera and from
-    // where the ray enters, less that.
+    // The rest is given by the closest approach p: p^2 = R^2 + c2.
     let start_x = select(x, x_top, outside);
     var c2 = 0.0;
+    var approach = 0.0;
+    var from_start = 0.0; // start_x - c2
     var mu = 0.0; // cosine at the ground
-    var from_camera = 0.0;
-    var from_start = 0.0;
     if ground {
-        let s = SQRT_HALF * (1.0 - share * share);
-        mu = max(1.0 - 2.0 * s * s, 0.0);
+        let rest = (1.0 - share) * (1.0 + share);
+        let s = SQRT_HALF * rest;
+        mu = share * share * (1.0 + rest); // 1 - 2 s^2
         c2 = -radius * radius * mu * mu;
-        from_camera = x - c2;
+        approach = radius * (2.0 * s * sqrt(1.0 - s * s));
         from_start = start_x - c2;
     } else {
         let limit = min(h, thickness);
@@ -89,24 +91,24 @@ fn table_ray(azimuth: f32, share: f32, ground: bool, h: f32, radius: f32, thickn
         let v = 2.0 * y / max(k + sqrt(k * k + 4.0 * limb.y * y), 1e-20);
         let lowest = limit * min(s * s * (1.0 + v) / (1.0 + limb.y * v), 1.0);
         c2 = excess_of(lowest, radius);
+        approach = radius + lowest;
         from_start = limit * v * v * (2.0 * radius + limit + lowest);
-        from_camera = select(from_start, (h - lowest) * (2.0 * radius + h + lowest), outside);
     }
+    let above = (h - thickness) * (2.0 * radius + thickness + h);
     let b = -sqrt(max(from_start, 0.0));
-    let approach = sqrt(max(radius * radius + c2, 0.0));
-    let sine = min(approach / r, 1.0);
-    let down = -sqrt(max(from_camera, 0.0)) / r;
-    let dir = vec3f(around * sine, down);
+    let down = select(b, -sqrt(max(above + from_start, 0.0)), outside) / r;
+    let dir = vec3f(around * min(approach / r, 1.0), down);
     var s: SunSide;
     var start = 0.0;
     if outside {
-        start = (h - thickness) * (2.0 * radius + thickness + h) / (-b - r * down);
-        s = sun_side_outside(dir, sun, r, -b, x_top, radius);
+        start = above / (-b - r * down);
+        s = sun_side_outside(dir, sun, r, start, -b, x_top, radius);
     } else {
         s = sun_side_inside(dir, sun, r, x, radius);
     }
-    let reach = select(distance_to_top(start_x, b, x_top), start_x / (radius * mu - b), ground);
-    let ray = AirRay(start, reach, start_x, b, c2, s.sun_b, s.nu, s.cross2, s.shadow_b, s.shadow_c, ground);
+    let reach = select(distance_to_top(start_x, b, x_top), start_x / max(radius * mu - b, 1e-20), ground);
+    let ray = AirRay(
+        start, reach, start_x, b, c2, s.sun_b, s.nu, s.cross2, s.shadow_b, s.shadow_c, s.shadow_half2, ground);
     return TableRay(dir, ray);
 }
 

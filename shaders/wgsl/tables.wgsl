@@ -71,16 +71,21 @@ fn columns_ray(at: vec2f, size: vec2f, m: Medium) -> vec3f {
     return vec3f(rho * rho, max(b, -rho), d);
 }
 
-// Densities integrated (km) from a point (x = r^2 - R^2 at altitude h, b = r mu) to the top.
-fn columns_to_top(table: texture_2d<f32>, radius: f32, thickness: f32, x: f32, h: f32, b: f32) -> vec3f {
+// The inverse: shares along the columns and the rows.
+fn columns_share(x: f32, h: f32, b: f32, radius: f32, thickness: f32) -> vec2f {
     let x_top = excess_of(thickness, radius);
     let rho = sqrt(max(x, 0.0));
     let rho_top = sqrt(x_top);
     let d = distance_to_top(x, b, x_top);
     let shortest = max(thickness - h, 0.0);
+    return vec2f((d - shortest) / max(rho + rho_top - shortest, 1e-20), rho / rho_top);
+}
+
+// Densities integrated (km) from a point (x = r^2 - R^2 at altitude h, b = r mu) to the top.
+fn columns_to_top(table: texture_2d<f32>, radius: f32, thickness: f32, x: f32, h: f32, b: f32) -> vec3f {
     let size = vec2i(textureDimensions(table));
-    let share = vec2f((d - shortest) / max(rho + rho_top - shortest, 1e-20), rho / rho_top);
-    return exp2(bilinear(table, corner(share * vec2f(size - 1), size), vec2i(0)).xyz);
+    let at = columns_share(x, h, b, radius, thickness) * vec2f(size - 1);
+    return exp2(bilinear(table, corner(at, size), vec2i(0)).xyz);
 }
 
 // --- moments: rows for each altitude are six, the harmonics even in azimuth up to degree 2 about the zenith, with the
@@ -90,13 +95,16 @@ fn columns_to_top(table: texture_2d<f32>, radius: f32, thickness: f32, x: f32, h
 const MOMENTS: i32 = 6;
 
 fn altitude_share(steepness: f32, growth: f32, h: f32, thickness: f32) -> f32 {
-    return sqrt(log(1.0 + max(h, 0.0) / thickness * growth) / steepness);
+    let grown = max(h, 0.0) / thickness * growth;
+    // log1p in the form that keeps its digits.
+    let s = select(log(1.0 + grown), grown * (1.0 - grown * (0.5 - grown * (1.0 / 3.0 - grown * 0.25))), grown < 0.05);
+    return sqrt(s / steepness);
 }
 
 fn share_altitude(t: Tables, share: f32, thickness: f32) -> f32 {
     let s = t.altitude_steepness * share * share;
     // expm1 in the form that keeps its digits.
-    let grown = select(exp(s) - 1.0, s * (1.0 + s * (0.5 + s * (1.0 / 6.0))), s < 0.02);
+    let grown = select(exp(s) - 1.0, s * (1.0 + s * (0.5 + s * (1.0 / 6.0 + s * (1.0 / 24.0)))), s < 0.05);
     return thickness * min(grown / t.altitude_growth, 1.0);
 }
 

@@ -128,7 +128,7 @@ impl FrameUniform {
     /// How the sky table shares its rows above the horizon, at an altitude (metres): the part for rays that go down and
     /// pass the ground, and how far that part is spaced as seen from outside (0 to 1), evenly in the altitude that a
     /// ray passes. Near the ground it has as many rows as crowding at the horizon alone would give it.
-    fn limb(altitude: f64, p: &AtmosphereParams) -> [f32; 2] {
+    pub(crate) fn limb(altitude: f64, p: &AtmosphereParams) -> [f32; 2] {
         let radius = p.planet_radius;
         let horizon = (altitude * (2.0 * radius + altitude)).sqrt() / (radius + altitude);
         let s_max = (0.5 + 0.5 * horizon).sqrt();

@@ -220,7 +220,8 @@ fn forward_shares(p: &AtmosphereParams) -> [f64; 3] {
 }
 
 impl TablesUniform {
-    fn new(p: &AtmosphereParams, settings: &LutSettings) -> Self {
+    /// For a medium that [`AtmosphereParams::validate`] accepts; a pass fills in the size and the steps of its table.
+    pub fn new(p: &AtmosphereParams, settings: &LutSettings) -> Self {
         let moments: [[f64; 4]; 3] = std::array::from_fn(|c| phase_moments(p.mie_phase, p.mie_asymmetry[c]));
         // The share that goes on as if nothing had happened: the first moment that is left out.
         let forward = forward_shares(p);

@@ -89,7 +89,7 @@ fn media() -> Vec<AtmosphereParams> {
 }
 
 /// Altitudes of the grid, metres; below the surface counts as on it.
-fn altitudes(p: &AtmosphereParams) -> [f64; 14] {
+pub(super) fn altitudes(p: &AtmosphereParams) -> [f64; 14] {
     let (r, t) = (p.planet_radius, p.thickness());
     let ulp = t * f64::from(f32::EPSILON);
     [
@@ -136,7 +136,7 @@ pub fn grid(index: usize) -> Case {
 /// A random case, by a seed and its number.
 pub fn random(seed: u64, index: u64) -> Case {
     let mut rng = Rng::with_seed(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ index);
-    let mut p = if rng.u8(0..4) == 0 { media().swap_remove(rng.usize(0..21)) } else { medium(&mut rng) };
+    let mut p = any_medium(&mut rng);
     p.sun_intensity = 1.0;
     let (r, t) = (p.planet_radius, p.thickness());
     let h = match rng.u8(0..8) {
@@ -148,6 +148,11 @@ pub fn random(seed: u64, index: u64) -> Case {
     };
     let (sun, direction) = (rng.usize(0..GRID_SUNS + 6), rng.usize(0..GRID_DIRECTIONS + 8));
     build(&p, h.min(FARTHEST - r), sun, direction, &mut rng)
+}
+
+/// The grid's media, or parameters from everything that is accepted.
+pub(super) fn any_medium(rng: &mut Rng) -> AtmosphereParams {
+    if rng.u8(0..4) == 0 { media().swap_remove(rng.usize(0..21)) } else { medium(rng) }
 }
 
 fn log(rng: &mut Rng, low: f64, high: f64) -> f64 {
@@ -316,8 +321,18 @@ fn build(p: &AtmosphereParams, h: f64, sun_number: usize, direction: usize, rng:
             _ => 2.0 * rng.f32(),
         },
         light_samples: [1.0, 2.0, 3.0][rng.usize(0..3)],
-        unused: [0.0; 2],
+        // Rays to the ground and others; outside, the planet is all that there is without air.
+        to_ground: f32::from(rng.bool()),
+        share: [(); 2].map(|()| match rng.u8(0..8) {
+            0 => 0.0,
+            1 => 1.0,
+            2 => log(rng, 1e-9, 1.0) as f32,
+            _ => rng.f32(),
+        }),
+        node: rng.u8(0..128).into(),
+        ..Case::default()
     }
+    .with_tables(p)
 }
 
 /// A case's inputs in words, one a line.
@@ -329,7 +344,8 @@ pub fn describe(case: &Case) -> String {
          aerosol scattering {:?} extinction {:?} 1/km, scale height {} km, g {:?}\n\
          absorber {:?} 1/km, centre {} km, half width {} km\n\
          altitude {} km, direction {:?}, sun {:?}, share of the ray {}\n\
-         path from r²-R² {} km² with rμ {} km over {} km; {} steps, {} towards the sun; 1 - cos {}",
+         path from r²-R² {} km² with rμ {} km over {} km; {} steps, {} towards the sun; 1 - cos {}\n\
+         place in a table {:?}, {}; direction {} of a node",
         m.radius,
         m.thickness,
         m.rayleigh,
@@ -351,5 +367,8 @@ pub fn describe(case: &Case) -> String {
         case.samples,
         case.light_samples,
         case.away,
+        case.share,
+        if case.to_ground > 0.5 { "to the ground" } else { "to the sky" },
+        case.node,
     )
 }

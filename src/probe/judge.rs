@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::truth::{Air, Air64, Input, LAYERS, Promise, RESOLUTION, scattering};
+use super::truth::{Air, Air64, Input, LAYERS, Promise, RESOLUTION, brightest_source, scattering, wide};
 use super::{Case, Probe};
 use crate::atmosphere::MiePhase;
 use crate::phase;
@@ -61,6 +61,25 @@ quantities! {
     SunTransmittance "transmittance to the sun" "",
     Transmittance "transmittance of a ray" "",
     Radiance "single scattering" "1/sr",
+    TablePlace "place of a ray in the sky tables" "",
+    TableDirection "direction of that place" "",
+    TableReturn "place of that place's ray" "",
+    TableStart "its distance to the air" "km",
+    TableLength "its length in the air" "km",
+    TableB "its r cos(zenith) at the entry" "km",
+    TableClosest "its closest approach" "km",
+    TableSun "its r cos(sun) at the entry" "km",
+    RowAltitude "row of an altitude" "",
+    RowSun "column of a sun's angle" "",
+    AltitudeRow "altitude of a row" "km",
+    SunRow "sun's cosine of a column" "",
+    ColumnsDistance "distance of a column's place" "km",
+    ColumnsB "r cos(zenith) of a column's place" "km",
+    ColumnsReturn "place of that column" "",
+    ColumnsPlace "place of a path's column" "",
+    NodeDirection "direction of a node" "",
+    NodeSphere "directions' solid angle" "sr",
+    Warp "distance of a step" "km",
 }
 
 /// One number that a shader answered, and what it may be.
@@ -101,6 +120,26 @@ impl Check {
             && got <= self.high + room
     }
 
+    fn finding(&self, probe: Probe, index: usize, case: &Case) -> Finding {
+        Finding {
+            quantity: self.quantity,
+            probe,
+            index,
+            case: *case,
+            got: self.got,
+            expected: self.exact,
+            range: [self.low, self.high],
+            allowed: self.allowed() + (self.high - self.low),
+        }
+    }
+
+    /// How far outside the range it lies, of what is allowed; up to 1 keeps the promise.
+    fn used(&self) -> f64 {
+        let got = f64::from(self.got);
+        let room = self.allowed() + (self.high - self.low);
+        (self.low - got).max(got - self.high).max(0.0) / room
+    }
+
     /// Error in units that make the promise's relative part the most that is allowed.
     fn relative(&self) -> f64 {
         let error = (f64::from(self.got) - self.exact).abs();
@@ -108,7 +147,7 @@ impl Check {
     }
 }
 
-/// A promise that a case broke.
+/// A number of a case, and what was promised of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
     /// Which number.
@@ -142,6 +181,8 @@ pub struct Row {
     pub worst: f64,
     /// The promise's relative part.
     pub promise: f64,
+    /// Largest part of what is allowed that was used, of all numbers, and the case that used it.
+    pub used: (f64, usize),
     /// Wrong by more than is promised, not finite, or impossible.
     pub broken: u64,
 }
@@ -165,6 +206,9 @@ impl Tally {
             sum.steep += row.steep;
             sum.broken += row.broken;
             sum.worst = sum.worst.max(row.worst);
+            if row.used.0 > sum.used.0 {
+                sum.used = row.used;
+            }
             sum.promise = row.promise;
         }
         for finding in other.findings {
@@ -189,21 +233,16 @@ impl Tally {
         } else if check.got.is_finite() {
             row.worst = row.worst.max(check.relative());
         }
+        let used = check.used();
+        if used > row.used.0 {
+            row.used = (used, index);
+        }
         if check.kept() {
             return;
         }
         row.broken += 1;
         if !self.findings.iter().any(|f| f.quantity == check.quantity) {
-            self.findings.push(Finding {
-                quantity: check.quantity,
-                probe,
-                index,
-                case: *case,
-                got: check.got,
-                expected: check.exact,
-                range: [check.low, check.high],
-                allowed: check.allowed() + (check.high - check.low),
-            });
+            self.findings.push(check.finding(probe, index, case));
         }
     }
 }
@@ -217,13 +256,7 @@ pub fn judge(probe: Probe, first: usize, cases: &[Case], answers: &[[f32; 4]]) -
         let from = chunk * CHUNK;
         for (i, case) in cases.iter().enumerate().skip(from).take(CHUNK) {
             let Some(answers) = answers.get(i * n..(i + 1) * n) else { break };
-            let mut note = |check: Check| tally.note(probe, first + i, case, &check);
-            match probe {
-                Probe::Geometry => geometry(case, answers, &mut note),
-                Probe::Medium => medium(case, answers, &mut note),
-                Probe::Path => path(case, answers, &mut note),
-                Probe::Scatter(kind) => scatter(case, answers, kind == MiePhase::CornetteShanks, &mut note),
-            }
+            checks(probe, case, answers, &mut |check| tally.note(probe, first + i, case, &check));
         }
         tally
     });
@@ -232,6 +265,25 @@ pub fn judge(probe: Probe, first: usize, cases: &[Case], answers: &[[f32; 4]]) -
         tally.add(part);
     }
     tally
+}
+
+/// Every number of one case beside what it should be, broken or not.
+pub fn explain(probe: Probe, number: usize, case: &Case, answers: &[[f32; 4]]) -> Vec<Finding> {
+    let mut all = Vec::new();
+    if answers.len() >= probe.answers() {
+        checks(probe, case, answers, &mut |check| all.push(check.finding(probe, number, case)));
+    }
+    all
+}
+
+fn checks(probe: Probe, case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
+    match probe {
+        Probe::Geometry => geometry(case, answers, note),
+        Probe::Medium => medium(case, answers, note),
+        Probe::Path => path(case, answers, note),
+        Probe::Scatter(kind) => scatter(case, answers, kind == MiePhase::CornetteShanks, note),
+        Probe::Tables => tables(case, answers, note),
+    }
 }
 
 /// A check from f64 values, the first of which is exact and the others its neighbours'.
@@ -383,6 +435,173 @@ fn path(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
     }
 }
 
+/// Maps into the precomputed tables and back. What they are is no promise, but that each place stands for a ray of the
+/// kind that it says, and that a way there and back ends where it began: within a hundredth of a texel of the
+/// largest table, or within what f32 can tell from each other.
+fn tables(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
+    use std::iter::once;
+    // Of 1024 texels.
+    let texel = Promise { relative: 0.0, absolute: 1e-5 };
+    let share = |quantity, got: f32, want: f64, promise: Promise| {
+        // A way back may end a rounding error beyond the table's end, where it is clamped to it.
+        Check { least: -1e-5, most: 1.000_01, ..among(quantity, got, promise, once(want)) }
+    };
+    let place = |quantity, got: f32| share(quantity, got, got.clamp(0.0, 1.0).into(), texel);
+    let geometry = Promise::geometry(case.medium.radius.into());
+    let (radius, thickness) = (f64::from(case.medium.radius), f64::from(case.medium.thickness));
+    let r = radius + f64::from(case.altitude);
+    let outside = f64::from(case.altitude) > thickness;
+    // Of two directions, in radians. From outside what counts is where they pass the planet.
+    let apart = |a: &[f32], b: &[f32]| {
+        let v = |i: usize| (f64::from(a[i]), f64::from(b[i]));
+        let flat = (v(0).0 - v(0).1).hypot(v(1).0 - v(1).1);
+        let (z0, z1) = v(2);
+        match (outside, v(0).0.hypot(v(1).0) < z0.abs()) {
+            (false, _) => flat.max((z0 - z1).abs()),
+            (true, true) => flat * r / (radius + thickness),
+            (true, false) => flat.max((z0 * z0 - z1 * z1).abs()),
+        }
+    };
+    // Eight roundings of an angle's sine and cosine.
+    let angle = Promise { relative: 0.0, absolute: 4.0 * RESOLUTION };
+    let nothing = |got: f64, promise: Promise, quantity| among(quantity, got as f32, promise, once(0.0));
+
+    let [azimuth, row, length, _] = answers[0];
+    if length > 0.0 {
+        note(place(Quantity::TablePlace, azimuth));
+        note(place(Quantity::TablePlace, row));
+        // The table holds half a turn.
+        let mut dir = case.direction;
+        dir[1] = dir[1].abs();
+        note(nothing(apart(&dir, &answers[1]), angle, Quantity::TableDirection));
+    }
+
+    let ground = case.to_ground > 0.5;
+    let dir = [answers[2][0], answers[2][1], answers[2][2]];
+    let [start, x, b, x_closest] = answers[3];
+    let [azimuth, row, sun_b, _] = answers[4];
+    let finite =
+        [dir.as_slice(), &answers[3], &answers[4], &answers[5]].iter().all(|v| v.iter().all(|v| v.is_finite()));
+    // Back at the same share, or at a ray that f32 cannot tell from it.
+    let same_ray = apart(&dir, &answers[5]) <= angle.absolute;
+    for (got, want) in [(azimuth, case.share[0]), (row, case.share[1])] {
+        let want = f64::from(want);
+        let back = if same_ray && finite { want } else { got.into() };
+        let check = share(Quantity::TableReturn, back as f32, want, texel);
+        note(if finite { check } else { Check { got: f32::NAN, ..check } });
+        note(place(Quantity::TablePlace, got));
+    }
+    let input = Input { direction: wide(dir).normalize(), ..Input::of(case) };
+    // A table's direction is computed, not given: as many roundings.
+    let tilted = [-4.0, -2.0, 2.0, 4.0].map(|e| input.tilted(e * RESOLUTION));
+    // Up to the one between those that end differently, which touches the planet or the top.
+    let edge = input.edge(&tilted).into_iter().flatten();
+    let near = input.neighbours().into_iter().chain(tilted).chain(edge);
+    let all: Vec<_> = near.filter_map(|i| Air::new(&i)).filter(|a| a.ground == ground).collect();
+    let length = answers[2][3];
+    if all.is_empty() {
+        // Not a ray of that kind, nor next to one: only right if it has no length.
+        note(Check { least: 0.0, ..among(Quantity::TableLength, length, geometry, once(0.0)) });
+    } else {
+        let of = |f: &dyn Fn(&Air) -> f64| all.iter().map(f).collect::<Vec<_>>().into_iter();
+        note(Check { least: 0.0, ..among(Quantity::TableStart, start, geometry, of(&|a| a.start)) });
+        note(Check { least: 0.0, ..among(Quantity::TableLength, length, geometry, of(&|a| a.length)) });
+        note(among(Quantity::TableB, b, geometry, of(&|a| a.s0)));
+        let altitude = |x: f32| f64::from(x) / (radius + (radius * radius + f64::from(x)).max(0.0).sqrt());
+        if f64::from(x_closest) > -0.01 * radius * radius {
+            note(among(
+                Quantity::TableClosest,
+                altitude(x_closest) as f32,
+                geometry,
+                of(&|a| a.chord.perigee_altitude),
+            ));
+        }
+        note(among(Quantity::TableSun, sun_b, geometry, of(&|a| a.sun_b)));
+        note(among(Quantity::EntryAltitude, altitude(x) as f32, geometry, of(&|a| a.altitude)));
+    }
+
+    let [h, row, mu, column] = answers[6];
+    let within = |check: Check, most: f32| Check { least: 0.0, most, ..check };
+    note(within(among(Quantity::AltitudeRow, h, geometry, once(h.into())), case.medium.thickness));
+    note(share(Quantity::RowAltitude, row, case.share[1].into(), texel));
+    note(Check { least: -1.0, most: 1.0, ..among(Quantity::SunRow, mu, texel, once(mu.into())) });
+    note(share(Quantity::RowSun, column, case.share[0].into(), texel));
+    let [row, h, column, mu] = answers[7];
+    note(place(Quantity::RowAltitude, row));
+    note(among(Quantity::AltitudeRow, h, geometry, once(f64::from(case.altitude).min(thickness))));
+    if column >= 0.0 {
+        note(place(Quantity::RowSun, column));
+        let cosine = Promise { relative: 1e-5, absolute: 2e-6 };
+        note(among(Quantity::SunRow, mu, cosine, once(case.sun[2].into())));
+    } else {
+        // Deeper than the table goes: the first column, which is night.
+        note(Check { got: if column.is_nan() { f32::NAN } else { 0.0 }, ..place(Quantity::RowSun, 0.0) });
+    }
+
+    let [x, b, d, _] = answers[8];
+    let excess = thickness * (2.0 * radius + thickness);
+    let column = |along: f64, up: f64| {
+        let rho2 = up * up * excess;
+        let h = rho2 / (radius + (radius * radius + rho2).sqrt());
+        let shortest = thickness - h;
+        let d = shortest + along * (rho2.sqrt() + excess.sqrt() - shortest);
+        let b = if d > 0.0 { ((excess - rho2) / d - d) * 0.5 } else { radius + h };
+        [d.max(0.0), b.max(-rho2.sqrt()), rho2]
+    };
+    let [along, up] = case.share.map(f64::from);
+    let near = |v: f64| [v, v + RESOLUTION, (v - RESOLUTION).max(0.0)];
+    let columns: Vec<_> = near(along).iter().flat_map(|&a| near(up).map(|u| column(a, u.min(1.0)))).collect();
+    let of = |i: usize| columns.iter().map(move |c| c[i]).collect::<Vec<_>>().into_iter();
+    note(Check { least: 0.0, ..among(Quantity::ColumnsDistance, d, geometry, of(0)) });
+    note(among(Quantity::ColumnsB, b, geometry, of(1)));
+    note(Check { least: 0.0, ..among(Quantity::Excess, x, Promise { relative: 1e-5, absolute: 1e-30 }, of(2)) });
+    // The way back from where the shader says that it is, and that of a path; b beyond r is no path.
+    let place_of = |x: f64, b: f64| {
+        let rho = x.max(0.0).sqrt();
+        let h = x / (radius + (radius * radius + x).max(0.0).sqrt());
+        let shortest = (thickness - h).max(0.0);
+        let air = Air64(case, LAYERS[0]);
+        [(air.to_top(x, b, 1.0) - shortest) / (rho + excess.sqrt() - shortest).max(1e-20), rho / excess.sqrt()]
+    };
+    for (quantity, x, b, got) in [
+        (Quantity::ColumnsReturn, x, b, &answers[9][..2]),
+        (Quantity::ColumnsPlace, case.path_x, case.path_b, &answers[9][2..]),
+    ] {
+        let (x, b) = (f64::from(x), f64::from(b));
+        if b > (radius * radius + x).sqrt() * (1.0 + RESOLUTION) {
+            continue;
+        }
+        let near = moves(x, b).map(|(x, b)| place_of(x, b));
+        for i in 0..2 {
+            let check = among(quantity, got[i], texel, near.iter().map(|v| v[i]));
+            note(Check { least: -1e-5, most: 1.000_01, ..check });
+        }
+    }
+
+    let [mu, turn, above, sphere] = answers[10];
+    let h = f64::from(case.altitude).min(thickness);
+    let horizon = -(h * (2.0 * radius + h)).sqrt() / (radius + h);
+    let up = case.node < 64.0;
+    let limits = if up { [horizon, 1.0] } else { [-1.0, horizon] };
+    let inside = f64::from(mu).clamp(limits[0], limits[1]);
+    let check = among(Quantity::NodeDirection, mu, Promise { relative: 0.0, absolute: RESOLUTION }, once(inside));
+    note(if (above > 0.5) == up && (0.0..=std::f32::consts::PI).contains(&turn) {
+        check
+    } else {
+        Check { got: f32::NAN, ..check }
+    });
+    let whole = 4.0 * std::f64::consts::PI;
+    note(among(Quantity::NodeSphere, sphere, Promise { relative: 1e-5, absolute: 0.0 }, once(whole)));
+
+    let [from, to, d, back] = answers[11];
+    let distance = f64::from(case.path_distance);
+    note(Check { most: 0.0, ..among(Quantity::Warp, from, geometry, once(from.into())) });
+    note(Check { least: 0.0, ..among(Quantity::Warp, to, geometry, once(to.into())) });
+    let slack = Promise { relative: 1e-6, absolute: 1e-6 * distance };
+    note(among(Quantity::Warp, d, slack, once(f64::from(d).clamp(0.0, distance))));
+    note(among(Quantity::Warp, back, slack, once(d.into())));
+}
+
 /// Whether the light along a whole ray is promised to be right, and not only possible: see
 /// [`AtmosphereParams::validate`](crate::AtmosphereParams::validate).
 fn promised(case: &Case) -> bool {
@@ -417,11 +636,13 @@ fn scatter(case: &Case, answers: &[[f32; 4]], cornette_shanks: bool, note: &mut 
     if same.is_empty() || all.iter().any(|i| Air::new(i).is_none()) {
         same.push(([0.0; 3], [1.0; 3]));
     }
-    let checks = |values: &[([f64; 3], [f64; 3])]| {
+    let faintest = brightest_source(case, &own, cornette_shanks);
+    let checks = |values: &[Light]| {
         let brightest = values[0].0.into_iter().fold(0.0, f64::max);
         [0, 1, 2].map(|c| {
             let (radiances, throughs) = (values.iter().map(|v| v.0[c]), values.iter().map(|v| v.1[c]));
-            let radiance = among(Quantity::Radiance, answers[0][c], Promise::step(brightest), radiances);
+            let promise = Promise::light(brightest, faintest, length.into());
+            let radiance = among(Quantity::Radiance, answers[0][c], promise, radiances);
             let through = among(Quantity::Transmittance, answers[1][c], Promise::step(1.0), throughs);
             [Check { least: 0.0, ..radiance }, Check { least: 0.0, most: 1.0, ..through }]
         })
@@ -437,10 +658,50 @@ fn scatter(case: &Case, answers: &[[f32; 4]], cornette_shanks: bool, note: &mut 
         }
         return;
     }
-    let mut judged = checks(&same);
-    if length > 0.0 && !judged.iter().flatten().all(Check::kept) {
+    let kept = |values: &[Light]| checks(values).iter().flatten().all(Check::kept);
+    if length > 0.0 && !kept(&same) {
         same.extend(own.swept().filter_map(|i| light(&i)));
-        judged = checks(&same);
+        if !kept(&same) {
+            // All six numbers of one neighbour, which is then an instance of the case as f32 knows it.
+            let found = beside_the_shadow(&all, answers[0], &light, &|v: &Light| kept(std::slice::from_ref(v)));
+            if let Some(found) = found {
+                same = vec![found];
+            }
+        }
     }
-    judged.into_iter().flatten().for_each(note);
+    checks(&same).into_iter().flatten().for_each(note);
+}
+
+/// Radiance and transmittance.
+type Light = ([f64; 3], [f64; 3]);
+
+/// Along the edge of the planet's shadow, a ray's light goes from none to all of it and through everything between
+/// within what the edge may move: too narrow a hump for any list of neighbours. Of each, with the edge moved evenly
+/// and then halved towards what was answered, the first that is right.
+fn beside_the_shadow(
+    all: &[Input],
+    got: [f32; 4],
+    light: &impl Fn(&Input) -> Option<Light>,
+    right: &impl Fn(&Light) -> bool,
+) -> Option<Light> {
+    const STEPS: i32 = 400;
+    let channel = (0..3).max_by(|&a, &b| got[a].total_cmp(&got[b]))?;
+    let want = f64::from(got[channel]);
+    all.iter().find_map(|input| {
+        let at = |e: f64| light(&Input { shade: 1.0 + e * RESOLUTION, ..*input });
+        let above = |v: &Light| v.0[channel] > want;
+        let each = |i: i32| f64::from(i) / f64::from(STEPS);
+        (-STEPS..STEPS).find_map(|i| {
+            let (mut low, mut high) = (each(i), each(i + 1));
+            let side = above(&at(low)?);
+            if above(&at(high)?) == side {
+                return None;
+            }
+            for _ in 0..60 {
+                let middle = 0.5 * (low + high);
+                if above(&at(middle)?) == side { low = middle } else { high = middle }
+            }
+            [low, high].into_iter().filter_map(at).find(right)
+        })
+    })
 }

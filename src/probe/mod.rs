@@ -8,19 +8,22 @@
 //! [`Promise`] says what may be lost.
 
 mod cases;
+mod frames;
 mod judge;
 mod shrink;
 mod truth;
 
 pub use cases::{Cases, describe, grid, grid_len, random};
-pub use judge::{Finding, Quantity, Row, Tally, judge};
+pub use frames::{Fault, Frame, frame, look, shrink_frame};
+pub use judge::{Finding, Quantity, Row, Tally, explain, judge};
 pub use shrink::shrink;
 pub use truth::{Promise, RESOLUTION};
 
-use crate::atmosphere::MiePhase;
+use crate::atmosphere::{AtmosphereParams, MiePhase};
 use crate::backend::{Backend, Format, Pass, ReadId, Target, TextureDesc, TextureId, Uniform};
 use crate::error::Result;
-use crate::passes::frame::MediumUniform;
+use crate::passes::frame::{FrameUniform, MediumUniform};
+use crate::passes::lut::{LutSettings, TablesUniform};
 use crate::shaders::Program;
 
 /// Which functions a probe runs.
@@ -34,14 +37,17 @@ pub enum Probe {
     Path,
     /// Single scattering, with this aerosol phase function.
     Scatter(MiePhase),
+    /// Where in the precomputed tables a ray, an altitude or a sun's angle is, and what a place in them stands for.
+    Tables,
 }
 
 impl Probe {
     /// All of them.
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 6] = [
         Self::Geometry,
         Self::Medium,
         Self::Path,
+        Self::Tables,
         Self::Scatter(MiePhase::HenyeyGreenstein),
         Self::Scatter(MiePhase::CornetteShanks),
     ];
@@ -52,6 +58,7 @@ impl Probe {
             Self::Geometry => "geometry",
             Self::Medium => "medium",
             Self::Path => "path",
+            Self::Tables => "tables",
             Self::Scatter(MiePhase::HenyeyGreenstein) => "scatter_hg",
             Self::Scatter(MiePhase::CornetteShanks) => "scatter_cs",
         }
@@ -62,6 +69,7 @@ impl Probe {
             Self::Geometry => "PROBE_GEOMETRY",
             Self::Medium => "PROBE_MEDIUM",
             Self::Path => "PROBE_PATH",
+            Self::Tables => "PROBE_TABLES",
             Self::Scatter(_) => "PROBE_SCATTER",
         }
     }
@@ -76,6 +84,7 @@ impl Probe {
             Self::Geometry => 4,
             Self::Medium => 5,
             Self::Path | Self::Scatter(_) => 2,
+            Self::Tables => 12,
         }
     }
 }
@@ -107,17 +116,41 @@ pub struct Case {
     pub away: f32,
     /// Steps towards the sun.
     pub light_samples: f32,
-    /// Fills the last texel.
-    pub unused: [f32; 2],
+    /// Of the tables' uniform block: `sun_first`.
+    pub sun_first: f32,
+    /// `sun_span`.
+    pub sun_span: f32,
+    /// A place in a table, 0 to 1 each.
+    pub share: [f32; 2],
+    /// 1 where that place is among the rays that end on the ground.
+    pub to_ground: f32,
+    /// Number of a direction in which light is gathered.
+    pub node: f32,
+    /// `altitude_steepness`, `altitude_growth`, `sun_middle` and `sun_width`.
+    pub scales: [f32; 4],
+    /// Of the frame's uniform block, for this altitude: `limb`.
+    pub limb: [f32; 2],
+    /// Nothing.
+    pub pad: [f32; 2],
+}
+
+impl Case {
+    /// The tables' numbers for this medium.
+    fn with_tables(self, params: &AtmosphereParams) -> Self {
+        let t = TablesUniform::new(params, &LutSettings::default());
+        let scales = [t.altitude_steepness, t.altitude_growth, t.sun_middle, t.sun_width];
+        let limb = FrameUniform::limb(f64::from(self.altitude) * 1000.0, params);
+        Self { sun_first: t.sun_first, sun_span: t.sun_span, scales, limb, ..self }
+    }
 }
 
 /// Texels of a case; `CASE_TEXELS` in `probe.wgsl`.
 const CASE_TEXELS: usize = size_of::<Case>() / 16;
 /// Cases in a row of the texture: it is then no wider than the 2048 texels that WebGL2 promises.
-const ROW: usize = 200;
+const ROW: usize = 156;
 
 /// Most cases of one draw.
-pub const BATCH: usize = ROW * 200;
+pub const BATCH: usize = ROW * 250;
 
 /// A probe that was drawn and whose answers are on their way.
 #[derive(Debug)]

@@ -10,7 +10,10 @@ use crate::reference::geometry::{Chord, RayEnd};
 /// last place, relative. A shader's answer is right if it is the answer for such a neighbour of its inputs.
 pub const RESOLUTION: f64 = 1.0 / 4_194_304.0; // 2^-22
 
-/// Smaller than this is 0: 1e-38, the least of f32, times the largest factor that may follow it.
+/// The least normal number of f32: a density or a transmittance that is smaller may be 0.
+const LEAST: f64 = 1.175_494_350_822_287_5e-38; // 2^-126
+
+/// Smaller than this is 0: [`LEAST`] times the largest factor that may follow it in a single step.
 const FAINT: f64 = 1e-30;
 
 /// What an answer may be wrong by.
@@ -33,6 +36,15 @@ impl Promise {
     /// 1.2e-38, also as the product of two factors one of which is) may be 0.
     pub fn step(brightest: f64) -> Self {
         Self { relative: 1e-3, absolute: (1e-6 * brightest).max(FAINT) }
+    }
+
+    /// Light along a ray: as [`Self::step`]. The source, a density times what it sends into the ray per km, is a product
+    /// with up to three other factors of at most 1 (transmittance to the eye, within the step and to the sun): where one
+    /// of the four, or a product of some, is less than 2^-126 the light may be 0. `brightest_source`: the largest
+    /// coefficient times phase function, 1/(km sr); `length`: km.
+    pub fn light(brightest: f64, brightest_source: f64, length: f64) -> Self {
+        let absolute = Self::step(brightest).absolute.max(LEAST * brightest_source * length);
+        Self { absolute, ..Self::step(brightest) }
     }
 
     /// How far from `value` an answer may lie.
@@ -87,7 +99,7 @@ impl Input {
     }
 
     /// The ray between two that end differently, from both sides.
-    fn edge(self, all: &[Self]) -> Option<[Self; 2]> {
+    pub fn edge(self, all: &[Self]) -> Option<[Self; 2]> {
         let ending = |i: &Self| Air::new(i).map(|a| a.ground);
         let own = ending(&self);
         let mut other = *all.iter().find(|i| i.direction != self.direction && ending(i) != own)?;
@@ -101,7 +113,7 @@ impl Input {
 
     /// The direction turned up or down by a relative part of its sine or cosine, whichever is smaller: that is
     /// what f32 holds finely.
-    fn tilted(self, e: f64) -> Self {
+    pub fn tilted(self, e: f64) -> Self {
         let d = self.direction;
         let sin = d.x.hypot(d.y);
         let flat = if sin > 0.0 { DVec3::new(d.x / sin, d.y / sin, 0.0) } else { DVec3::X };
@@ -356,6 +368,15 @@ fn steps(b: f64, distance: f64, samples: u32) -> impl Iterator<Item = Step> {
         let i = f64::from(i);
         Step { begin: if i == 0.0 { 0.0 } else { at(i) }, middle: at(i + 0.5), end: at(i + 1.0), low }
     })
+}
+
+/// What each density sends into the ray, per km, at most: coefficient times phase function, the brightest channel's.
+pub(super) fn brightest_source(case: &Case, input: &Input, cornette_shanks: bool) -> f64 {
+    let half = 0.5 * (input.direction - input.sun).length_squared();
+    let medium = Air64(case, input.layer);
+    let aerosol = if cornette_shanks { medium.cornette_shanks(half) } else { medium.henyey_greenstein(half) };
+    let (m, gas) = (&case.medium, phase::rayleigh(1.0 - half));
+    (0..3).map(|c| f64::from(m.rayleigh[c]) * gas + f64::from(m.mie_scattering[c]) * aerosol[c]).fold(0.0, f64::max)
 }
 
 /// The f64 twin of `single_scattering`: radiance and transmittance.

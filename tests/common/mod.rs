@@ -1,6 +1,8 @@
 //! What the tests of both backends share. A missing driver is a failure, never a skip.
 #![allow(dead_code)]
 
+pub mod lines;
+
 use glam::DVec3;
 use welkin::backend::{Backend, headless::Headless, wgpu::WgpuBackend};
 use welkin::{AtmosphereParams, Camera, DepthConvention, Pose, Scene};

@@ -162,6 +162,8 @@ The table, a line for each quantity:
   worst       largest error of all others, over the true value (or over what counts as small beside it); a little
               above the promise where the last digits of the inputs explain the rest
   promise     what that may be
+  used        largest part of what is allowed that any number used, the last digits of its inputs counted in
+  by case     which one that was
   broken      wrong by more, not finite or impossible
 
 For the first case that breaks a promise, each quantity shows its number, its inputs, what came back and what
@@ -174,7 +176,9 @@ Examples:
   welkin stress --cases 20000000 --seed 7 --backend webgl2
       More of them, other random ones, the other backend
   welkin stress --case 123456
-      That case alone: its inputs, and every number that breaks a promise
+      That case alone: its inputs, and every number that comes back
+  welkin stress --frames 1000
+      A thousand small pictures of random scenes, and the plainest one of which something is wrong
 
 Exit status: 0 every promise was kept; 1 one was broken, or a backend failed; 2 the request was not accepted.";
 
@@ -195,6 +199,10 @@ pub struct StressArgs {
     /// Only the case of this number
     #[arg(long, value_name = "NUMBER", conflicts_with = "cases")]
     pub case: Option<u64>,
+
+    /// Instead of cases, draw so many whole pictures of random scenes: all light must be finite and possible
+    #[arg(long, value_name = "N", conflicts_with = "cases")]
+    pub frames: Option<u64>,
 
     /// What runs the shaders; the CPU cannot
     #[arg(long, value_name = "NAME", default_value = "auto")]

@@ -24,6 +24,10 @@ pub fn run(args: &StressArgs) -> anyhow::Result<()> {
     let Some(backend) = drawer.backend() else { bail!("no GPU backend can be had here: {about}") };
     let mut out = std::io::stdout().lock();
     writeln!(out, "{about}")?;
+    if let Some(count) = args.frames {
+        let (first, count) = args.case.map_or((0, count), |number| (number, 1));
+        return frames(&mut out, backend, args.seed, first, count);
+    }
     let (first, count) = args.case.map_or((0, args.cases), |number| (number, 1));
     let begun = Instant::now();
     let mut tally = Tally::default();
@@ -44,8 +48,10 @@ pub fn run(args: &StressArgs) -> anyhow::Result<()> {
         && let Some(case) = Cases::at(args.seed, first).next()
     {
         writeln!(out, "\ncase {first}, seed {}\n{}", args.seed, indent(&probe::describe(&case)))?;
+        numbers(&mut out, backend, first as usize, &case)?;
+    } else {
+        table(&mut out, &tally)?;
     }
-    table(&mut out, &tally)?;
     let seconds = begun.elapsed().as_secs_f64();
     writeln!(out, "\n{count} cases, seed {}, in {seconds:.1} s", args.seed)?;
     for finding in &tally.findings {
@@ -58,33 +64,76 @@ pub fn run(args: &StressArgs) -> anyhow::Result<()> {
     }
 }
 
+/// Whole pictures of random scenes.
+fn frames(out: &mut impl Write, backend: &mut dyn Backend, seed: u64, first: u64, count: u64) -> anyhow::Result<()> {
+    let (mut wrong, mut pixels) = (0, 0);
+    for number in first..first + count {
+        let frame = probe::frame(seed, number);
+        pixels += u64::from(frame.size[0] * frame.size[1]);
+        let Some(fault) = probe::look(backend, &frame)? else { continue };
+        wrong += 1;
+        if wrong == 1 {
+            writeln!(out, "\nframe {number}, seed {seed}: {fault:?}")?;
+            let plainest = probe::shrink_frame(backend, &frame)?;
+            writeln!(out, "  plainest: {:?}\n{plainest:#?}", probe::look(backend, &plainest)?)?;
+        } else {
+            writeln!(out, "frame {number}, seed {seed}: {fault:?}")?;
+        }
+    }
+    writeln!(out, "{count} frames of {pixels} pixels, seed {seed}: {wrong} with something wrong")?;
+    if wrong == 0 { Ok(()) } else { bail!("{wrong} of {count} frames are not finite or not possible") }
+}
+
 /// All probes on one draw's cases; the two phase functions' scattering in turn.
 fn one_batch(backend: &mut dyn Backend, number: usize, cases: &[probe::Case]) -> anyhow::Result<Tally> {
     let phase = if (number / BATCH).is_multiple_of(2) { MiePhase::HenyeyGreenstein } else { MiePhase::CornetteShanks };
     let mut tally = Tally::default();
-    for which in [Probe::Geometry, Probe::Medium, Probe::Path, Probe::Scatter(phase)] {
+    for which in [Probe::Geometry, Probe::Medium, Probe::Path, Probe::Tables, Probe::Scatter(phase)] {
         let answers = probe::run(backend, which, cases)?;
         tally.add(probe::judge(which, number, cases, &answers));
     }
     Ok(tally)
 }
 
+/// Everything that the shaders answer to one case.
+fn numbers(out: &mut impl Write, backend: &mut dyn Backend, number: usize, case: &probe::Case) -> anyhow::Result<()> {
+    writeln!(
+        out,
+        "\n{:<33} {:>15} {:>17}  {:>15} {:>15} {:>9}",
+        "quantity", "shader", "f64", "neighbours from", "to", "allowed"
+    )?;
+    for which in Probe::ALL {
+        let answers = probe::run(backend, which, std::slice::from_ref(case))?;
+        for f in probe::explain(which, number, case, &answers) {
+            let (name, [low, high]) = (f.quantity.name(), f.range);
+            writeln!(
+                out,
+                "{name:<33} {:>15.8e} {:>17.10e}  {low:>15.8e} {high:>15.8e} {:>9.1e}",
+                f.got, f.expected, f.allowed
+            )?;
+        }
+    }
+    Ok(())
+}
+
 fn table(out: &mut impl Write, tally: &Tally) -> std::io::Result<()> {
     writeln!(
         out,
-        "\n{:<28} {:>10} {:>10} {:>10} {:>9} {:>8} {:>8}",
-        "quantity", "tried", "non-finite", "steep", "worst", "promise", "broken"
+        "\n{:<33} {:>10} {:>10} {:>10} {:>9} {:>8} {:>5} {:>9} {:>8}",
+        "quantity", "tried", "non-finite", "steep", "worst", "promise", "used", "by case", "broken"
     )?;
     for (quantity, row) in &tally.rows {
         writeln!(
             out,
-            "{:<28} {:>10} {:>10} {:>10} {:>9.1e} {:>8.0e} {:>8}",
+            "{:<33} {:>10} {:>10} {:>10} {:>9.1e} {:>8.0e} {:>4.0}% {:>9} {:>8}",
             quantity.name(),
             row.tried,
             row.not_finite,
             row.steep,
             row.worst,
             row.promise,
+            100.0 * row.used.0,
+            row.used.1,
             row.broken
         )?;
     }
