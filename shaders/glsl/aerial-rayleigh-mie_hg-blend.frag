@@ -230,43 +230,49 @@ Line line_past(vec3 dir_2, float h_1, float radius_7) {
     return Line(b_5, p_2, -(_e13), _e22);
 }
 
-AirPath air_path(Line line, float h_2, float radius_8, float thickness) {
-    bool local_2 = false;
-    float _e4 = excess_of(thickness, radius_8);
-    float ground_root = sqrt(max(-(line.x_closest), 0.0));
-    if ((h_2 <= thickness)) {
-        float _e11 = excess_of(h_2, radius_8);
-        float _e13 = distance_to_top(_e11, line.b, _e4);
-        float reach_1 = (line.ground ? (_e11 / (ground_root - line.b)) : _e13);
-        return AirPath(0.0, reach_1, _e11, line.b);
-    }
-    float above_1 = ((h_2 - thickness) * (((2.0 * radius_8) + thickness) + h_2));
+float top_half_chord2_(Line line, float h_2, float radius_8, float thickness) {
     float b2_ = (line.b * line.b);
-    float top2_ = ((b2_ < _e4) ? (b2_ - above_1) : (_e4 - line.x_closest));
-    if (!((line.b >= 0.0))) {
-        local_2 = (top2_ <= 0.0);
+    float _e7 = excess_of(thickness, radius_8);
+    float above_1 = ((h_2 - thickness) * (((2.0 * radius_8) + thickness) + h_2));
+    return ((b2_ < _e7) ? (b2_ - above_1) : (_e7 - line.x_closest));
+}
+
+AirPath air_path(Line line_1, float h_3, float radius_9, float thickness_1) {
+    bool local_2 = false;
+    float _e4 = excess_of(thickness_1, radius_9);
+    float ground_root = sqrt(max(-(line_1.x_closest), 0.0));
+    if ((h_3 <= thickness_1)) {
+        float _e11 = excess_of(h_3, radius_9);
+        float _e13 = distance_to_top(_e11, line_1.b, _e4);
+        float reach_1 = (line_1.ground ? (_e11 / (ground_root - line_1.b)) : _e13);
+        return AirPath(0.0, reach_1, _e11, line_1.b);
+    }
+    float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_9) + thickness_1) + h_3));
+    float _e28 = top_half_chord2_(line_1, h_3, radius_9, thickness_1);
+    if (!((line_1.b >= 0.0))) {
+        local_2 = (_e28 <= 0.0);
     } else {
         local_2 = true;
     }
-    bool _e45 = local_2;
-    if (_e45) {
+    bool _e38 = local_2;
+    if (_e38) {
         return AirPath(0.0, -1.0, 0.0, 0.0);
     }
-    float half_1 = sqrt(top2_);
-    return AirPath((above_1 / (half_1 - line.b)), (line.ground ? (_e4 / (half_1 + ground_root)) : (2.0 * half_1)), _e4, -(half_1));
+    float half_1 = sqrt(_e28);
+    return AirPath((above_2 / (half_1 - line_1.b)), (line_1.ground ? (_e4 / (half_1 + ground_root)) : (2.0 * half_1)), _e4, -(half_1));
 }
 
-AirRay air_ray(vec3 dir_3, float h_3, float radius_9, float thickness_1, vec3 sun_2) {
+AirRay air_ray(vec3 dir_3, float h_4, float radius_10, float thickness_2, vec3 sun_2) {
     SunSide s_3 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     bool local_3 = false;
-    Line _e5 = line_past(dir_3, h_3, radius_9);
-    AirPath _e6 = air_path(_e5, h_3, radius_9, thickness_1);
-    if ((h_3 <= thickness_1)) {
-        SunSide _e11 = sun_side_inside(dir_3, sun_2, (radius_9 + h_3), _e6.x, radius_9);
+    Line _e5 = line_past(dir_3, h_4, radius_10);
+    AirPath _e6 = air_path(_e5, h_4, radius_10, thickness_2);
+    if ((h_4 <= thickness_2)) {
+        SunSide _e11 = sun_side_inside(dir_3, sun_2, (radius_10 + h_4), _e6.x, radius_10);
         s_3 = _e11;
     } else {
         if ((_e6.length_ > 0.0)) {
-            SunSide _e20 = sun_side_outside(dir_3, sun_2, (radius_9 + h_3), _e6.start, -(_e6.b), _e6.x, radius_9);
+            SunSide _e20 = sun_side_outside(dir_3, sun_2, (radius_10 + h_4), _e6.start, -(_e6.b), _e6.x, radius_10);
             s_3 = _e20;
         } else {
             s_3.nu = dot(dir_3, sun_2);
@@ -287,7 +293,7 @@ AirRay air_ray(vec3 dir_3, float h_3, float radius_9, float thickness_1, vec3 su
     return AirRay(_e6.start, _e6.length_, _e6.x, _e6.b, _e5.x_closest, _e37, _e39, _e41, _e43, _e45, _e47, ground_1);
 }
 
-Low lowest(AirRay ray, float length_1, float radius_10) {
+Low lowest(AirRay ray, float length_1, float radius_11) {
     bool local_4 = false;
     if ((ray.b >= 0.0)) {
         return Low(0.0, ray.x, ray.b);
@@ -305,7 +311,7 @@ Low lowest(AirRay ray, float length_1, float radius_10) {
     if (_e26) {
         return Low(length_1, 0.0, b_6);
     }
-    bool far = ((-(ray.b) * length_1) > (radius_10 * radius_10));
+    bool far = ((-(ray.b) * length_1) > (radius_11 * radius_11));
     return Low(length_1, (far ? (ray.x_closest + (b_6 * b_6)) : (ray.x + (length_1 * ((2.0 * ray.b) + length_1)))), b_6);
 }
 
@@ -355,10 +361,10 @@ mat3x3 coefficients_of(Medium m_1) {
     return mat3x3(m_1.rayleigh, m_1.mie_extinction, m_1.ozone);
 }
 
-vec3 densities(vec4 layers, float h_4) {
+vec3 densities(vec4 layers, float h_5) {
     vec3 d = vec3(0.0);
-    d.x = exp((-(h_4) * layers.x));
-    d.y = exp((-(h_4) * layers.y));
+    d.x = exp((-(h_5) * layers.x));
+    d.y = exp((-(h_5) * layers.y));
     vec3 _e15 = d;
     return _e15;
 }
@@ -381,7 +387,7 @@ float unwarp(float low_1, float t_1) {
     return (sign((t_1 - low_1)) * sqrt(abs((t_1 - low_1))));
 }
 
-vec3 path_densities(vec4 layers_1, float radius_11, float x_4, float b_4, float distance_1, uint samples) {
+vec3 path_densities(vec4 layers_1, float radius_12, float x_4, float b_4, float distance_1, uint samples) {
     vec3 sum_1 = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
@@ -405,7 +411,7 @@ vec3 path_densities(vec4 layers_1, float radius_11, float x_4, float b_4, float 
             float u_1 = (u0_ + (du * float(_e25)));
             float _e32 = warp(low_2, (u_1 + (0.5 * du)));
             float _e34 = warp(low_2, (u_1 + du));
-            float _e35 = altitude_after(x_4, b_4, _e32, radius_11);
+            float _e35 = altitude_after(x_4, b_4, _e32, radius_12);
             vec3 _e36 = sum_1;
             vec3 _e37 = densities(layers_1, _e35);
             float _e38 = t0_;
@@ -432,10 +438,10 @@ vec3 henyey_greenstein_phase(float away, float toward, vec3 g) {
     return ((INV_4PI * (vec3(1.0) - (g * g))) / (base * sqrt(base)));
 }
 
-vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_12, float thickness_2, float x_5, float sun_b, uint samples_1) {
-    float _e7 = excess_of(thickness_2, radius_12);
+vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_13, float thickness_3, float x_5, float sun_b, uint samples_1) {
+    float _e7 = excess_of(thickness_3, radius_13);
     float _e8 = distance_to_top(x_5, sun_b, _e7);
-    vec3 _e9 = path_densities(layers_2, radius_12, x_5, sun_b, _e8, samples_1);
+    vec3 _e9 = path_densities(layers_2, radius_13, x_5, sun_b, _e8, samples_1);
     vec3 _e10 = extinction(coefficients_1, _e9);
     return exp(-(_e10));
 }

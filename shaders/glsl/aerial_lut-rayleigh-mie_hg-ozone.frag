@@ -190,30 +190,36 @@ Line line_past(vec3 dir, float h_1, float radius_3) {
     return Line(b_5, p_1, -(_e13), _e22);
 }
 
-AirPath air_path(Line line, float h_2, float radius_4, float thickness) {
-    bool local_4 = false;
-    float _e4 = excess_of(thickness, radius_4);
-    float ground_root = sqrt(max(-(line.x_closest), 0.0));
-    if ((h_2 <= thickness)) {
-        float _e11 = excess_of(h_2, radius_4);
-        float _e13 = distance_to_top(_e11, line.b, _e4);
-        float reach_1 = (line.ground ? (_e11 / (ground_root - line.b)) : _e13);
-        return AirPath(0.0, reach_1, _e11, line.b);
-    }
-    float above_1 = ((h_2 - thickness) * (((2.0 * radius_4) + thickness) + h_2));
+float top_half_chord2_(Line line, float h_2, float radius_4, float thickness) {
     float b2_ = (line.b * line.b);
-    float top2_ = ((b2_ < _e4) ? (b2_ - above_1) : (_e4 - line.x_closest));
-    if (!((line.b >= 0.0))) {
-        local_4 = (top2_ <= 0.0);
+    float _e7 = excess_of(thickness, radius_4);
+    float above_1 = ((h_2 - thickness) * (((2.0 * radius_4) + thickness) + h_2));
+    return ((b2_ < _e7) ? (b2_ - above_1) : (_e7 - line.x_closest));
+}
+
+AirPath air_path(Line line_1, float h_3, float radius_5, float thickness_1) {
+    bool local_4 = false;
+    float _e4 = excess_of(thickness_1, radius_5);
+    float ground_root = sqrt(max(-(line_1.x_closest), 0.0));
+    if ((h_3 <= thickness_1)) {
+        float _e11 = excess_of(h_3, radius_5);
+        float _e13 = distance_to_top(_e11, line_1.b, _e4);
+        float reach_1 = (line_1.ground ? (_e11 / (ground_root - line_1.b)) : _e13);
+        return AirPath(0.0, reach_1, _e11, line_1.b);
+    }
+    float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_5) + thickness_1) + h_3));
+    float _e28 = top_half_chord2_(line_1, h_3, radius_5, thickness_1);
+    if (!((line_1.b >= 0.0))) {
+        local_4 = (_e28 <= 0.0);
     } else {
         local_4 = true;
     }
-    bool _e45 = local_4;
-    if (_e45) {
+    bool _e38 = local_4;
+    if (_e38) {
         return AirPath(0.0, -1.0, 0.0, 0.0);
     }
-    float half_ = sqrt(top2_);
-    return AirPath((above_1 / (half_ - line.b)), (line.ground ? (_e4 / (half_ + ground_root)) : (2.0 * half_)), _e4, -(half_));
+    float half_ = sqrt(_e28);
+    return AirPath((above_2 / (half_ - line_1.b)), (line_1.ground ? (_e4 / (half_ + ground_root)) : (2.0 * half_)), _e4, -(half_));
 }
 
 vec3 extinction(mat3x3 coefficients, vec3 d) {
@@ -250,18 +256,18 @@ vec2 table_uv(float x_share, float row, vec2 size_2) {
     return ((vec2((x_share * (size_2.x - 1.0)), row) + vec2(0.5)) / size_2);
 }
 
-vec2 columns_share(float x_2, float h_3, float b_3, float radius_5, float thickness_1) {
-    float _e5 = excess_of(thickness_1, radius_5);
+vec2 columns_share(float x_2, float h_4, float b_3, float radius_6, float thickness_2) {
+    float _e5 = excess_of(thickness_2, radius_6);
     float rho = sqrt(max(x_2, 0.0));
     float rho_top = sqrt(_e5);
     float _e10 = distance_to_top(x_2, b_3, _e5);
-    float shortest = max((thickness_1 - h_3), 0.0);
+    float shortest = max((thickness_2 - h_4), 0.0);
     return vec2(((_e10 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
 }
 
-vec3 columns_to_top(highp sampler2D table_1, float radius_6, float thickness_2, float x_3, float h_4, float b_4) {
+vec3 columns_to_top(highp sampler2D table_1, float radius_7, float thickness_3, float x_3, float h_5, float b_4) {
     ivec2 size_3 = ivec2(uvec2(textureSize(table_1, 0).xy));
-    vec2 _e8 = columns_share(x_3, h_4, b_4, radius_6, thickness_2);
+    vec2 _e8 = columns_share(x_3, h_5, b_4, radius_7, thickness_3);
     vec2 at_2 = (_e8 * vec2((size_3 - ivec2(1))));
     Corner _e14 = corner(at_2, size_3);
     vec4 _e17 = bilinear(table_1, _e14, ivec2(0));
@@ -281,20 +287,23 @@ float azimuth_share(vec3 dir_1) {
     return (s_1 / (large + small));
 }
 
-float zenith_share(Line line_1, float mu, float h_5, float radius_7, float thickness_3, vec2 limb) {
-    if (line_1.ground) {
-        float cosine_1 = min((sqrt(max(-(line_1.x_closest), 0.0)) / radius_7), 1.0);
-        float _e26 = crowded((0.5 * cosine_1), ((line_1.p / radius_7) / sqrt((2.0 + (2.0 * cosine_1)))), SQRT_HALF);
+float zenith_share(Line line_2, float mu, float h_6, float radius_8, float thickness_4, vec2 limb) {
+    if (line_2.ground) {
+        float cosine_1 = min((sqrt(max(-(line_2.x_closest), 0.0)) / radius_8), 1.0);
+        float _e26 = crowded((0.5 * cosine_1), ((line_2.p / radius_8) / sqrt((2.0 + (2.0 * cosine_1)))), SQRT_HALF);
         return _e26;
     }
     if ((mu >= 0.0)) {
-        float s_2 = ((line_1.p / (radius_7 + h_5)) / sqrt((2.0 + (2.0 * mu))));
+        float s_2 = ((line_2.p / (radius_8 + h_6)) / sqrt((2.0 + (2.0 * mu))));
         float _e45 = crowded((0.5 * mu), s_2, SQRT_HALF);
         return (limb.x + ((1.0 - limb.x) * _e45));
     }
-    float lowest = (max(line_1.x_closest, 0.0) / (radius_7 + line_1.p));
-    float part = min((lowest / max(min(h_5, thickness_3), 1e-20)), 1.0);
-    float v_1 = sqrt((1.0 - part));
+    float limit = max(min(h_6, thickness_4), 1e-20);
+    float lowest = (max(line_2.x_closest, 0.0) / (radius_8 + line_2.p));
+    float part = min((lowest / limit), 1.0);
+    float _e63 = top_half_chord2_(line_2, h_6, radius_8, thickness_4);
+    float b2_1 = ((h_6 > thickness_4) ? _e63 : (line_2.b * line_2.b));
+    float v_1 = sqrt(clamp((b2_1 / (limit * (((2.0 * radius_8) + limit) + lowest))), 0.0, 1.0));
     return (limb.x * sqrt(((part * (1.0 + (limb.y * v_1))) / (1.0 + v_1))));
 }
 
@@ -334,7 +343,7 @@ vec3 air_between(highp sampler2D air, vec2 texel, float at_1, float last, int ki
     vec4 _e41 = textureLod(air, vec2(near), 0.0);
     vec3 from = _e41.xyz;
     vec4 _e48 = textureLod(air, vec2(far), 0.0);
-    return mix(((slice < 0.0) ? vec3(before) : from), _e48.xyz, (at_1 - slice));
+    return mix(((slice < 0.0) ? vec3(before) : from), _e48.xyz, clamp((at_1 - slice), 0.0, 1.0));
 }
 
 void main() {
@@ -360,11 +369,11 @@ void main() {
     vec4 _e31 = texelFetch(_group_0_binding_2_fs, pixel_1, 0);
     float _e33 = depth_distance(_e28, _e31.x, ray_length_1);
     vec3 dir_3 = (_e23 / vec3(ray_length_1));
-    float h_6 = _group_0_binding_0_fs.frame.altitude;
-    float radius_8 = _group_0_binding_0_fs.frame.medium.radius;
-    float thickness_4 = _group_0_binding_0_fs.frame.medium.thickness;
-    Line _e50 = line_past(dir_3, h_6, radius_8);
-    AirPath _e51 = air_path(_e50, h_6, radius_8, thickness_4);
+    float h_7 = _group_0_binding_0_fs.frame.altitude;
+    float radius_9 = _group_0_binding_0_fs.frame.medium.radius;
+    float thickness_5 = _group_0_binding_0_fs.frame.medium.thickness;
+    Line _e50 = line_past(dir_3, h_7, radius_9);
+    AirPath _e51 = air_path(_e50, h_7, radius_9, thickness_5);
     if (_e50.ground) {
         local = (_e51.length_ >= 0.0);
     } else {
@@ -374,7 +383,7 @@ void main() {
     end = _e51.length_;
     if ((_e33 >= 0.0)) {
         float _e74 = _group_0_binding_0_fs.frame.pixel_angle;
-        float _e75 = scene_reach(_e51.start, _e51.length_, _e51.b, ground_2, _e33, radius_8, _e74);
+        float _e75 = scene_reach(_e51.start, _e51.length_, _e51.b, ground_2, _e33, radius_9, _e74);
         end = _e75;
     } else {
         if (!(ground_2)) {
@@ -398,7 +407,7 @@ void main() {
     }
     float _e95 = azimuth_share(dir_3);
     vec2 _e100 = _group_0_binding_0_fs.frame.limb;
-    float _e101 = zenith_share(_e50, dir_3.z, h_6, radius_8, thickness_4, _e100);
+    float _e101 = zenith_share(_e50, dir_3.z, h_7, radius_9, thickness_5, _e100);
     vec2 size_4 = vec2(uvec2(textureSize(_group_0_binding_3_fs, 0).xy));
     float _e109 = _group_0_binding_0_fs.tables.ground_rows;
     float _e110 = sky_row(_e101, ground_2, size_4.y, _e109);
@@ -423,8 +432,8 @@ void main() {
     if (_e152) {
         bool _e153 = dims;
         if (_e153) {
-            float _e157 = altitude_of(_e51.x, radius_8);
-            vec3 _e159 = columns_to_top(_group_0_binding_5_fs, radius_8, thickness_4, _e51.x, _e157, _e51.b);
+            float _e157 = altitude_of(_e51.x, radius_9);
+            vec3 _e159 = columns_to_top(_group_0_binding_5_fs, radius_9, thickness_5, _e51.x, _e157, _e51.b);
             vec3 _e164 = _group_0_binding_0_fs.frame.medium.rayleigh;
             vec3 _e169 = _group_0_binding_0_fs.frame.medium.mie_extinction;
             vec3 _e174 = _group_0_binding_0_fs.frame.medium.ozone;

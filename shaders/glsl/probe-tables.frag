@@ -198,43 +198,49 @@ Line line_past(vec3 dir_2, float h_1, float radius_5) {
     return Line(b_3, p_2, -(_e13), _e22);
 }
 
-AirPath air_path(Line line, float h_2, float radius_6, float thickness) {
-    bool local_1 = false;
-    float _e4 = excess_of(thickness, radius_6);
-    float ground_root = sqrt(max(-(line.x_closest), 0.0));
-    if ((h_2 <= thickness)) {
-        float _e11 = excess_of(h_2, radius_6);
-        float _e13 = distance_to_top(_e11, line.b, _e4);
-        float reach = (line.ground ? (_e11 / (ground_root - line.b)) : _e13);
-        return AirPath(0.0, reach, _e11, line.b);
-    }
+float top_half_chord2_(Line line_1, float h_2, float radius_6, float thickness) {
+    float b2_ = (line_1.b * line_1.b);
+    float _e7 = excess_of(thickness, radius_6);
     float above_1 = ((h_2 - thickness) * (((2.0 * radius_6) + thickness) + h_2));
-    float b2_ = (line.b * line.b);
-    float top2_ = ((b2_ < _e4) ? (b2_ - above_1) : (_e4 - line.x_closest));
-    if (!((line.b >= 0.0))) {
-        local_1 = (top2_ <= 0.0);
+    return ((b2_ < _e7) ? (b2_ - above_1) : (_e7 - line_1.x_closest));
+}
+
+AirPath air_path(Line line_2, float h_3, float radius_7, float thickness_1) {
+    bool local_1 = false;
+    float _e4 = excess_of(thickness_1, radius_7);
+    float ground_root = sqrt(max(-(line_2.x_closest), 0.0));
+    if ((h_3 <= thickness_1)) {
+        float _e11 = excess_of(h_3, radius_7);
+        float _e13 = distance_to_top(_e11, line_2.b, _e4);
+        float reach = (line_2.ground ? (_e11 / (ground_root - line_2.b)) : _e13);
+        return AirPath(0.0, reach, _e11, line_2.b);
+    }
+    float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_7) + thickness_1) + h_3));
+    float _e28 = top_half_chord2_(line_2, h_3, radius_7, thickness_1);
+    if (!((line_2.b >= 0.0))) {
+        local_1 = (_e28 <= 0.0);
     } else {
         local_1 = true;
     }
-    bool _e45 = local_1;
-    if (_e45) {
+    bool _e38 = local_1;
+    if (_e38) {
         return AirPath(0.0, -1.0, 0.0, 0.0);
     }
-    float half_1 = sqrt(top2_);
-    return AirPath((above_1 / (half_1 - line.b)), (line.ground ? (_e4 / (half_1 + ground_root)) : (2.0 * half_1)), _e4, -(half_1));
+    float half_1 = sqrt(_e28);
+    return AirPath((above_2 / (half_1 - line_2.b)), (line_2.ground ? (_e4 / (half_1 + ground_root)) : (2.0 * half_1)), _e4, -(half_1));
 }
 
-AirRay air_ray(vec3 dir_3, float h_3, float radius_7, float thickness_1, vec3 sun_2) {
+AirRay air_ray(vec3 dir_3, float h_4, float radius_8, float thickness_2, vec3 sun_2) {
     SunSide s_3 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     bool local_2 = false;
-    Line _e5 = line_past(dir_3, h_3, radius_7);
-    AirPath _e6 = air_path(_e5, h_3, radius_7, thickness_1);
-    if ((h_3 <= thickness_1)) {
-        SunSide _e11 = sun_side_inside(dir_3, sun_2, (radius_7 + h_3), _e6.x, radius_7);
+    Line _e5 = line_past(dir_3, h_4, radius_8);
+    AirPath _e6 = air_path(_e5, h_4, radius_8, thickness_2);
+    if ((h_4 <= thickness_2)) {
+        SunSide _e11 = sun_side_inside(dir_3, sun_2, (radius_8 + h_4), _e6.x, radius_8);
         s_3 = _e11;
     } else {
         if ((_e6.length_ > 0.0)) {
-            SunSide _e20 = sun_side_outside(dir_3, sun_2, (radius_7 + h_3), _e6.start, -(_e6.b), _e6.x, radius_7);
+            SunSide _e20 = sun_side_outside(dir_3, sun_2, (radius_8 + h_4), _e6.start, -(_e6.b), _e6.x, radius_8);
             s_3 = _e20;
         } else {
             s_3.nu = dot(dir_3, sun_2);
@@ -255,16 +261,16 @@ AirRay air_ray(vec3 dir_3, float h_3, float radius_7, float thickness_1, vec3 su
     return AirRay(_e6.start, _e6.length_, _e6.x, _e6.b, _e5.x_closest, _e37, _e39, _e41, _e43, _e45, _e47, ground_2);
 }
 
-AirRay inner_ray(vec3 dir_4, float h_4, float radius_8, float thickness_2, vec3 sun_3, bool ground) {
+AirRay inner_ray(vec3 dir_4, float h_5, float radius_9, float thickness_3, vec3 sun_3, bool ground) {
     bool local_3 = false;
-    float r_4 = (radius_8 + h_4);
-    float _e7 = excess_of(h_4, radius_8);
+    float r_4 = (radius_9 + h_5);
+    float _e7 = excess_of(h_5, radius_9);
     float b_4 = (r_4 * dir_4.z);
     float p_3 = (r_4 * sqrt(dot(dir_4.xy, dir_4.xy)));
-    float _e16 = half_chord2_(b_4, _e7, (radius_8 - p_3), p_3);
-    SunSide _e17 = sun_side_inside(dir_4, sun_3, r_4, _e7, radius_8);
+    float _e16 = half_chord2_(b_4, _e7, (radius_9 - p_3), p_3);
+    SunSide _e17 = sun_side_inside(dir_4, sun_3, r_4, _e7, radius_9);
     float to_ground = (_e7 / (sqrt(max(_e16, 0.0)) - b_4));
-    float _e23 = excess_of(thickness_2, radius_8);
+    float _e23 = excess_of(thickness_3, radius_9);
     float _e24 = distance_to_top(_e7, b_4, _e23);
     if (ground) {
         local_3 = (b_4 < 0.0);
@@ -290,32 +296,32 @@ vec3 columns_ray(vec2 at, vec2 size, Medium m) {
     float rho_top = sqrt(_e9);
     float rho = (share_4.y * rho_top);
     float _e15 = altitude_of((rho * rho), m.radius);
-    float h_11 = min(_e15, m.thickness);
-    float shortest = (m.thickness - h_11);
+    float h_12 = min(_e15, m.thickness);
+    float shortest = (m.thickness - h_12);
     float d = (shortest + (share_4.x * ((rho + rho_top) - shortest)));
-    float b_5 = ((d > 0.0) ? (((((rho_top - rho) * (rho_top + rho)) / d) - d) * 0.5) : (m.radius + h_11));
+    float b_5 = ((d > 0.0) ? (((((rho_top - rho) * (rho_top + rho)) / d) - d) * 0.5) : (m.radius + h_12));
     return vec3((rho * rho), max(b_5, -(rho)), d);
 }
 
-vec2 columns_share(float x_3, float h_5, float b_2, float radius_9, float thickness_3) {
-    float _e5 = excess_of(thickness_3, radius_9);
+vec2 columns_share(float x_3, float h_6, float b_2, float radius_10, float thickness_4) {
+    float _e5 = excess_of(thickness_4, radius_10);
     float rho_1 = sqrt(max(x_3, 0.0));
     float rho_top_1 = sqrt(_e5);
     float _e10 = distance_to_top(x_3, b_2, _e5);
-    float shortest_1 = max((thickness_3 - h_5), 0.0);
+    float shortest_1 = max((thickness_4 - h_6), 0.0);
     return vec2(((_e10 - shortest_1) / max(((rho_1 + rho_top_1) - shortest_1), 1e-20)), (rho_1 / rho_top_1));
 }
 
-float altitude_share(float steepness, float growth, float h_6, float thickness_4) {
-    float grown = ((max(h_6, 0.0) / thickness_4) * growth);
+float altitude_share(float steepness, float growth, float h_7, float thickness_5) {
+    float grown = ((max(h_7, 0.0) / thickness_5) * growth);
     float s_6 = ((grown < 0.05) ? (grown * (1.0 - (grown * (0.5 - (grown * (0.33333334 - (grown * 0.25))))))) : log((1.0 + grown)));
     return sqrt((s_6 / steepness));
 }
 
-float share_altitude(Tables t_2, float share, float thickness_5) {
+float share_altitude(Tables t_2, float share, float thickness_6) {
     float s_7 = ((t_2.altitude_steepness * share) * share);
     float grown_1 = ((s_7 < 0.05) ? (s_7 * (1.0 + (s_7 * (0.5 + (s_7 * (0.16666667 + (s_7 * 0.041666668))))))) : (exp(s_7) - 1.0));
-    return (thickness_5 * min((grown_1 / t_2.altitude_growth), 1.0));
+    return (thickness_6 * min((grown_1 / t_2.altitude_growth), 1.0));
 }
 
 vec4 sun_axis(Tables t_3) {
@@ -350,24 +356,27 @@ vec2 share_azimuth(float share_2) {
     return (vec2(((c_1 - share_2) * (c_1 + share_2)), ((2.0 * share_2) * c_1)) * norm);
 }
 
-float zenith_share(Line line_1, float mu_1, float h_7, float radius_10, float thickness_6, vec2 limb) {
-    if (line_1.ground) {
-        float cosine_1 = min((sqrt(max(-(line_1.x_closest), 0.0)) / radius_10), 1.0);
-        float _e26 = crowded((0.5 * cosine_1), ((line_1.p / radius_10) / sqrt((2.0 + (2.0 * cosine_1)))), SQRT_HALF);
+float zenith_share(Line line_3, float mu_1, float h_8, float radius_11, float thickness_7, vec2 limb) {
+    if (line_3.ground) {
+        float cosine_1 = min((sqrt(max(-(line_3.x_closest), 0.0)) / radius_11), 1.0);
+        float _e26 = crowded((0.5 * cosine_1), ((line_3.p / radius_11) / sqrt((2.0 + (2.0 * cosine_1)))), SQRT_HALF);
         return _e26;
     }
     if ((mu_1 >= 0.0)) {
-        float s_9 = ((line_1.p / (radius_10 + h_7)) / sqrt((2.0 + (2.0 * mu_1))));
+        float s_9 = ((line_3.p / (radius_11 + h_8)) / sqrt((2.0 + (2.0 * mu_1))));
         float _e45 = crowded((0.5 * mu_1), s_9, SQRT_HALF);
         return (limb.x + ((1.0 - limb.x) * _e45));
     }
-    float lowest = (max(line_1.x_closest, 0.0) / (radius_10 + line_1.p));
-    float part = min((lowest / max(min(h_7, thickness_6), 1e-20)), 1.0);
-    float v = sqrt((1.0 - part));
+    float limit = max(min(h_8, thickness_7), 1e-20);
+    float lowest = (max(line_3.x_closest, 0.0) / (radius_11 + line_3.p));
+    float part = min((lowest / limit), 1.0);
+    float _e63 = top_half_chord2_(line_3, h_8, radius_11, thickness_7);
+    float b2_1 = ((h_8 > thickness_7) ? _e63 : (line_3.b * line_3.b));
+    float v = sqrt(clamp((b2_1 / (limit * (((2.0 * radius_11) + limit) + lowest))), 0.0, 1.0));
     return (limb.x * sqrt(((part * (1.0 + (limb.y * v))) / (1.0 + v))));
 }
 
-TableRay table_ray(float azimuth, float share_3, bool ground_1, float h_8, float radius_11, float thickness_7, vec2 limb_1, vec3 sun_4) {
+TableRay table_ray(float azimuth, float share_3, bool ground_1, float h_9, float radius_12, float thickness_8, vec2 limb_1, vec3 sun_4) {
     bool local_4 = false;
     float c2_ = 0.0;
     float approach = 0.0;
@@ -375,11 +384,11 @@ TableRay table_ray(float azimuth, float share_3, bool ground_1, float h_8, float
     float mu_2 = 0.0;
     SunSide s_5 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     float start_1 = 0.0;
-    float r_5 = (radius_11 + h_8);
-    float _e9 = excess_of(h_8, radius_11);
-    float _e10 = excess_of(thickness_7, radius_11);
+    float r_5 = (radius_12 + h_9);
+    float _e9 = excess_of(h_9, radius_12);
+    float _e10 = excess_of(thickness_8, radius_12);
     vec2 _e11 = share_azimuth(azimuth);
-    bool outside = (h_8 > thickness_7);
+    bool outside = (h_9 > thickness_8);
     if (!(ground_1)) {
         local_4 = (share_3 > limb_1.x);
     } else {
@@ -391,7 +400,7 @@ TableRay table_ray(float azimuth, float share_3, bool ground_1, float h_8, float
         float rest_1 = ((1.0 - u_1) * (1.0 + u_1));
         float s_10 = (SQRT_HALF * rest_1);
         vec3 dir_7 = vec3((_e11 * ((2.0 * s_10) * sqrt((1.0 - (s_10 * s_10))))), ((u_1 * u_1) * (1.0 + rest_1)));
-        AirRay _e47 = inner_ray(dir_7, h_8, radius_11, thickness_7, sun_4, false);
+        AirRay _e47 = inner_ray(dir_7, h_9, radius_12, thickness_8, sun_4, false);
         return TableRay(dir_7, _e47);
     }
     float start_x = (outside ? _e10 : _e9);
@@ -401,41 +410,41 @@ TableRay table_ray(float azimuth, float share_3, bool ground_1, float h_8, float
         mu_2 = ((share_3 * share_3) * (1.0 + rest_2));
         float _e71 = mu_2;
         float _e73 = mu_2;
-        c2_ = (((-(radius_11) * radius_11) * _e71) * _e73);
-        approach = (radius_11 * ((2.0 * s_11) * sqrt((1.0 - (s_11 * s_11)))));
+        c2_ = (((-(radius_12) * radius_12) * _e71) * _e73);
+        approach = (radius_12 * ((2.0 * s_11) * sqrt((1.0 - (s_11 * s_11)))));
         float _e83 = c2_;
         from_start = (start_x - _e83);
     } else {
-        float limit = min(h_8, thickness_7);
+        float limit_1 = min(h_9, thickness_8);
         float s_12 = min((share_3 / max(limb_1.x, 1e-20)), 1.0);
         float y_1 = ((1.0 - s_12) * (1.0 + s_12));
         float k = (1.0 - limb_1.y);
         float v_1 = ((2.0 * y_1) / max((k + sqrt(((k * k) + ((4.0 * limb_1.y) * y_1)))), 1e-20));
-        float lowest_1 = (limit * min((((s_12 * s_12) * (1.0 + v_1)) / (1.0 + (limb_1.y * v_1))), 1.0));
-        float _e125 = excess_of(lowest_1, radius_11);
+        float lowest_1 = (limit_1 * min((((s_12 * s_12) * (1.0 + v_1)) / (1.0 + (limb_1.y * v_1))), 1.0));
+        float _e125 = excess_of(lowest_1, radius_12);
         c2_ = _e125;
-        approach = (radius_11 + lowest_1);
-        from_start = (((limit * v_1) * v_1) * (((2.0 * radius_11) + limit) + lowest_1));
+        approach = (radius_12 + lowest_1);
+        from_start = (((limit_1 * v_1) * v_1) * (((2.0 * radius_12) + limit_1) + lowest_1));
     }
-    float above_2 = ((h_8 - thickness_7) * (((2.0 * radius_11) + thickness_7) + h_8));
+    float above_3 = ((h_9 - thickness_8) * (((2.0 * radius_12) + thickness_8) + h_9));
     float _e140 = from_start;
     float b_6 = -(sqrt(max(_e140, 0.0)));
     float _e145 = from_start;
-    float down = ((outside ? -(sqrt(max((above_2 + _e145), 0.0))) : b_6) / r_5);
+    float down = ((outside ? -(sqrt(max((above_3 + _e145), 0.0))) : b_6) / r_5);
     float _e153 = approach;
     vec3 dir_8 = vec3((_e11 * min((_e153 / r_5), 1.0)), down);
     if (outside) {
-        start_1 = (above_2 / (-(b_6) - (r_5 * down)));
+        start_1 = (above_3 / (-(b_6) - (r_5 * down)));
         float _e166 = start_1;
-        SunSide _e168 = sun_side_outside(dir_8, sun_4, r_5, _e166, -(b_6), _e10, radius_11);
+        SunSide _e168 = sun_side_outside(dir_8, sun_4, r_5, _e166, -(b_6), _e10, radius_12);
         s_5 = _e168;
     } else {
-        SunSide _e169 = sun_side_inside(dir_8, sun_4, r_5, _e9, radius_11);
+        SunSide _e169 = sun_side_inside(dir_8, sun_4, r_5, _e9, radius_12);
         s_5 = _e169;
     }
     float _e170 = distance_to_top(start_x, b_6, _e10);
     float _e171 = mu_2;
-    float reach_2 = (ground_1 ? (start_x / max(((radius_11 * _e171) - b_6), 1e-20)) : _e170);
+    float reach_2 = (ground_1 ? (start_x / max(((radius_12 * _e171) - b_6), 1e-20)) : _e170);
     float _e178 = start_1;
     float _e179 = c2_;
     float _e181 = s_5.sun_b;
@@ -477,21 +486,20 @@ vec2 gauss8_(int i_1) {
     }
 }
 
-Direction node_direction(int zenith, int azimuth_1, float h_9, float radius_12) {
-    bool above_3 = (zenith < 8);
-    vec2 _e8 = gauss8_((above_3 ? zenith : (zenith - 8)));
-    float _e9 = excess_of(h_9, radius_12);
-    float horizon = (-(sqrt(_e9)) / (radius_12 + h_9));
-    float span = (above_3 ? (1.0 - horizon) : (-1.0 - horizon));
+Direction node_direction(int zenith, int azimuth_1, float h_10, float radius_13) {
+    bool above_4 = (zenith < 8);
+    vec2 _e8 = gauss8_((above_4 ? zenith : (zenith - 8)));
+    float _e9 = excess_of(h_10, radius_13);
+    float horizon = (-(sqrt(_e9)) / (radius_13 + h_10));
+    float span = (above_4 ? (1.0 - horizon) : (-1.0 - horizon));
     float mu_3 = clamp((horizon + ((span * _e8.x) * _e8.x)), -1.0, 1.0);
-    return Direction(mu_3, ((float(azimuth_1) + 0.5) * 0.3926991), above_3, (((((abs(span) * 2.0) * _e8.x) * _e8.y) * 2.0) * 0.3926991));
+    return Direction(mu_3, ((float(azimuth_1) + 0.5) * 0.3926991), above_4, (((((abs(span) * 2.0) * _e8.x) * _e8.y) * 2.0) * 0.3926991));
 }
 
-vec2 sky_share(vec3 dir_6, float h_10, Medium m_1, vec2 limb_2) {
-    Line _e5 = line_past(dir_6, h_10, m_1.radius);
-    float _e6 = azimuth_share(dir_6);
-    float _e10 = zenith_share(_e5, dir_6.z, h_10, m_1.radius, m_1.thickness, limb_2);
-    return vec2(_e6, _e10);
+vec2 sky_share(Line line_4, vec3 dir_6, float h_11, Medium m_1, vec2 limb_2) {
+    float _e5 = azimuth_share(dir_6);
+    float _e9 = zenith_share(line_4, dir_6.z, h_11, m_1.radius, m_1.thickness, limb_2);
+    return vec2(_e5, _e9);
 }
 
 Medium medium_of(ivec2 first) {
@@ -507,6 +515,7 @@ Medium medium_of(ivec2 first) {
 void main() {
     vec4 position = gl_FragCoord;
     Tables t = Tables(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0u, vec3(0.0), 0.0, 0.0, 0.0, uvec2(0u), 0u, 0u, 0u, 0.0);
+    Line line = Line(0.0, 0.0, 0.0, false);
     float sphere = 0.0;
     int i = 0;
     ivec2 pixel = ivec2(position.xy);
@@ -532,13 +541,14 @@ void main() {
         case 0:
         case 1: {
             AirRay _e83 = air_ray(view.xyz, view.w, _e14.radius, _e14.thickness, light.xyz);
-            vec2 _e86 = sky_share(view.xyz, view.w, _e14, limb_3);
+            Line _e87 = line_past(view.xyz, view.w, _e14.radius);
+            vec2 _e90 = sky_share(_e87, view.xyz, view.w, _e14, limb_3);
             if ((answer == 0)) {
-                _fs2p_location0 = vec4(_e86, _e83.length_, float(_e83.ground));
+                _fs2p_location0 = vec4(_e90, _e83.length_, float(_e83.ground));
                 return;
             }
-            TableRay _e100 = table_ray(_e86.x, _e86.y, _e83.ground, view.w, _e14.radius, _e14.thickness, limb_3, light.xyz);
-            _fs2p_location0 = vec4(_e100.dir, 0.0);
+            TableRay _e104 = table_ray(_e90.x, _e90.y, _e83.ground, view.w, _e14.radius, _e14.thickness, limb_3, light.xyz);
+            _fs2p_location0 = vec4(_e104.dir, 0.0);
             return;
         }
         case 2:
@@ -546,104 +556,109 @@ void main() {
         case 4:
         case 5: {
             bool ground_3 = (share_5.z > 0.5);
-            TableRay _e113 = table_ray(share_5.x, share_5.y, ground_3, view.w, _e14.radius, _e14.thickness, limb_3, light.xyz);
-            AirRay ray_1 = _e113.ray;
+            TableRay _e117 = table_ray(share_5.x, share_5.y, ground_3, view.w, _e14.radius, _e14.thickness, limb_3, light.xyz);
+            AirRay ray_1 = _e117.ray;
             if ((answer == 2)) {
-                _fs2p_location0 = vec4(_e113.dir, ray_1.length_);
+                _fs2p_location0 = vec4(_e117.dir, ray_1.length_);
                 return;
             }
             if ((answer == 3)) {
                 _fs2p_location0 = vec4(ray_1.start, ray_1.x, ray_1.b, ray_1.x_closest);
                 return;
             }
-            vec2 _e129 = sky_share(_e113.dir, view.w, _e14, limb_3);
+            Line _e134 = line_past(_e117.dir, view.w, _e14.radius);
+            line = _e134;
+            line.x_closest = ray_1.x_closest;
+            line.ground = ground_3;
+            Line _e139 = line;
+            vec2 _e142 = sky_share(_e139, _e117.dir, view.w, _e14, limb_3);
             if ((answer == 4)) {
-                _fs2p_location0 = vec4(_e129, ray_1.sun_b, ray_1.nu);
+                _fs2p_location0 = vec4(_e142, ray_1.sun_b, ray_1.nu);
                 return;
             }
-            TableRay _e141 = table_ray(_e129.x, _e129.y, ground_3, view.w, _e14.radius, _e14.thickness, limb_3, light.xyz);
-            _fs2p_location0 = vec4(_e141.dir, ray_1.cross2_);
+            TableRay _e154 = table_ray(_e142.x, _e142.y, ground_3, view.w, _e14.radius, _e14.thickness, limb_3, light.xyz);
+            _fs2p_location0 = vec4(_e154.dir, ray_1.cross2_);
             return;
         }
         case 6: {
-            Tables _e145 = t;
-            float _e148 = share_altitude(_e145, share_5.y, _e14.thickness);
-            Tables _e149 = t;
-            float _e151 = share_sun(_e149, share_5.x);
-            float _e153 = t.altitude_steepness;
-            float _e155 = t.altitude_growth;
-            float _e157 = altitude_share(_e153, _e155, _e148, _e14.thickness);
             Tables _e158 = t;
-            vec4 _e159 = sun_axis(_e158);
-            float _e160 = sun_share(_e159, _e151);
-            _fs2p_location0 = vec4(_e148, _e157, _e151, _e160);
+            float _e161 = share_altitude(_e158, share_5.y, _e14.thickness);
+            Tables _e162 = t;
+            float _e164 = share_sun(_e162, share_5.x);
+            float _e166 = t.altitude_steepness;
+            float _e168 = t.altitude_growth;
+            float _e170 = altitude_share(_e166, _e168, _e161, _e14.thickness);
+            Tables _e171 = t;
+            vec4 _e172 = sun_axis(_e171);
+            float _e173 = sun_share(_e172, _e164);
+            _fs2p_location0 = vec4(_e161, _e170, _e164, _e173);
             return;
         }
         case 7: {
-            float _e163 = t.altitude_steepness;
-            float _e165 = t.altitude_growth;
-            float _e170 = altitude_share(_e163, _e165, min(view.w, _e14.thickness), _e14.thickness);
-            Tables _e171 = t;
-            vec4 _e172 = sun_axis(_e171);
-            float _e174 = sun_share(_e172, light.z);
-            Tables _e175 = t;
-            float _e177 = share_altitude(_e175, _e170, _e14.thickness);
-            Tables _e178 = t;
-            float _e179 = share_sun(_e178, _e174);
-            _fs2p_location0 = vec4(_e170, _e177, _e174, _e179);
+            float _e176 = t.altitude_steepness;
+            float _e178 = t.altitude_growth;
+            float _e183 = altitude_share(_e176, _e178, min(view.w, _e14.thickness), _e14.thickness);
+            Tables _e184 = t;
+            vec4 _e185 = sun_axis(_e184);
+            float _e187 = sun_share(_e185, light.z);
+            Tables _e188 = t;
+            float _e190 = share_altitude(_e188, _e183, _e14.thickness);
+            Tables _e191 = t;
+            float _e192 = share_sun(_e191, _e187);
+            _fs2p_location0 = vec4(_e183, _e190, _e187, _e192);
             return;
         }
         case 8:
         case 9: {
-            vec3 _e184 = columns_ray(share_5.xy, vec2(2.0), _e14);
+            vec3 _e197 = columns_ray(share_5.xy, vec2(2.0), _e14);
             if ((answer == 8)) {
-                _fs2p_location0 = vec4(_e184, 0.0);
+                _fs2p_location0 = vec4(_e197, 0.0);
                 return;
             }
-            float _e192 = altitude_of(_e184.x, _e14.radius);
-            vec2 _e198 = columns_share(_e184.x, min(_e192, _e14.thickness), _e184.y, _e14.radius, _e14.thickness);
-            float _e202 = altitude_of(path.x, _e14.radius);
-            vec2 _e206 = columns_share(path.x, _e202, path.y, _e14.radius, _e14.thickness);
-            _fs2p_location0 = vec4(_e198, _e206);
+            float _e205 = altitude_of(_e197.x, _e14.radius);
+            vec2 _e211 = columns_share(_e197.x, min(_e205, _e14.thickness), _e197.y, _e14.radius, _e14.thickness);
+            float _e215 = altitude_of(path.x, _e14.radius);
+            vec2 _e219 = columns_share(path.x, _e215, path.y, _e14.radius, _e14.thickness);
+            _fs2p_location0 = vec4(_e211, _e219);
             return;
         }
         case 10: {
-            float h_12 = min(view.w, _e14.thickness);
+            float h_13 = min(view.w, _e14.thickness);
             int node = int(share_5.w);
-            Direction _e218 = node_direction((node / AZIMUTHS), (node % AZIMUTHS), h_12, _e14.radius);
+            Direction _e231 = node_direction((node / AZIMUTHS), (node % AZIMUTHS), h_13, _e14.radius);
             bool loop_init = true;
             while(true) {
                 if (!loop_init) {
-                    int _e238 = i;
-                    i = (_e238 + 1);
+                    int _e251 = i;
+                    i = (_e251 + 1);
                 }
                 loop_init = false;
-                int _e223 = i;
-                if ((_e223 < 128)) {
+                int _e236 = i;
+                if ((_e236 < 128)) {
                 } else {
                     break;
                 }
                 {
-                    float _e226 = sphere;
-                    int _e227 = i;
-                    int _e230 = i;
-                    Direction _e234 = node_direction((_e227 / AZIMUTHS), (_e230 % AZIMUTHS), h_12, _e14.radius);
-                    sphere = (_e226 + _e234.weight);
+                    float _e239 = sphere;
+                    int _e240 = i;
+                    int _e243 = i;
+                    Direction _e247 = node_direction((_e240 / AZIMUTHS), (_e243 % AZIMUTHS), h_13, _e14.radius);
+                    sphere = (_e239 + _e247.weight);
                 }
             }
-            float _e244 = sphere;
-            _fs2p_location0 = vec4(_e218.mu, _e218.azimuth, float(_e218.above), _e244);
+            float _e257 = sphere;
+            _fs2p_location0 = vec4(_e231.mu, _e231.azimuth, float(_e231.above), _e257);
             return;
         }
         default: {
             float low_2 = clamp(-(path.y), 0.0, path.z);
-            float _e252 = unwarp(low_2, 0.0);
-            float _e254 = unwarp(low_2, path.z);
-            float u_2 = (_e252 + ((_e254 - _e252) * share_5.x));
-            float _e259 = warp(low_2, u_2);
-            float _e260 = unwarp(low_2, _e259);
-            float _e261 = warp(low_2, _e260);
-            _fs2p_location0 = vec4(_e252, _e254, _e259, _e261);
+            float _e265 = unwarp(low_2, 0.0);
+            float _e267 = unwarp(low_2, path.z);
+            float u_2 = (_e265 + ((_e267 - _e265) * share_5.x));
+            float _e272 = warp(low_2, u_2);
+            float _e273 = unwarp(low_2, _e272);
+            float _e274 = warp(low_2, _e273);
+            _fs2p_location0 = vec4(_e265, _e267, _e272, _e274);
             return;
         }
     }

@@ -203,43 +203,49 @@ Line line_past(vec3 dir_2, float h_1, float radius_6) {
     return Line(b_3, p_2, -(_e13), _e22);
 }
 
-AirPath air_path(Line line, float h_2, float radius_7, float thickness) {
-    bool local_1 = false;
-    float _e4 = excess_of(thickness, radius_7);
-    float ground_root = sqrt(max(-(line.x_closest), 0.0));
-    if ((h_2 <= thickness)) {
-        float _e11 = excess_of(h_2, radius_7);
-        float _e13 = distance_to_top(_e11, line.b, _e4);
-        float reach = (line.ground ? (_e11 / (ground_root - line.b)) : _e13);
-        return AirPath(0.0, reach, _e11, line.b);
-    }
-    float above_1 = ((h_2 - thickness) * (((2.0 * radius_7) + thickness) + h_2));
+float top_half_chord2_(Line line, float h_2, float radius_7, float thickness) {
     float b2_ = (line.b * line.b);
-    float top2_ = ((b2_ < _e4) ? (b2_ - above_1) : (_e4 - line.x_closest));
-    if (!((line.b >= 0.0))) {
-        local_1 = (top2_ <= 0.0);
+    float _e7 = excess_of(thickness, radius_7);
+    float above_1 = ((h_2 - thickness) * (((2.0 * radius_7) + thickness) + h_2));
+    return ((b2_ < _e7) ? (b2_ - above_1) : (_e7 - line.x_closest));
+}
+
+AirPath air_path(Line line_1, float h_3, float radius_8, float thickness_1) {
+    bool local_1 = false;
+    float _e4 = excess_of(thickness_1, radius_8);
+    float ground_root = sqrt(max(-(line_1.x_closest), 0.0));
+    if ((h_3 <= thickness_1)) {
+        float _e11 = excess_of(h_3, radius_8);
+        float _e13 = distance_to_top(_e11, line_1.b, _e4);
+        float reach = (line_1.ground ? (_e11 / (ground_root - line_1.b)) : _e13);
+        return AirPath(0.0, reach, _e11, line_1.b);
+    }
+    float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_8) + thickness_1) + h_3));
+    float _e28 = top_half_chord2_(line_1, h_3, radius_8, thickness_1);
+    if (!((line_1.b >= 0.0))) {
+        local_1 = (_e28 <= 0.0);
     } else {
         local_1 = true;
     }
-    bool _e45 = local_1;
-    if (_e45) {
+    bool _e38 = local_1;
+    if (_e38) {
         return AirPath(0.0, -1.0, 0.0, 0.0);
     }
-    float half_1 = sqrt(top2_);
-    return AirPath((above_1 / (half_1 - line.b)), (line.ground ? (_e4 / (half_1 + ground_root)) : (2.0 * half_1)), _e4, -(half_1));
+    float half_1 = sqrt(_e28);
+    return AirPath((above_2 / (half_1 - line_1.b)), (line_1.ground ? (_e4 / (half_1 + ground_root)) : (2.0 * half_1)), _e4, -(half_1));
 }
 
-AirRay air_ray(vec3 dir_3, float h_3, float radius_8, float thickness_1, vec3 sun_2) {
+AirRay air_ray(vec3 dir_3, float h_4, float radius_9, float thickness_2, vec3 sun_2) {
     SunSide s_3 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     bool local_2 = false;
-    Line _e5 = line_past(dir_3, h_3, radius_8);
-    AirPath _e6 = air_path(_e5, h_3, radius_8, thickness_1);
-    if ((h_3 <= thickness_1)) {
-        SunSide _e11 = sun_side_inside(dir_3, sun_2, (radius_8 + h_3), _e6.x, radius_8);
+    Line _e5 = line_past(dir_3, h_4, radius_9);
+    AirPath _e6 = air_path(_e5, h_4, radius_9, thickness_2);
+    if ((h_4 <= thickness_2)) {
+        SunSide _e11 = sun_side_inside(dir_3, sun_2, (radius_9 + h_4), _e6.x, radius_9);
         s_3 = _e11;
     } else {
         if ((_e6.length_ > 0.0)) {
-            SunSide _e20 = sun_side_outside(dir_3, sun_2, (radius_8 + h_3), _e6.start, -(_e6.b), _e6.x, radius_8);
+            SunSide _e20 = sun_side_outside(dir_3, sun_2, (radius_9 + h_4), _e6.start, -(_e6.b), _e6.x, radius_9);
             s_3 = _e20;
         } else {
             s_3.nu = dot(dir_3, sun_2);
@@ -260,7 +266,7 @@ AirRay air_ray(vec3 dir_3, float h_3, float radius_8, float thickness_1, vec3 su
     return AirRay(_e6.start, _e6.length_, _e6.x, _e6.b, _e5.x_closest, _e37, _e39, _e41, _e43, _e45, _e47, ground);
 }
 
-Low lowest(AirRay ray, float length_, float radius_9) {
+Low lowest(AirRay ray, float length_, float radius_10) {
     bool local_3 = false;
     if ((ray.b >= 0.0)) {
         return Low(0.0, ray.x, ray.b);
@@ -278,12 +284,12 @@ Low lowest(AirRay ray, float length_, float radius_9) {
     if (_e26) {
         return Low(length_, 0.0, b_4);
     }
-    bool far = ((-(ray.b) * length_) > (radius_9 * radius_9));
+    bool far = ((-(ray.b) * length_) > (radius_10 * radius_10));
     return Low(length_, (far ? (ray.x_closest + (b_4 * b_4)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_4);
 }
 
-bool hits_planet(vec3 dir_4, float h_4, float radius_10) {
-    Line _e3 = line_past(dir_4, h_4, radius_10);
+bool hits_planet(vec3 dir_4, float h_5, float radius_11) {
+    Line _e3 = line_past(dir_4, h_5, radius_11);
     return _e3.ground;
 }
 
@@ -295,9 +301,9 @@ mat3x3 coefficients_of(Medium m_1) {
     return mat3x3(m_1.rayleigh, m_1.mie_extinction, m_1.ozone);
 }
 
-vec3 densities(vec4 layers, float h_5) {
+vec3 densities(vec4 layers, float h_6) {
     vec3 d = vec3(0.0);
-    d.z = max(0.0, (1.0 - (abs((h_5 - layers.z)) * layers.w)));
+    d.z = max(0.0, (1.0 - (abs((h_6 - layers.z)) * layers.w)));
     vec3 _e15 = d;
     return _e15;
 }

@@ -128,6 +128,13 @@ Line line_past(vec3 dir, float h_1, float radius_1) {
     return Line(b_1, p_1, -(_e13), _e22);
 }
 
+float top_half_chord2_(Line line, float h_2, float radius_2, float thickness) {
+    float b2_ = (line.b * line.b);
+    float _e7 = excess_of(thickness, radius_2);
+    float above_1 = ((h_2 - thickness) * (((2.0 * radius_2) + thickness) + h_2));
+    return ((b2_ < _e7) ? (b2_ - above_1) : (_e7 - line.x_closest));
+}
+
 vec2 table_uv(float x_share, float row, vec2 size_1) {
     return ((vec2((x_share * (size_1.x - 1.0)), row) + vec2(0.5)) / size_1);
 }
@@ -145,20 +152,23 @@ float azimuth_share(vec3 dir_1) {
     return (s_1 / (large + small));
 }
 
-float zenith_share(Line line, float mu, float h_2, float radius_2, float thickness, vec2 limb) {
-    if (line.ground) {
-        float cosine_1 = min((sqrt(max(-(line.x_closest), 0.0)) / radius_2), 1.0);
-        float _e26 = crowded((0.5 * cosine_1), ((line.p / radius_2) / sqrt((2.0 + (2.0 * cosine_1)))), SQRT_HALF);
+float zenith_share(Line line_1, float mu, float h_3, float radius_3, float thickness_1, vec2 limb) {
+    if (line_1.ground) {
+        float cosine_1 = min((sqrt(max(-(line_1.x_closest), 0.0)) / radius_3), 1.0);
+        float _e26 = crowded((0.5 * cosine_1), ((line_1.p / radius_3) / sqrt((2.0 + (2.0 * cosine_1)))), SQRT_HALF);
         return _e26;
     }
     if ((mu >= 0.0)) {
-        float s_2 = ((line.p / (radius_2 + h_2)) / sqrt((2.0 + (2.0 * mu))));
+        float s_2 = ((line_1.p / (radius_3 + h_3)) / sqrt((2.0 + (2.0 * mu))));
         float _e45 = crowded((0.5 * mu), s_2, SQRT_HALF);
         return (limb.x + ((1.0 - limb.x) * _e45));
     }
-    float lowest = (max(line.x_closest, 0.0) / (radius_2 + line.p));
-    float part = min((lowest / max(min(h_2, thickness), 1e-20)), 1.0);
-    float v_1 = sqrt((1.0 - part));
+    float limit = max(min(h_3, thickness_1), 1e-20);
+    float lowest = (max(line_1.x_closest, 0.0) / (radius_3 + line_1.p));
+    float part = min((lowest / limit), 1.0);
+    float _e63 = top_half_chord2_(line_1, h_3, radius_3, thickness_1);
+    float b2_1 = ((h_3 > thickness_1) ? _e63 : (line_1.b * line_1.b));
+    float v_1 = sqrt(clamp((b2_1 / (limit * (((2.0 * radius_3) + limit) + lowest))), 0.0, 1.0));
     return (limb.x * sqrt(((part * (1.0 + (limb.y * v_1))) / (1.0 + v_1))));
 }
 
@@ -195,10 +205,10 @@ void main() {
     vec3 _e17 = _group_0_binding_0_fs.frame.ray_up;
     vec3 _e18 = pixel_ray(position.xy, _e5, _e9, _e13, _e17);
     vec3 dir_3 = normalize(_e18);
-    float h_3 = _group_0_binding_0_fs.frame.altitude;
-    float radius_3 = _group_0_binding_0_fs.frame.medium.radius;
-    float thickness_1 = _group_0_binding_0_fs.frame.medium.thickness;
-    Line _e34 = line_past(dir_3, h_3, radius_3);
+    float h_4 = _group_0_binding_0_fs.frame.altitude;
+    float radius_4 = _group_0_binding_0_fs.frame.medium.radius;
+    float thickness_2 = _group_0_binding_0_fs.frame.medium.thickness;
+    Line _e34 = line_past(dir_3, h_4, radius_4);
     if (_e34.ground) {
         uint _e39 = _group_0_binding_0_fs.frame.low_resolution;
         if ((_e39 == 0u)) {
@@ -209,7 +219,7 @@ void main() {
     }
     vec2 size_2 = vec2(uvec2(textureSize(_group_0_binding_1_fs, 0).xy));
     vec2 _e54 = _group_0_binding_0_fs.frame.limb;
-    float _e55 = zenith_share(_e34, dir_3.z, h_3, radius_3, thickness_1, _e54);
+    float _e55 = zenith_share(_e34, dir_3.z, h_4, radius_4, thickness_2, _e54);
     float _e56 = azimuth_share(dir_3);
     float _e62 = _group_0_binding_0_fs.tables.ground_rows;
     float _e63 = sky_row(_e55, false, size_2.y, _e62);

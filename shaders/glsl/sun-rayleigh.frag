@@ -123,30 +123,36 @@ Line line_past(vec3 dir, float h_1, float radius_3) {
     return Line(b_4, p_1, -(_e13), _e22);
 }
 
-AirPath air_path(Line line, float h_2, float radius_4, float thickness) {
-    bool local_2 = false;
-    float _e4 = excess_of(thickness, radius_4);
-    float ground_root = sqrt(max(-(line.x_closest), 0.0));
-    if ((h_2 <= thickness)) {
-        float _e11 = excess_of(h_2, radius_4);
-        float _e13 = distance_to_top(_e11, line.b, _e4);
-        float reach = (line.ground ? (_e11 / (ground_root - line.b)) : _e13);
-        return AirPath(0.0, reach, _e11, line.b);
-    }
-    float above_1 = ((h_2 - thickness) * (((2.0 * radius_4) + thickness) + h_2));
+float top_half_chord2_(Line line, float h_2, float radius_4, float thickness) {
     float b2_ = (line.b * line.b);
-    float top2_ = ((b2_ < _e4) ? (b2_ - above_1) : (_e4 - line.x_closest));
-    if (!((line.b >= 0.0))) {
-        local_2 = (top2_ <= 0.0);
+    float _e7 = excess_of(thickness, radius_4);
+    float above_1 = ((h_2 - thickness) * (((2.0 * radius_4) + thickness) + h_2));
+    return ((b2_ < _e7) ? (b2_ - above_1) : (_e7 - line.x_closest));
+}
+
+AirPath air_path(Line line_1, float h_3, float radius_5, float thickness_1) {
+    bool local_2 = false;
+    float _e4 = excess_of(thickness_1, radius_5);
+    float ground_root = sqrt(max(-(line_1.x_closest), 0.0));
+    if ((h_3 <= thickness_1)) {
+        float _e11 = excess_of(h_3, radius_5);
+        float _e13 = distance_to_top(_e11, line_1.b, _e4);
+        float reach = (line_1.ground ? (_e11 / (ground_root - line_1.b)) : _e13);
+        return AirPath(0.0, reach, _e11, line_1.b);
+    }
+    float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_5) + thickness_1) + h_3));
+    float _e28 = top_half_chord2_(line_1, h_3, radius_5, thickness_1);
+    if (!((line_1.b >= 0.0))) {
+        local_2 = (_e28 <= 0.0);
     } else {
         local_2 = true;
     }
-    bool _e45 = local_2;
-    if (_e45) {
+    bool _e38 = local_2;
+    if (_e38) {
         return AirPath(0.0, -1.0, 0.0, 0.0);
     }
-    float half_ = sqrt(top2_);
-    return AirPath((above_1 / (half_ - line.b)), (line.ground ? (_e4 / (half_ + ground_root)) : (2.0 * half_)), _e4, -(half_));
+    float half_ = sqrt(_e28);
+    return AirPath((above_2 / (half_ - line_1.b)), (line_1.ground ? (_e4 / (half_ + ground_root)) : (2.0 * half_)), _e4, -(half_));
 }
 
 vec4 layers_of(Medium m) {
@@ -157,9 +163,9 @@ mat3x3 coefficients_of(Medium m_1) {
     return mat3x3(m_1.rayleigh, m_1.mie_extinction, m_1.ozone);
 }
 
-vec3 densities(vec4 layers, float h_3) {
+vec3 densities(vec4 layers, float h_4) {
     vec3 d = vec3(0.0);
-    d.x = exp((-(h_3) * layers.x));
+    d.x = exp((-(h_4) * layers.x));
     vec3 _e10 = d;
     return _e10;
 }
@@ -176,7 +182,7 @@ float warp(float low, float u) {
     return (low + (u * abs(u)));
 }
 
-vec3 path_densities(vec4 layers_1, float radius_5, float x_3, float b_3, float distance_, uint samples) {
+vec3 path_densities(vec4 layers_1, float radius_6, float x_3, float b_3, float distance_, uint samples) {
     vec3 sum_1 = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
@@ -200,7 +206,7 @@ vec3 path_densities(vec4 layers_1, float radius_5, float x_3, float b_3, float d
             float u_1 = (u0_ + (du * float(_e25)));
             float _e32 = warp(low_1, (u_1 + (0.5 * du)));
             float _e34 = warp(low_1, (u_1 + du));
-            float _e35 = altitude_after(x_3, b_3, _e32, radius_5);
+            float _e35 = altitude_after(x_3, b_3, _e32, radius_6);
             vec3 _e36 = sum_1;
             vec3 _e37 = densities(layers_1, _e35);
             float _e38 = t0_;

@@ -41,7 +41,7 @@ fn air_between(air: texture_2d<f32>, sampling: sampler, texel: vec2f, at: f32, l
     let far = (texel + table * vec2f(slice + 1.0, f32(kind)) + 0.5) * scale;
     let near = far - vec2f(table.x * scale.x, 0.0);
     let from_ = textureSampleLevel(air, sampling, near, 0.0).xyz;
-    return mix(select(from_, vec3f(before), slice < 0.0), textureSampleLevel(air, sampling, far, 0.0).xyz, at - slice);
+    return mix(select(from_, vec3f(before), slice < 0.0), textureSampleLevel(air, sampling, far, 0.0).xyz, clamp(at - slice, 0.0, 1.0));
 }
 
 @fragment

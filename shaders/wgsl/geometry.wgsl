@@ -132,6 +132,15 @@ fn line_past(dir: vec3f, h: f32, radius: f32) -> Line {
     return Line(b, p, -ground2, b < 0.0 && ground2 >= 0.0);
 }
 
+// Squared half of the chord that a line from a camera at altitude h cuts from the top of the air. Not from the rounded
+// radius of the top, in which a thin shell is lost. Where b is small, from the height above it.
+fn top_half_chord2(line: Line, h: f32, radius: f32, thickness: f32) -> f32 {
+    let b2 = line.b * line.b;
+    let x_top = excess_of(thickness, radius);
+    let above = (h - thickness) * (2.0 * radius + thickness + h);
+    return select(x_top - line.x_closest, b2 - above, b2 < x_top);
+}
+
 // What of a ray lies in the air, without the sun: see the fields of `AirRay`.
 struct AirPath {
     start: f32,
@@ -149,11 +158,8 @@ fn air_path(line: Line, h: f32, radius: f32, thickness: f32) -> AirPath {
         return AirPath(0.0, reach, x, line.b);
     }
     // From outside: the ray is moved to where it enters.
-    // Not from the rounded radius of the top, in which a thin shell is lost. Just above the top, where b is
-    // small, from the height above it.
     let above = (h - thickness) * (2.0 * radius + thickness + h);
-    let b2 = line.b * line.b;
-    let top2 = select(x_top - line.x_closest, b2 - above, b2 < x_top);
+    let top2 = top_half_chord2(line, h, radius, thickness);
     if line.b >= 0.0 || top2 <= 0.0 {
         return AirPath(0.0, -1.0, 0.0, 0.0);
     }

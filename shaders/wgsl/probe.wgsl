@@ -26,8 +26,7 @@ const ANSWERS: i32 = 2;
 const ANSWERS: i32 = 12;
 
 // Where a ray is in the sky tables, as the passes that read them ask.
-fn sky_share(dir: vec3f, h: f32, m: Medium, limb: vec2f) -> vec2f {
-    let line = line_past(dir, h, m.radius);
+fn sky_share(line: Line, dir: vec3f, h: f32, m: Medium, limb: vec2f) -> vec2f {
     return vec2f(azimuth_share(dir), zenith_share(line, dir.z, h, m.radius, m.thickness, limb));
 }
 //#endif
@@ -120,7 +119,7 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
         case 0, 1: {
             // A direction's place, and the direction of that place.
             let ray = air_ray(view.xyz, view.w, m.radius, m.thickness, light.xyz);
-            let at = sky_share(view.xyz, view.w, m, limb);
+            let at = sky_share(line_past(view.xyz, view.w, m.radius), view.xyz, view.w, m, limb);
             if answer == 0 {
                 return vec4f(at, ray.length, f32(ray.ground));
             }
@@ -137,7 +136,11 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
             if answer == 3 {
                 return vec4f(ray.start, ray.x, ray.b, ray.x_closest);
             }
-            let at = sky_share(table.dir, view.w, m, limb);
+            // Not what its rounded direction passes.
+            var line = line_past(table.dir, view.w, m.radius);
+            line.x_closest = ray.x_closest;
+            line.ground = ground;
+            let at = sky_share(line, table.dir, view.w, m, limb);
             if answer == 4 {
                 return vec4f(at, ray.sun_b, ray.nu);
             }

@@ -44,10 +44,13 @@ fn zenith_share(line: Line, mu: f32, h: f32, radius: f32, thickness: f32, limb: 
         let s = line.p / (radius + h) / sqrt(2.0 + 2.0 * mu);
         return limb.x + (1.0 - limb.x) * crowded(0.5 * mu, s, SQRT_HALF);
     }
+    let limit = max(min(h, thickness), 1e-20);
     let lowest = max(line.x_closest, 0.0) / (radius + line.p);
-    let part = min(lowest / max(min(h, thickness), 1e-20), 1.0);
-    // Near the ground v is the ray's angle below the horizontal over the horizon's: even in it, from outside in `part`.
-    let v = sqrt(1.0 - part);
+    let part = min(lowest / limit, 1.0);
+    // v^2 = 1 - part. Near the ground v is the ray's angle below the horizontal over the horizon's: there rows are even in
+    // it, from outside in `part`.
+    let b2 = select(line.b * line.b, top_half_chord2(line, h, radius, thickness), h > thickness);
+    let v = sqrt(clamp(b2 / (limit * (2.0 * radius + limit + lowest)), 0.0, 1.0));
     return limb.x * sqrt(part * (1.0 + limb.y * v) / (1.0 + v));
 }
 

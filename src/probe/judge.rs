@@ -473,6 +473,20 @@ fn tables(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
         // The table holds half a turn.
         let mut dir = case.direction;
         dir[1] = dir[1].abs();
+        // Just below the top of the air rays that go up share few rows, next to nothing being above them, and those that
+        // go down are spaced by the altitude that they pass: what a rounded row changes, see `zenith_share`.
+        let [limb, bend] = case.limb.map(f64::from);
+        let h = f64::from(case.altitude);
+        let horizon = (h * (2.0 * radius + h)).sqrt() / r;
+        let v = f64::from(-dir[2]) / horizon;
+        // A share's four roundings, twice: its square is what both parts are given by.
+        let rounded = 2.0 * RESOLUTION;
+        let crowded = match (outside, dir[2] >= 0.0) {
+            (true, _) => 0.0,
+            (false, true) => rounded * limb / (1.0 - limb),
+            (false, false) => horizon * (rounded / (1.0 - bend + 2.0 * bend * v)).min(rounded.sqrt()),
+        };
+        let angle = Promise { absolute: angle.absolute + crowded, ..angle };
         note(nothing(apart(&dir, &answers[1]), angle, Quantity::TableDirection));
     }
 
