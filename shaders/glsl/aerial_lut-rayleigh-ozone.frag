@@ -67,7 +67,7 @@ struct Tables {
     vec3 mie_moment2_;
     float sun_width;
     vec3 mie_asymmetry;
-    uint steps_per_source;
+    float pad;
     vec3 albedo;
     float sun_first;
     float sun_span;

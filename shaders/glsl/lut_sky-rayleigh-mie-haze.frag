@@ -82,7 +82,7 @@ struct Tables {
     vec3 mie_moment2_;
     float sun_width;
     vec3 mie_asymmetry;
-    uint steps_per_source;
+    float pad;
     vec3 albedo;
     float sun_first;
     float sun_span;
@@ -389,7 +389,6 @@ vec2 lit_part(vec2 shadow, float low_2, float t0_, float t1_, float mid) {
 Gathered gather_direct(highp sampler2D columns, Medium medium, Tables t_2, AirRay ray_2, Low lowest_1, float u_from, float u_to, vec3 gas, vec3 aerosol) {
     Gathered out_ = Gathered(vec3(0.0), vec3(1.0), vec3(0.0));
     float t0_1 = 0.0;
-    uint group = 0u;
     uint i = 0u;
     float radius_11 = medium.radius;
     float thickness_4 = medium.thickness;
@@ -397,77 +396,57 @@ Gathered gather_direct(highp sampler2D columns, Medium medium, Tables t_2, AirRa
     mat3x3 coefficients_1 = mat3x3(medium.rayleigh, t_2.mie_extinction, medium.ozone);
     vec2 _e24 = shadow_stretch(ray_2);
     float low_5 = lowest_1.t;
-    uint each = t_2.steps_per_source;
-    uint groups = (((t_2.steps + each) - 1u) / each);
-    float du = ((u_to - u_from) / float((groups * each)));
-    float _e36 = warp(low_5, u_from);
-    t0_1 = _e36;
+    float du = ((u_to - u_from) / float(t_2.steps));
+    float _e30 = warp(low_5, u_from);
+    t0_1 = _e30;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e126 = group;
-            group = (_e126 + 1u);
+            uint _e109 = i;
+            i = (_e109 + 1u);
         }
         loop_init = false;
-        uint _e40 = group;
-        if ((_e40 < groups)) {
+        uint _e34 = i;
+        if ((_e34 < t_2.steps)) {
         } else {
             break;
         }
         {
-            uint _e42 = group;
-            float u_group = (u_from + (du * float((each * _e42))));
-            i = 0u;
-            bool loop_init_1 = true;
-            while(true) {
-                if (!loop_init_1) {
-                    uint _e123 = i;
-                    i = (_e123 + 1u);
-                }
-                loop_init_1 = false;
-                uint _e49 = i;
-                if ((_e49 < each)) {
-                } else {
-                    break;
-                }
-                {
-                    uint _e51 = i;
-                    float u_1 = (u_group + (du * float(_e51)));
-                    float _e56 = warp(low_5, (u_1 + du));
-                    float _e57 = t0_1;
-                    float step_ = (_e56 - _e57);
-                    float _e62 = warp(low_5, (u_1 + (0.5 * du)));
-                    float _e66 = altitude_after(lowest_1.x, lowest_1.b, (_e62 - low_5), radius_11);
-                    vec3 _e67 = densities(_e11, _e66);
-                    vec3 _e68 = extinction(coefficients_1, _e67);
-                    vec3 tau_1 = (_e68 * step_);
-                    vec3 _e71 = out_.transmittance;
-                    vec3 _e72 = mean_transmittance(tau_1);
-                    vec3 share_2 = (_e71 * _e72);
-                    float _e74 = t0_1;
-                    vec2 _e75 = lit_part(_e24, low_5, _e74, _e56, _e62);
-                    if ((_e75.x > 0.0)) {
-                        float past = (_e75.y - low_5);
-                        float lit_x = max((lowest_1.x + (past * ((2.0 * lowest_1.b) + past))), 0.0);
-                        float _e90 = altitude_of(lit_x, radius_11);
-                        vec3 _e91 = densities(_e11, _e90);
-                        vec3 _e97 = columns_to_top(columns, radius_11, thickness_4, lit_x, _e90, (ray_2.sun_b + (ray_2.nu * _e75.y)));
-                        vec3 _e103 = extinction(coefficients_1, _e97);
-                        vec3 source = (((gas * _e91.x) + (aerosol * _e91.y)) * exp(-(_e103)));
-                        vec3 _e108 = out_.radiance;
-                        out_.radiance = (_e108 + ((share_2 * source) * _e75.x));
-                    }
-                    vec3 _e114 = out_.transmittance;
-                    out_.transmittance = (_e114 * exp(-(tau_1)));
-                    vec3 _e119 = out_.columns;
-                    out_.columns = (_e119 + (_e67 * step_));
-                    t0_1 = _e56;
-                }
+            uint _e37 = i;
+            float u_1 = (u_from + (du * float(_e37)));
+            float _e42 = warp(low_5, (u_1 + du));
+            float _e43 = t0_1;
+            float step_ = (_e42 - _e43);
+            float _e48 = warp(low_5, (u_1 + (0.5 * du)));
+            float _e52 = altitude_after(lowest_1.x, lowest_1.b, (_e48 - low_5), radius_11);
+            vec3 _e53 = densities(_e11, _e52);
+            vec3 _e54 = extinction(coefficients_1, _e53);
+            vec3 tau_1 = (_e54 * step_);
+            vec3 _e57 = out_.transmittance;
+            vec3 _e58 = mean_transmittance(tau_1);
+            vec3 share_2 = (_e57 * _e58);
+            float _e60 = t0_1;
+            vec2 _e61 = lit_part(_e24, low_5, _e60, _e42, _e48);
+            if ((_e61.x > 0.0)) {
+                float past = (_e61.y - low_5);
+                float lit_x = max((lowest_1.x + (past * ((2.0 * lowest_1.b) + past))), 0.0);
+                float _e76 = altitude_of(lit_x, radius_11);
+                vec3 _e77 = densities(_e11, _e76);
+                vec3 _e83 = columns_to_top(columns, radius_11, thickness_4, lit_x, _e76, (ray_2.sun_b + (ray_2.nu * _e61.y)));
+                vec3 _e89 = extinction(coefficients_1, _e83);
+                vec3 source = (((gas * _e77.x) + (aerosol * _e77.y)) * exp(-(_e89)));
+                vec3 _e94 = out_.radiance;
+                out_.radiance = (_e94 + ((share_2 * source) * _e61.x));
             }
+            vec3 _e100 = out_.transmittance;
+            out_.transmittance = (_e100 * exp(-(tau_1)));
+            vec3 _e105 = out_.columns;
+            out_.columns = (_e105 + (_e53 * step_));
+            t0_1 = _e42;
         }
     }
-    Gathered _e128 = out_;
-    return _e128;
+    Gathered _e111 = out_;
+    return _e111;
 }
 
 vec2 share_azimuth(float share) {

@@ -82,7 +82,7 @@ struct Tables {
     vec3 mie_moment2_;
     float sun_width;
     vec3 mie_asymmetry;
-    uint steps_per_source;
+    float pad;
     vec3 albedo;
     float sun_first;
     float sun_span;
@@ -435,7 +435,6 @@ vec2 lit_part(vec2 shadow, float low_2, float t0_, float t1_, float mid) {
 Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium, Tables t_3, AirRay ray_2, Low lowest_1, float u_from, float u_to, vec3 gas_1, vec3 aerosol_1, float diffuse) {
     Gathered out_ = Gathered(vec3(0.0), vec3(1.0), vec3(0.0));
     float t0_1 = 0.0;
-    uint group = 0u;
     uint i = 0u;
     float radius_11 = medium.radius;
     float thickness_5 = medium.thickness;
@@ -447,87 +446,65 @@ Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium,
     vec2 nodes = (vec2(float(dims_1.x), float(((dims_1.y - 1) / MOMENTS))) - vec2(1.0));
     mat3x3 scattered = mat3x3((medium.mie_scattering * t_3.mie_moment0_), (medium.mie_scattering * t_3.mie_moment1_), (medium.mie_scattering * t_3.mie_moment2_));
     float low_5 = lowest_1.t;
-    uint each = t_3.steps_per_source;
-    uint groups = (((t_3.steps + each) - 1u) / each);
-    float du = ((u_to - u_from) / float((groups * each)));
-    float _e63 = warp(low_5, u_from);
-    t0_1 = _e63;
+    float du = ((u_to - u_from) / float(t_3.steps));
+    float _e57 = warp(low_5, u_from);
+    t0_1 = _e57;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e201 = group;
-            group = (_e201 + 1u);
+            uint _e174 = i;
+            i = (_e174 + 1u);
         }
         loop_init = false;
-        uint _e67 = group;
-        if ((_e67 < groups)) {
+        uint _e61 = i;
+        if ((_e61 < t_3.steps)) {
         } else {
             break;
         }
         {
-            uint _e69 = group;
-            float u_group = (u_from + (du * float((each * _e69))));
-            float _e79 = warp(low_5, (u_group + ((0.5 * float(each)) * du)));
-            float _e83 = altitude_after(lowest_1.x, lowest_1.b, (_e79 - low_5), radius_11);
-            float r_4 = (radius_11 + _e83);
-            float mu_4 = clamp((((lowest_1.b + _e79) - low_5) / r_4), -1.0, 1.0);
-            float mu_sun_1 = clamp(((ray_2.sun_b + (ray_2.nu * _e79)) / r_4), -1.0, 1.0);
-            float _e102 = altitude_share(t_3.altitude_steepness, t_3.altitude_growth, _e83, thickness_5);
-            float _e103 = sun_share(_e27, mu_sun_1);
-            Source _e108 = diffuse_source(moments, (vec2(_e103, _e102) * nodes), medium.rayleigh, scattered, mu_4, mu_sun_1, ray_2.nu);
-            i = 0u;
-            bool loop_init_1 = true;
-            while(true) {
-                if (!loop_init_1) {
-                    uint _e198 = i;
-                    i = (_e198 + 1u);
-                }
-                loop_init_1 = false;
-                uint _e111 = i;
-                if ((_e111 < each)) {
-                } else {
-                    break;
-                }
-                {
-                    uint _e113 = i;
-                    float u_1 = (u_group + (du * float(_e113)));
-                    float _e118 = warp(low_5, (u_1 + du));
-                    float _e119 = t0_1;
-                    float step_ = (_e118 - _e119);
-                    float _e124 = warp(low_5, (u_1 + (0.5 * du)));
-                    float _e128 = altitude_after(lowest_1.x, lowest_1.b, (_e124 - low_5), radius_11);
-                    vec3 _e129 = densities(_e13, _e128);
-                    vec3 _e130 = extinction(coefficients_1, _e129);
-                    vec3 tau_1 = (_e130 * step_);
-                    vec3 _e133 = out_.transmittance;
-                    vec3 _e134 = mean_transmittance(tau_1);
-                    vec3 share_2 = (_e133 * _e134);
-                    float _e136 = t0_1;
-                    vec2 _e137 = lit_part(_e26, low_5, _e136, _e118, _e124);
-                    if ((_e137.x > 0.0)) {
-                        float past = (_e137.y - low_5);
-                        float lit_x = max((lowest_1.x + (past * ((2.0 * lowest_1.b) + past))), 0.0);
-                        float _e152 = altitude_of(lit_x, radius_11);
-                        vec3 _e153 = densities(_e13, _e152);
-                        vec3 _e159 = columns_to_top(columns, radius_11, thickness_5, lit_x, _e152, (ray_2.sun_b + (ray_2.nu * _e137.y)));
-                        vec3 _e165 = extinction(coefficients_1, _e159);
-                        vec3 source_1 = (((gas_1 * _e153.x) + (aerosol_1 * _e153.y)) * exp(-(_e165)));
-                        vec3 _e170 = out_.radiance;
-                        out_.radiance = (_e170 + ((share_2 * source_1) * _e137.x));
-                    }
-                    vec3 _e176 = out_.radiance;
-                    out_.radiance = (_e176 + ((share_2 * (step_ * diffuse)) * ((_e108.gas * _e129.x) + (_e108.aerosol * _e129.y))));
-                    vec3 _e189 = out_.transmittance;
-                    out_.transmittance = (_e189 * exp(-(tau_1)));
-                    vec3 _e194 = out_.columns;
-                    out_.columns = (_e194 + (_e129 * step_));
-                    t0_1 = _e118;
-                }
+            uint _e64 = i;
+            float u_1 = (u_from + (du * float(_e64)));
+            float _e69 = warp(low_5, (u_1 + du));
+            float _e70 = t0_1;
+            float step_ = (_e69 - _e70);
+            float _e75 = warp(low_5, (u_1 + (0.5 * du)));
+            float _e79 = altitude_after(lowest_1.x, lowest_1.b, (_e75 - low_5), radius_11);
+            vec3 _e80 = densities(_e13, _e79);
+            vec3 _e81 = extinction(coefficients_1, _e80);
+            vec3 tau_1 = (_e81 * step_);
+            vec3 _e84 = out_.transmittance;
+            vec3 _e85 = mean_transmittance(tau_1);
+            vec3 share_2 = (_e84 * _e85);
+            float _e87 = t0_1;
+            vec2 _e88 = lit_part(_e26, low_5, _e87, _e69, _e75);
+            if ((_e88.x > 0.0)) {
+                float past = (_e88.y - low_5);
+                float lit_x = max((lowest_1.x + (past * ((2.0 * lowest_1.b) + past))), 0.0);
+                float _e103 = altitude_of(lit_x, radius_11);
+                vec3 _e104 = densities(_e13, _e103);
+                vec3 _e110 = columns_to_top(columns, radius_11, thickness_5, lit_x, _e103, (ray_2.sun_b + (ray_2.nu * _e88.y)));
+                vec3 _e116 = extinction(coefficients_1, _e110);
+                vec3 source_1 = (((gas_1 * _e104.x) + (aerosol_1 * _e104.y)) * exp(-(_e116)));
+                vec3 _e121 = out_.radiance;
+                out_.radiance = (_e121 + ((share_2 * source_1) * _e88.x));
             }
+            float r_4 = (radius_11 + _e79);
+            float mu_4 = clamp((((lowest_1.b + _e75) - low_5) / r_4), -1.0, 1.0);
+            float mu_sun_1 = clamp(((ray_2.sun_b + (ray_2.nu * _e75)) / r_4), -1.0, 1.0);
+            float _e144 = altitude_share(t_3.altitude_steepness, t_3.altitude_growth, _e79, thickness_5);
+            float _e145 = sun_share(_e27, mu_sun_1);
+            Source _e150 = diffuse_source(moments, (vec2(_e145, _e144) * nodes), medium.rayleigh, scattered, mu_4, mu_sun_1, ray_2.nu);
+            vec3 _e152 = out_.radiance;
+            out_.radiance = (_e152 + ((share_2 * (step_ * diffuse)) * ((_e150.gas * _e80.x) + (_e150.aerosol * _e80.y))));
+            vec3 _e165 = out_.transmittance;
+            out_.transmittance = (_e165 * exp(-(tau_1)));
+            vec3 _e170 = out_.columns;
+            out_.columns = (_e170 + (_e80 * step_));
+            t0_1 = _e69;
         }
     }
-    Gathered _e203 = out_;
-    return _e203;
+    Gathered _e176 = out_;
+    return _e176;
 }
 
 vec2 share_azimuth(float share) {

@@ -61,7 +61,7 @@ struct Tables {
     vec3 mie_moment2_;
     float sun_width;
     vec3 mie_asymmetry;
-    uint steps_per_source;
+    float pad;
     vec3 albedo;
     float sun_first;
     float sun_span;
@@ -514,7 +514,7 @@ Medium medium_of(ivec2 first) {
 
 void main() {
     vec4 position = gl_FragCoord;
-    Tables t = Tables(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0u, vec3(0.0), 0.0, 0.0, 0.0, uvec2(0u), 0u, 0u, 0u, 0.0);
+    Tables t = Tables(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, 0.0, uvec2(0u), 0u, 0u, 0u, 0.0);
     Line line = Line(0.0, 0.0, 0.0, false);
     float sphere = 0.0;
     int i = 0;

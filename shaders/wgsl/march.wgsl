@@ -52,48 +52,39 @@ fn gather_direct(
         medium.mie_scattering * t.mie_moment0, medium.mie_scattering * t.mie_moment1, medium.mie_scattering * t.mie_moment2);
     //#endif
     let low = lowest.t;
-    let each = t.steps_per_source;
-    let groups = (t.steps + each - 1u) / each;
-    let du = (u_to - u_from) / f32(groups * each);
+    let du = (u_to - u_from) / f32(t.steps);
     var t0 = warp(low, u_from);
-    for (var group = 0u; group < groups; group++) {
-        let u_group = u_from + du * f32(each * group);
+    for (var i = 0u; i < t.steps; i++) {
+        let u = u_from + du * f32(i);
+        let t1 = warp(low, u + du);
+        let step = t1 - t0;
+        let mid = warp(low, u + 0.5 * du);
+        let h = altitude_after(lowest.x, lowest.b, mid - low, radius);
+        let d = densities(layers, h);
+        let tau = extinction(coefficients, d) * step;
+        let share = out.transmittance * mean_transmittance(tau);
+        let lit = lit_part(shadow, low, t0, t1, mid);
+        if lit.x > 0.0 {
+            let past = lit.y - low;
+            let lit_x = max(lowest.x + past * (2.0 * lowest.b + past), 0.0);
+            let lit_h = altitude_of(lit_x, radius);
+            let lit_d = densities(layers, lit_h);
+            let path = columns_to_top(columns, radius, thickness, lit_x, lit_h, ray.sun_b + ray.nu * lit.y);
+            let source = (gas * lit_d.x + aerosol * lit_d.y) * exp(-extinction(coefficients, path));
+            out.radiance += share * source * lit.x;
+        }
         //#if DIFFUSE
-        let joint = warp(low, u_group + 0.5 * f32(each) * du);
-        let joint_h = altitude_after(lowest.x, lowest.b, joint - low, radius);
-        let r = radius + joint_h;
-        let mu = clamp((lowest.b + joint - low) / r, -1.0, 1.0);
-        let mu_sun = clamp((ray.sun_b + ray.nu * joint) / r, -1.0, 1.0);
-        let row = altitude_share(t.altitude_steepness, t.altitude_growth, joint_h, thickness);
+        let r = radius + h;
+        let mu = clamp((lowest.b + mid - low) / r, -1.0, 1.0);
+        let mu_sun = clamp((ray.sun_b + ray.nu * mid) / r, -1.0, 1.0);
+        let row = altitude_share(t.altitude_steepness, t.altitude_growth, h, thickness);
         let before = diffuse_source(
             moments, vec2f(sun_share(axis, mu_sun), row) * nodes, medium.rayleigh, scattered, mu, mu_sun, ray.nu);
+        out.radiance += share * (step * diffuse) * (before.gas * d.x + before.aerosol * d.y);
         //#endif
-        for (var i = 0u; i < each; i++) {
-            let u = u_group + du * f32(i);
-            let t1 = warp(low, u + du);
-            let step = t1 - t0;
-            let mid = warp(low, u + 0.5 * du);
-            let h = altitude_after(lowest.x, lowest.b, mid - low, radius);
-            let d = densities(layers, h);
-            let tau = extinction(coefficients, d) * step;
-            let share = out.transmittance * mean_transmittance(tau);
-            let lit = lit_part(shadow, low, t0, t1, mid);
-            if lit.x > 0.0 {
-                let past = lit.y - low;
-                let lit_x = max(lowest.x + past * (2.0 * lowest.b + past), 0.0);
-                let lit_h = altitude_of(lit_x, radius);
-                let lit_d = densities(layers, lit_h);
-                let path = columns_to_top(columns, radius, thickness, lit_x, lit_h, ray.sun_b + ray.nu * lit.y);
-                let source = (gas * lit_d.x + aerosol * lit_d.y) * exp(-extinction(coefficients, path));
-                out.radiance += share * source * lit.x;
-            }
-            //#if DIFFUSE
-            out.radiance += share * (step * diffuse) * (before.gas * d.x + before.aerosol * d.y);
-            //#endif
-            out.transmittance *= exp(-tau);
-            out.columns += d * step;
-            t0 = t1;
-        }
+        out.transmittance *= exp(-tau);
+        out.columns += d * step;
+        t0 = t1;
     }
     return out;
 }

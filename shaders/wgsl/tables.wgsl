@@ -17,7 +17,7 @@ struct Tables {
     mie_moment2: vec3f,
     sun_width: f32,             // of the crowd, in the cosine
     mie_asymmetry: vec3f,       // of the rest
-    steps_per_source: u32,      // steps that share one look at `moments`
+    pad: f32,
     albedo: vec3f,              // of the ground, Lambert
     sun_first: f32,             // asinh((cosine - middle) / width) of the first column of `moments`
     sun_span: f32,              // ... of the last, less the first

@@ -33,7 +33,7 @@ block! {
         mie_moment2: [f32; 3],
         sun_width: f32,
         mie_asymmetry: [f32; 3],
-        steps_per_source: u32,
+        pad: f32,
         albedo: [f32; 3],
         sun_first: f32,
         sun_span: f32,
@@ -175,9 +175,6 @@ const NODE_DIRECTIONS: [u32; 2] = [8, 16];
 const MOMENTS: u32 = 6;
 /// Kinds of values in the air table, see `air.wgsl`.
 const AIR_KINDS: u32 = 4;
-/// Steps that share one look at the moments while they are gathered: what was scattered before changes slowly along a
-/// ray, and looking it up is most of a step's cost.
-const STEPS_PER_SOURCE: u32 = 2;
 /// Steps of the columns' integrals.
 const COLUMN_STEPS: u32 = 96;
 
@@ -251,7 +248,6 @@ impl TablesUniform {
             mie_moment2: moment(2),
             sun_width: width as f32,
             mie_asymmetry: std::array::from_fn(|c| ((moments[c][1] - forward[c]) / (1.0 - forward[c])) as f32),
-            steps_per_source: 1,
             albedo: p.ground_albedo.map(|a| a as f32),
             sun_first: first as f32,
             sun_span: (last - first) as f32,
@@ -415,8 +411,7 @@ impl Luts {
         passes: &mut Vec<Pass>,
     ) -> Result<()> {
         let uniform = |size: [u32; 2], steps: u32| {
-            let tables = TablesUniform { size, steps, steps_per_source: STEPS_PER_SOURCE, ..block.tables };
-            Uniform::new(&MediumTables { tables, ..block })
+            Uniform::new(&MediumTables { tables: TablesUniform { size, steps, ..block.tables }, ..block })
         };
         let mut pass = |label, program: Option<Program>, textures, uniform, target| {
             let program = program.map(|p| backend.create_program(p)).transpose()?;

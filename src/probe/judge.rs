@@ -479,8 +479,9 @@ fn tables(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
         let h = f64::from(case.altitude);
         let horizon = (h * (2.0 * radius + h)).sqrt() / r;
         let v = f64::from(-dir[2]) / horizon;
-        // A share's four roundings, twice: its square is what both parts are given by.
-        let rounded = 2.0 * RESOLUTION;
+        // A share's four roundings, twice, as its square is what both parts are given by; and Vulkan lets a division
+        // or a root round two and a half times.
+        let rounded = 4.0 * RESOLUTION;
         let crowded = match (outside, dir[2] >= 0.0) {
             (true, _) => 0.0,
             (false, true) => rounded * limb / (1.0 - limb),
