@@ -595,7 +595,8 @@ impl Backend for GlowBackend {
             let mut bytes = vec![0; desc.texels() * if kind == glow::FLOAT { 16 } else { 4 }];
             // SAFETY: RGBA with these types reads from any colour buffer here, and `bytes` holds all texels.
             unsafe {
-                this.gl.bind_framebuffer(glow::READ_FRAMEBUFFER, framebuffer);
+                // To both ends: with the canvas to draw to, Chromium reads as if from there.
+                this.gl.bind_framebuffer(glow::FRAMEBUFFER, framebuffer);
                 let (w, h) = (desc.width as i32, desc.height as i32);
                 this.gl.read_pixels(0, 0, w, h, glow::RGBA, kind, glow::PixelPackData::Slice(Some(&mut bytes)));
             }
