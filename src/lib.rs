@@ -71,8 +71,7 @@
 //!
 //! # What it is not
 //!
-//! Three wavelengths stand for the spectrum; no polarisation, no refraction. The shaders compute single
-//! scattering; [`mod@reference`] has all orders, on the CPU.
+//! Three wavelengths stand for the spectrum; no polarisation, no refraction.
 
 pub mod atmosphere;
 pub mod backend;
