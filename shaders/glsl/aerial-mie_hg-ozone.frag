@@ -41,9 +41,7 @@ struct Frame {
     uint light_samples;
     uint low_resolution;
     float camera_altitude;
-    vec2 limb;
-    float pad0_;
-    float pad1_;
+    vec4 limb;
 };
 struct AirRay {
     float start;

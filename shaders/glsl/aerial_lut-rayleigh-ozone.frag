@@ -41,9 +41,7 @@ struct Frame {
     uint light_samples;
     uint low_resolution;
     float camera_altitude;
-    vec2 limb;
-    float pad0_;
-    float pad1_;
+    vec4 limb;
 };
 struct Line {
     float b;
@@ -283,7 +281,7 @@ float azimuth_share(vec3 dir_1) {
     return (s_1 / (large + small));
 }
 
-float zenith_share(Line line_2, float mu, float h_6, float radius_8, float thickness_4, vec2 limb) {
+float zenith_share(Line line_2, float mu, float h_6, float radius_8, float thickness_4, vec4 limb) {
     if (line_2.ground) {
         float cosine_1 = min((sqrt(max(-(line_2.x_closest), 0.0)) / radius_8), 1.0);
         float _e26 = crowded((0.5 * cosine_1), ((line_2.p / radius_8) / sqrt((2.0 + (2.0 * cosine_1)))), SQRT_HALF);
@@ -291,14 +289,14 @@ float zenith_share(Line line_2, float mu, float h_6, float radius_8, float thick
     }
     if ((mu >= 0.0)) {
         float s_2 = ((line_2.p / (radius_8 + h_6)) / sqrt((2.0 + (2.0 * mu))));
-        float _e45 = crowded((0.5 * mu), s_2, SQRT_HALF);
-        return (limb.x + ((1.0 - limb.x) * _e45));
+        float _e48 = crowded((0.5 * (mu + limb.w)), s_2, sqrt((0.5 + (0.5 * limb.w))));
+        return (limb.x + (((1.0 - limb.x) * max((_e48 - limb.z), 0.0)) / (1.0 - limb.z)));
     }
     float limit = max(min(h_6, thickness_4), 1e-20);
     float lowest = (max(line_2.x_closest, 0.0) / (radius_8 + line_2.p));
     float part = min((lowest / limit), 1.0);
-    float _e63 = top_half_chord2_(line_2, h_6, radius_8, thickness_4);
-    float b2_1 = ((h_6 > thickness_4) ? _e63 : (line_2.b * line_2.b));
+    float _e78 = top_half_chord2_(line_2, h_6, radius_8, thickness_4);
+    float b2_1 = ((h_6 > thickness_4) ? _e78 : (line_2.b * line_2.b));
     float v_1 = sqrt(clamp((b2_1 / (limit * (((2.0 * radius_8) + limit) + lowest))), 0.0, 1.0));
     return (limb.x * sqrt(((part * (1.0 + (limb.y * v_1))) / (1.0 + v_1))));
 }
@@ -386,7 +384,7 @@ void main() {
         return;
     }
     float _e95 = azimuth_share(dir_2);
-    vec2 _e100 = _group_0_binding_0_fs.frame.limb;
+    vec4 _e100 = _group_0_binding_0_fs.frame.limb;
     float _e101 = zenith_share(_e50, dir_2.z, h_7, radius_9, thickness_5, _e100);
     vec2 size_4 = vec2(uvec2(textureSize(_group_0_binding_3_fs, 0).xy));
     float _e109 = _group_0_binding_0_fs.tables.ground_rows;

@@ -356,7 +356,7 @@ vec2 share_azimuth(float share_2) {
     return (vec2(((c_1 - share_2) * (c_1 + share_2)), ((2.0 * share_2) * c_1)) * norm);
 }
 
-float zenith_share(Line line_3, float mu_1, float h_8, float radius_11, float thickness_7, vec2 limb) {
+float zenith_share(Line line_3, float mu_1, float h_8, float radius_11, float thickness_7, vec4 limb) {
     if (line_3.ground) {
         float cosine_1 = min((sqrt(max(-(line_3.x_closest), 0.0)) / radius_11), 1.0);
         float _e26 = crowded((0.5 * cosine_1), ((line_3.p / radius_11) / sqrt((2.0 + (2.0 * cosine_1)))), SQRT_HALF);
@@ -364,19 +364,19 @@ float zenith_share(Line line_3, float mu_1, float h_8, float radius_11, float th
     }
     if ((mu_1 >= 0.0)) {
         float s_9 = ((line_3.p / (radius_11 + h_8)) / sqrt((2.0 + (2.0 * mu_1))));
-        float _e45 = crowded((0.5 * mu_1), s_9, SQRT_HALF);
-        return (limb.x + ((1.0 - limb.x) * _e45));
+        float _e48 = crowded((0.5 * (mu_1 + limb.w)), s_9, sqrt((0.5 + (0.5 * limb.w))));
+        return (limb.x + (((1.0 - limb.x) * max((_e48 - limb.z), 0.0)) / (1.0 - limb.z)));
     }
     float limit = max(min(h_8, thickness_7), 1e-20);
     float lowest = (max(line_3.x_closest, 0.0) / (radius_11 + line_3.p));
     float part = min((lowest / limit), 1.0);
-    float _e63 = top_half_chord2_(line_3, h_8, radius_11, thickness_7);
-    float b2_1 = ((h_8 > thickness_7) ? _e63 : (line_3.b * line_3.b));
+    float _e78 = top_half_chord2_(line_3, h_8, radius_11, thickness_7);
+    float b2_1 = ((h_8 > thickness_7) ? _e78 : (line_3.b * line_3.b));
     float v = sqrt(clamp((b2_1 / (limit * (((2.0 * radius_11) + limit) + lowest))), 0.0, 1.0));
     return (limb.x * sqrt(((part * (1.0 + (limb.y * v))) / (1.0 + v))));
 }
 
-TableRay table_ray(float azimuth, float share_3, bool ground_1, float h_9, float radius_12, float thickness_8, vec2 limb_1, vec3 sun_4) {
+TableRay table_ray(float azimuth, float share_3, bool ground_1, float h_9, float radius_12, float thickness_8, vec4 limb_1, vec3 sun_4) {
     bool local_4 = false;
     float c2_ = 0.0;
     float approach = 0.0;
@@ -396,24 +396,26 @@ TableRay table_ray(float azimuth, float share_3, bool ground_1, float h_9, float
     }
     bool _e19 = local_4;
     if (_e19) {
-        float u_1 = ((share_3 - limb_1.x) / (1.0 - limb_1.x));
+        float u_1 = (limb_1.z + (((share_3 - limb_1.x) / (1.0 - limb_1.x)) * (1.0 - limb_1.z)));
         float rest_1 = ((1.0 - u_1) * (1.0 + u_1));
-        float s_10 = (SQRT_HALF * rest_1);
-        vec3 dir_7 = vec3((_e11 * ((2.0 * s_10) * sqrt((1.0 - (s_10 * s_10))))), ((u_1 * u_1) * (1.0 + rest_1)));
-        AirRay _e47 = inner_ray(dir_7, h_9, radius_12, thickness_8, sun_4, false);
-        return TableRay(dir_7, _e47);
+        float half_2 = (0.5 + (0.5 * limb_1.w));
+        float s_10 = (sqrt(half_2) * rest_1);
+        float mu_3 = max((((((2.0 * half_2) * u_1) * u_1) * (1.0 + rest_1)) - limb_1.w), 0.0);
+        vec3 dir_7 = vec3((_e11 * ((2.0 * s_10) * sqrt((1.0 - (s_10 * s_10))))), mu_3);
+        AirRay _e65 = inner_ray(dir_7, h_9, radius_12, thickness_8, sun_4, false);
+        return TableRay(dir_7, _e65);
     }
     float start_x = (outside ? _e10 : _e9);
     if (ground_1) {
         float rest_2 = ((1.0 - share_3) * (1.0 + share_3));
         float s_11 = (SQRT_HALF * rest_2);
         mu_2 = ((share_3 * share_3) * (1.0 + rest_2));
-        float _e71 = mu_2;
-        float _e73 = mu_2;
-        c2_ = (((-(radius_12) * radius_12) * _e71) * _e73);
+        float _e89 = mu_2;
+        float _e91 = mu_2;
+        c2_ = (((-(radius_12) * radius_12) * _e89) * _e91);
         approach = (radius_12 * ((2.0 * s_11) * sqrt((1.0 - (s_11 * s_11)))));
-        float _e83 = c2_;
-        from_start = (start_x - _e83);
+        float _e101 = c2_;
+        from_start = (start_x - _e101);
     } else {
         float limit_1 = min(h_9, thickness_8);
         float s_12 = min((share_3 / max(limb_1.x, 1e-20)), 1.0);
@@ -421,39 +423,39 @@ TableRay table_ray(float azimuth, float share_3, bool ground_1, float h_9, float
         float k = (1.0 - limb_1.y);
         float v_1 = ((2.0 * y_1) / max((k + sqrt(((k * k) + ((4.0 * limb_1.y) * y_1)))), 1e-20));
         float lowest_1 = (limit_1 * min((((s_12 * s_12) * (1.0 + v_1)) / (1.0 + (limb_1.y * v_1))), 1.0));
-        float _e125 = excess_of(lowest_1, radius_12);
-        c2_ = _e125;
+        float _e143 = excess_of(lowest_1, radius_12);
+        c2_ = _e143;
         approach = (radius_12 + lowest_1);
         from_start = (((limit_1 * v_1) * v_1) * (((2.0 * radius_12) + limit_1) + lowest_1));
     }
     float above_3 = ((h_9 - thickness_8) * (((2.0 * radius_12) + thickness_8) + h_9));
-    float _e140 = from_start;
-    float b_6 = -(sqrt(max(_e140, 0.0)));
-    float _e145 = from_start;
-    float down = ((outside ? -(sqrt(max((above_3 + _e145), 0.0))) : b_6) / r_5);
-    float _e153 = approach;
-    vec3 dir_8 = vec3((_e11 * min((_e153 / r_5), 1.0)), down);
+    float _e158 = from_start;
+    float b_6 = -(sqrt(max(_e158, 0.0)));
+    float _e163 = from_start;
+    float down = ((outside ? -(sqrt(max((above_3 + _e163), 0.0))) : b_6) / r_5);
+    float _e171 = approach;
+    vec3 dir_8 = vec3((_e11 * min((_e171 / r_5), 1.0)), down);
     if (outside) {
         start_1 = (above_3 / (-(b_6) - (r_5 * down)));
-        float _e166 = start_1;
-        SunSide _e168 = sun_side_outside(dir_8, sun_4, r_5, _e166, -(b_6), _e10, radius_12);
-        s_5 = _e168;
+        float _e184 = start_1;
+        SunSide _e186 = sun_side_outside(dir_8, sun_4, r_5, _e184, -(b_6), _e10, radius_12);
+        s_5 = _e186;
     } else {
-        SunSide _e169 = sun_side_inside(dir_8, sun_4, r_5, _e9, radius_12);
-        s_5 = _e169;
+        SunSide _e187 = sun_side_inside(dir_8, sun_4, r_5, _e9, radius_12);
+        s_5 = _e187;
     }
-    float _e170 = distance_to_top(start_x, b_6, _e10);
-    float _e171 = mu_2;
-    float reach_2 = (ground_1 ? (start_x / max(((radius_12 * _e171) - b_6), 1e-20)) : _e170);
-    float _e178 = start_1;
-    float _e179 = c2_;
-    float _e181 = s_5.sun_b;
-    float _e183 = s_5.nu;
-    float _e185 = s_5.cross2_;
-    float _e187 = s_5.shadow_b;
-    float _e189 = s_5.shadow_c;
-    float _e191 = s_5.shadow_half2_;
-    AirRay ray = AirRay(_e178, reach_2, start_x, b_6, _e179, _e181, _e183, _e185, _e187, _e189, _e191, ground_1);
+    float _e188 = distance_to_top(start_x, b_6, _e10);
+    float _e189 = mu_2;
+    float reach_2 = (ground_1 ? (start_x / max(((radius_12 * _e189) - b_6), 1e-20)) : _e188);
+    float _e196 = start_1;
+    float _e197 = c2_;
+    float _e199 = s_5.sun_b;
+    float _e201 = s_5.nu;
+    float _e203 = s_5.cross2_;
+    float _e205 = s_5.shadow_b;
+    float _e207 = s_5.shadow_c;
+    float _e209 = s_5.shadow_half2_;
+    AirRay ray = AirRay(_e196, reach_2, start_x, b_6, _e197, _e199, _e201, _e203, _e205, _e207, _e209, ground_1);
     return TableRay(dir_8, ray);
 }
 
@@ -492,11 +494,11 @@ Direction node_direction(int zenith, int azimuth_1, float h_10, float radius_13)
     float _e9 = excess_of(h_10, radius_13);
     float horizon = (-(sqrt(_e9)) / (radius_13 + h_10));
     float span = (above_4 ? (1.0 - horizon) : (-1.0 - horizon));
-    float mu_3 = clamp((horizon + ((span * _e8.x) * _e8.x)), -1.0, 1.0);
-    return Direction(mu_3, ((float(azimuth_1) + 0.5) * 0.3926991), above_4, (((((abs(span) * 2.0) * _e8.x) * _e8.y) * 2.0) * 0.3926991));
+    float mu_4 = clamp((horizon + ((span * _e8.x) * _e8.x)), -1.0, 1.0);
+    return Direction(mu_4, ((float(azimuth_1) + 0.5) * 0.3926991), above_4, (((((abs(span) * 2.0) * _e8.x) * _e8.y) * 2.0) * 0.3926991));
 }
 
-vec2 sky_share(Line line_4, vec3 dir_6, float h_11, Medium m_1, vec2 limb_2) {
+vec2 sky_share(Line line_4, vec3 dir_6, float h_11, Medium m_1, vec4 limb_2) {
     float _e5 = azimuth_share(dir_6);
     float _e9 = zenith_share(line_4, dir_6.z, h_11, m_1.radius, m_1.thickness, limb_2);
     return vec2(_e5, _e9);
@@ -529,8 +531,7 @@ void main() {
     vec4 angle = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(9, 0)), 0);
     vec4 share_5 = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(10, 0)), 0);
     vec4 scale = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(11, 0)), 0);
-    vec4 _e63 = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(12, 0)), 0);
-    vec2 limb_3 = _e63.xy;
+    vec4 limb_3 = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(12, 0)), 0);
     t.sun_first = angle.z;
     t.sun_span = angle.w;
     t.altitude_steepness = scale.x;
@@ -540,15 +541,15 @@ void main() {
     switch(answer) {
         case 0:
         case 1: {
-            AirRay _e83 = air_ray(view.xyz, view.w, _e14.radius, _e14.thickness, light.xyz);
-            Line _e87 = line_past(view.xyz, view.w, _e14.radius);
-            vec2 _e90 = sky_share(_e87, view.xyz, view.w, _e14, limb_3);
+            AirRay _e82 = air_ray(view.xyz, view.w, _e14.radius, _e14.thickness, light.xyz);
+            Line _e86 = line_past(view.xyz, view.w, _e14.radius);
+            vec2 _e89 = sky_share(_e86, view.xyz, view.w, _e14, limb_3);
             if ((answer == 0)) {
-                _fs2p_location0 = vec4(_e90, _e83.length_, float(_e83.ground));
+                _fs2p_location0 = vec4(_e89, _e82.length_, float(_e82.ground));
                 return;
             }
-            TableRay _e104 = table_ray(_e90.x, _e90.y, _e83.ground, view.w, _e14.radius, _e14.thickness, limb_3, light.xyz);
-            _fs2p_location0 = vec4(_e104.dir, 0.0);
+            TableRay _e103 = table_ray(_e89.x, _e89.y, _e82.ground, view.w, _e14.radius, _e14.thickness, limb_3, light.xyz);
+            _fs2p_location0 = vec4(_e103.dir, 0.0);
             return;
         }
         case 2:
@@ -556,109 +557,109 @@ void main() {
         case 4:
         case 5: {
             bool ground_3 = (share_5.z > 0.5);
-            TableRay _e117 = table_ray(share_5.x, share_5.y, ground_3, view.w, _e14.radius, _e14.thickness, limb_3, light.xyz);
-            AirRay ray_1 = _e117.ray;
+            TableRay _e116 = table_ray(share_5.x, share_5.y, ground_3, view.w, _e14.radius, _e14.thickness, limb_3, light.xyz);
+            AirRay ray_1 = _e116.ray;
             if ((answer == 2)) {
-                _fs2p_location0 = vec4(_e117.dir, ray_1.length_);
+                _fs2p_location0 = vec4(_e116.dir, ray_1.length_);
                 return;
             }
             if ((answer == 3)) {
                 _fs2p_location0 = vec4(ray_1.start, ray_1.x, ray_1.b, ray_1.x_closest);
                 return;
             }
-            Line _e134 = line_past(_e117.dir, view.w, _e14.radius);
-            line = _e134;
+            Line _e133 = line_past(_e116.dir, view.w, _e14.radius);
+            line = _e133;
             line.x_closest = ray_1.x_closest;
             line.ground = ground_3;
-            Line _e139 = line;
-            vec2 _e142 = sky_share(_e139, _e117.dir, view.w, _e14, limb_3);
+            Line _e138 = line;
+            vec2 _e141 = sky_share(_e138, _e116.dir, view.w, _e14, limb_3);
             if ((answer == 4)) {
-                _fs2p_location0 = vec4(_e142, ray_1.sun_b, ray_1.nu);
+                _fs2p_location0 = vec4(_e141, ray_1.sun_b, ray_1.nu);
                 return;
             }
-            TableRay _e154 = table_ray(_e142.x, _e142.y, ground_3, view.w, _e14.radius, _e14.thickness, limb_3, light.xyz);
-            _fs2p_location0 = vec4(_e154.dir, ray_1.cross2_);
+            TableRay _e153 = table_ray(_e141.x, _e141.y, ground_3, view.w, _e14.radius, _e14.thickness, limb_3, light.xyz);
+            _fs2p_location0 = vec4(_e153.dir, ray_1.cross2_);
             return;
         }
         case 6: {
-            Tables _e158 = t;
-            float _e161 = share_altitude(_e158, share_5.y, _e14.thickness);
-            Tables _e162 = t;
-            float _e164 = share_sun(_e162, share_5.x);
-            float _e166 = t.altitude_steepness;
-            float _e168 = t.altitude_growth;
-            float _e170 = altitude_share(_e166, _e168, _e161, _e14.thickness);
-            Tables _e171 = t;
-            vec4 _e172 = sun_axis(_e171);
-            float _e173 = sun_share(_e172, _e164);
-            _fs2p_location0 = vec4(_e161, _e170, _e164, _e173);
+            Tables _e157 = t;
+            float _e160 = share_altitude(_e157, share_5.y, _e14.thickness);
+            Tables _e161 = t;
+            float _e163 = share_sun(_e161, share_5.x);
+            float _e165 = t.altitude_steepness;
+            float _e167 = t.altitude_growth;
+            float _e169 = altitude_share(_e165, _e167, _e160, _e14.thickness);
+            Tables _e170 = t;
+            vec4 _e171 = sun_axis(_e170);
+            float _e172 = sun_share(_e171, _e163);
+            _fs2p_location0 = vec4(_e160, _e169, _e163, _e172);
             return;
         }
         case 7: {
-            float _e176 = t.altitude_steepness;
-            float _e178 = t.altitude_growth;
-            float _e183 = altitude_share(_e176, _e178, min(view.w, _e14.thickness), _e14.thickness);
-            Tables _e184 = t;
-            vec4 _e185 = sun_axis(_e184);
-            float _e187 = sun_share(_e185, light.z);
-            Tables _e188 = t;
-            float _e190 = share_altitude(_e188, _e183, _e14.thickness);
-            Tables _e191 = t;
-            float _e192 = share_sun(_e191, _e187);
-            _fs2p_location0 = vec4(_e183, _e190, _e187, _e192);
+            float _e175 = t.altitude_steepness;
+            float _e177 = t.altitude_growth;
+            float _e182 = altitude_share(_e175, _e177, min(view.w, _e14.thickness), _e14.thickness);
+            Tables _e183 = t;
+            vec4 _e184 = sun_axis(_e183);
+            float _e186 = sun_share(_e184, light.z);
+            Tables _e187 = t;
+            float _e189 = share_altitude(_e187, _e182, _e14.thickness);
+            Tables _e190 = t;
+            float _e191 = share_sun(_e190, _e186);
+            _fs2p_location0 = vec4(_e182, _e189, _e186, _e191);
             return;
         }
         case 8:
         case 9: {
-            vec3 _e197 = columns_ray(share_5.xy, vec2(2.0), _e14);
+            vec3 _e196 = columns_ray(share_5.xy, vec2(2.0), _e14);
             if ((answer == 8)) {
-                _fs2p_location0 = vec4(_e197, 0.0);
+                _fs2p_location0 = vec4(_e196, 0.0);
                 return;
             }
-            float _e205 = altitude_of(_e197.x, _e14.radius);
-            vec2 _e211 = columns_share(_e197.x, min(_e205, _e14.thickness), _e197.y, _e14.radius, _e14.thickness);
-            float _e215 = altitude_of(path.x, _e14.radius);
-            vec2 _e219 = columns_share(path.x, _e215, path.y, _e14.radius, _e14.thickness);
-            _fs2p_location0 = vec4(_e211, _e219);
+            float _e204 = altitude_of(_e196.x, _e14.radius);
+            vec2 _e210 = columns_share(_e196.x, min(_e204, _e14.thickness), _e196.y, _e14.radius, _e14.thickness);
+            float _e214 = altitude_of(path.x, _e14.radius);
+            vec2 _e218 = columns_share(path.x, _e214, path.y, _e14.radius, _e14.thickness);
+            _fs2p_location0 = vec4(_e210, _e218);
             return;
         }
         case 10: {
             float h_13 = min(view.w, _e14.thickness);
             int node = int(share_5.w);
-            Direction _e231 = node_direction((node / AZIMUTHS), (node % AZIMUTHS), h_13, _e14.radius);
+            Direction _e230 = node_direction((node / AZIMUTHS), (node % AZIMUTHS), h_13, _e14.radius);
             bool loop_init = true;
             while(true) {
                 if (!loop_init) {
-                    int _e251 = i;
-                    i = (_e251 + 1);
+                    int _e250 = i;
+                    i = (_e250 + 1);
                 }
                 loop_init = false;
-                int _e236 = i;
-                if ((_e236 < 128)) {
+                int _e235 = i;
+                if ((_e235 < 128)) {
                 } else {
                     break;
                 }
                 {
-                    float _e239 = sphere;
-                    int _e240 = i;
-                    int _e243 = i;
-                    Direction _e247 = node_direction((_e240 / AZIMUTHS), (_e243 % AZIMUTHS), h_13, _e14.radius);
-                    sphere = (_e239 + _e247.weight);
+                    float _e238 = sphere;
+                    int _e239 = i;
+                    int _e242 = i;
+                    Direction _e246 = node_direction((_e239 / AZIMUTHS), (_e242 % AZIMUTHS), h_13, _e14.radius);
+                    sphere = (_e238 + _e246.weight);
                 }
             }
-            float _e257 = sphere;
-            _fs2p_location0 = vec4(_e231.mu, _e231.azimuth, float(_e231.above), _e257);
+            float _e256 = sphere;
+            _fs2p_location0 = vec4(_e230.mu, _e230.azimuth, float(_e230.above), _e256);
             return;
         }
         default: {
             float low_2 = clamp(-(path.y), 0.0, path.z);
-            float _e265 = unwarp(low_2, 0.0);
-            float _e267 = unwarp(low_2, path.z);
-            float u_2 = (_e265 + ((_e267 - _e265) * share_5.x));
-            float _e272 = warp(low_2, u_2);
-            float _e273 = unwarp(low_2, _e272);
-            float _e274 = warp(low_2, _e273);
-            _fs2p_location0 = vec4(_e265, _e267, _e272, _e274);
+            float _e264 = unwarp(low_2, 0.0);
+            float _e266 = unwarp(low_2, path.z);
+            float u_2 = (_e264 + ((_e266 - _e264) * share_5.x));
+            float _e271 = warp(low_2, u_2);
+            float _e272 = unwarp(low_2, _e271);
+            float _e273 = warp(low_2, _e272);
+            _fs2p_location0 = vec4(_e264, _e266, _e271, _e273);
             return;
         }
     }

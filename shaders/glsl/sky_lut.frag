@@ -41,9 +41,7 @@ struct Frame {
     uint light_samples;
     uint low_resolution;
     float camera_altitude;
-    vec2 limb;
-    float pad0_;
-    float pad1_;
+    vec4 limb;
 };
 struct Line {
     float b;
@@ -150,7 +148,7 @@ float azimuth_share(vec3 dir_1) {
     return (s_1 / (large + small));
 }
 
-float zenith_share(Line line_1, float mu, float h_3, float radius_3, float thickness_1, vec2 limb) {
+float zenith_share(Line line_1, float mu, float h_3, float radius_3, float thickness_1, vec4 limb) {
     if (line_1.ground) {
         float cosine_1 = min((sqrt(max(-(line_1.x_closest), 0.0)) / radius_3), 1.0);
         float _e26 = crowded((0.5 * cosine_1), ((line_1.p / radius_3) / sqrt((2.0 + (2.0 * cosine_1)))), SQRT_HALF);
@@ -158,14 +156,14 @@ float zenith_share(Line line_1, float mu, float h_3, float radius_3, float thick
     }
     if ((mu >= 0.0)) {
         float s_2 = ((line_1.p / (radius_3 + h_3)) / sqrt((2.0 + (2.0 * mu))));
-        float _e45 = crowded((0.5 * mu), s_2, SQRT_HALF);
-        return (limb.x + ((1.0 - limb.x) * _e45));
+        float _e48 = crowded((0.5 * (mu + limb.w)), s_2, sqrt((0.5 + (0.5 * limb.w))));
+        return (limb.x + (((1.0 - limb.x) * max((_e48 - limb.z), 0.0)) / (1.0 - limb.z)));
     }
     float limit = max(min(h_3, thickness_1), 1e-20);
     float lowest = (max(line_1.x_closest, 0.0) / (radius_3 + line_1.p));
     float part = min((lowest / limit), 1.0);
-    float _e63 = top_half_chord2_(line_1, h_3, radius_3, thickness_1);
-    float b2_1 = ((h_3 > thickness_1) ? _e63 : (line_1.b * line_1.b));
+    float _e78 = top_half_chord2_(line_1, h_3, radius_3, thickness_1);
+    float b2_1 = ((h_3 > thickness_1) ? _e78 : (line_1.b * line_1.b));
     float v_1 = sqrt(clamp((b2_1 / (limit * (((2.0 * radius_3) + limit) + lowest))), 0.0, 1.0));
     return (limb.x * sqrt(((part * (1.0 + (limb.y * v_1))) / (1.0 + v_1))));
 }
@@ -201,7 +199,7 @@ void main() {
         return;
     }
     vec2 size_2 = vec2(uvec2(textureSize(_group_0_binding_1_fs, 0).xy));
-    vec2 _e54 = _group_0_binding_0_fs.frame.limb;
+    vec4 _e54 = _group_0_binding_0_fs.frame.limb;
     float _e55 = zenith_share(_e34, dir_2.z, h_4, radius_4, thickness_2, _e54);
     float _e56 = azimuth_share(dir_2);
     float _e62 = _group_0_binding_0_fs.tables.ground_rows;

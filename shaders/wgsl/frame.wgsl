@@ -43,7 +43,5 @@ struct Frame {
     light_samples: u32,         // steps towards the sun
     low_resolution: u32,        // 1: mark planet pixels with alpha -1 instead of discarding them
     camera_altitude: f32,       // camera above the surface, km, may be negative (terrain only)
-    limb: vec2f,                // of the sky table's rows, see `zenith_share`
-    pad0: f32,
-    pad1: f32,
+    limb: vec4f,                // of the sky table's rows, see `zenith_share`
 }

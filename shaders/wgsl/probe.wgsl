@@ -26,7 +26,7 @@ const ANSWERS: i32 = 2;
 const ANSWERS: i32 = 12;
 
 // Where a ray is in the sky tables, as the passes that read them ask.
-fn sky_share(line: Line, dir: vec3f, h: f32, m: Medium, limb: vec2f) -> vec2f {
+fn sky_share(line: Line, dir: vec3f, h: f32, m: Medium, limb: vec4f) -> vec2f {
     return vec2f(azimuth_share(dir), zenith_share(line, dir.z, h, m.radius, m.thickness, limb));
 }
 //#endif
@@ -107,7 +107,7 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     return vec4f(s.transmittance, f32(ray.ground));
     //#endif
     //#if PROBE_TABLES
-    let limb = textureLoad(cases, first + vec2i(12, 0), 0).xy; // as `Frame`'s
+    let limb = textureLoad(cases, first + vec2i(12, 0), 0); // as `Frame`'s
     var t: Tables;
     t.sun_first = angle.z;
     t.sun_span = angle.w;

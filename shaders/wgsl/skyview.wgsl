@@ -4,8 +4,9 @@
 // Where a view ray is in the sky tables, and which ray a texel stands for. Column: azimuth from the sun, half a turn (the
 // other half is its mirror image). Rows: first the rays that end on the ground, by their angle there, then the others:
 // those that go down by the altitude that they pass (the limb), those that go up by their angle. Both parts begin at
-// the horizon, where the light changes most, and no texel straddles it. As the camera rises the limb takes more of the
-// rows, at the top of the air all: nothing jumps there. No coordinate needs an arc function.
+// the horizon, where the light changes most, and no texel straddles it; near the ground limb and sky go over into each other
+// without a bend. As the camera rises the limb takes more of the rows, at the top of the air all: nothing jumps there.
+// No coordinate needs an arc function.
 
 const SQRT_HALF: f32 = 0.7071067811865476;
 
@@ -32,8 +33,9 @@ fn share_azimuth(share: f32) -> vec2f {
 }
 
 // Share of a ray along its part of the rows. mu: its direction's cosine of the zenith angle; h: the camera's altitude;
-// limb: the limb's share, and how far it is spaced as from outside (0 to 1), see `FrameUniform::limb` in Rust.
-fn zenith_share(line: Line, mu: f32, h: f32, radius: f32, thickness: f32, limb: vec2f) -> f32 {
+// limb: the limb's share, how far it is spaced as from outside (0 to 1), its share if it were not at all, and the horizon's
+// cosine with its sign changed; see `FrameUniform::limb` in Rust.
+fn zenith_share(line: Line, mu: f32, h: f32, radius: f32, thickness: f32, limb: vec4f) -> f32 {
     if line.ground {
         // Cosine of the angle to the vertical where the ray ends, and the sine of half of it.
         let cosine = min(sqrt(max(-line.x_closest, 0.0)) / radius, 1.0);
@@ -42,7 +44,8 @@ fn zenith_share(line: Line, mu: f32, h: f32, radius: f32, thickness: f32, limb: 
     if mu >= 0.0 {
         // Half the zenith angle's sine, not from the cosine: near the zenith that is 1.
         let s = line.p / (radius + h) / sqrt(2.0 + 2.0 * mu);
-        return limb.x + (1.0 - limb.x) * crowded(0.5 * mu, s, SQRT_HALF);
+        let near = crowded(0.5 * (mu + limb.w), s, sqrt(0.5 + 0.5 * limb.w));
+        return limb.x + (1.0 - limb.x) * max(near - limb.z, 0.0) / (1.0 - limb.z);
     }
     let limit = max(min(h, thickness), 1e-20);
     let lowest = max(line.x_closest, 0.0) / (radius + line.p);
@@ -60,17 +63,20 @@ struct TableRay {
 }
 
 // The ray of a share of the azimuth and of the rows; the inverse of the above.
-fn table_ray(azimuth: f32, share: f32, ground: bool, h: f32, radius: f32, thickness: f32, limb: vec2f, sun: vec3f) -> TableRay {
+fn table_ray(azimuth: f32, share: f32, ground: bool, h: f32, radius: f32, thickness: f32, limb: vec4f, sun: vec3f) -> TableRay {
     let r = radius + h;
     let x = excess_of(h, radius);
     let x_top = excess_of(thickness, radius);
     let around = share_azimuth(azimuth);
     let outside = h > thickness;
     if !ground && share > limb.x {
-        let u = (share - limb.x) / (1.0 - limb.x);
+        let u = limb.z + (share - limb.x) / (1.0 - limb.x) * (1.0 - limb.z);
         let rest = (1.0 - u) * (1.0 + u); // 1 - u^2
-        let s = SQRT_HALF * rest;
-        let dir = vec3f(around * (2.0 * s * sqrt(1.0 - s * s)), u * u * (1.0 + rest)); // 1 - 2 s^2
+        let half = 0.5 + 0.5 * limb.w;
+        let s = sqrt(half) * rest;
+        // 1 - 2 s^2, which is no difference at the horizon.
+        let mu = max(2.0 * half * u * u * (1.0 + rest) - limb.w, 0.0);
+        let dir = vec3f(around * (2.0 * s * sqrt(1.0 - s * s)), mu);
         return TableRay(dir, inner_ray(dir, h, radius, thickness, sun, false));
     }
     // The rest is given by the closest approach p: p^2 = R^2 + c2.

@@ -77,8 +77,7 @@ block! {
         light_samples: u32,
         low_resolution: u32,
         camera_altitude: f32,
-        limb: [f32; 2],
-        pad: [f32; 2],
+        limb: [f32; 4],
     }
 }
 
@@ -126,15 +125,16 @@ fn vec3(v: DVec3) -> [f32; 3] {
 
 impl FrameUniform {
     /// How the sky table shares its rows above the horizon, at an altitude (metres): the part for rays that go down and
-    /// pass the ground, and how far that part is spaced as seen from outside (0 to 1), evenly in the altitude that a
-    /// ray passes. Near the ground it has as many rows as crowding at the horizon alone would give it.
-    pub(crate) fn limb(altitude: f64, p: &AtmosphereParams) -> [f32; 2] {
+    /// pass the ground, how far that part is spaced as seen from outside (0 to 1), evenly in the altitude that a
+    /// ray passes, and the share that it has near the ground, as many rows as crowding at the horizon alone would give
+    /// it. Last: the horizon's cosine of the zenith angle with its sign changed.
+    pub(crate) fn limb(altitude: f64, p: &AtmosphereParams) -> [f32; 4] {
         let radius = p.planet_radius;
         let horizon = (altitude * (2.0 * radius + altitude)).sqrt() / (radius + altitude);
         let s_max = (0.5 + 0.5 * horizon).sqrt();
         let near = (0.5 * horizon / (s_max * (s_max + std::f64::consts::FRAC_1_SQRT_2))).sqrt();
         let bend = (altitude / p.thickness()).min(1.0).powi(4);
-        [near + (1.0 - near) * bend, bend].map(|v| v as f32)
+        [near + (1.0 - near) * bend, bend, near, horizon].map(|v| v as f32)
     }
 
     /// From a scene and its [`Scene::validate`]d view. The camera's altitude counts as 0 below the ground.
@@ -168,7 +168,6 @@ impl FrameUniform {
             low_resolution: options.low_resolution.into(),
             camera_altitude: (view.altitude / KM) as f32,
             limb: Self::limb(view.altitude.max(0.0), p),
-            pad: [0.0; 2],
         }
     }
 }

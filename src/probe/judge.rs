@@ -475,7 +475,7 @@ fn tables(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
         dir[1] = dir[1].abs();
         // Just below the top of the air rays that go up share few rows, next to nothing being above them, and those that
         // go down are spaced by the altitude that they pass: what a rounded row changes, see `zenith_share`.
-        let [limb, bend] = case.limb.map(f64::from);
+        let [limb, bend, ..] = case.limb.map(f64::from);
         let h = f64::from(case.altitude);
         let horizon = (h * (2.0 * radius + h)).sqrt() / r;
         let v = f64::from(-dir[2]) / horizon;

@@ -129,9 +129,7 @@ pub struct Case {
     /// `altitude_steepness`, `altitude_growth`, `sun_middle` and `sun_width`.
     pub scales: [f32; 4],
     /// Of the frame's uniform block, for this altitude: `limb`.
-    pub limb: [f32; 2],
-    /// Nothing.
-    pub pad: [f32; 2],
+    pub limb: [f32; 4],
 }
 
 impl Case {
