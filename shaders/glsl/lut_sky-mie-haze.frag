@@ -470,26 +470,26 @@ TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_5, float
     }
     bool _e19 = local_2;
     if (_e19) {
-        float u_2 = (limb.z + (((share_1 - limb.x) / (1.0 - limb.x)) * (1.0 - limb.z)));
+        float u_2 = min((limb.z + (((share_1 - limb.x) / (1.0 - limb.x)) * (1.0 - limb.z))), 1.0);
         float rest = ((1.0 - u_2) * (1.0 + u_2));
         float half_1 = (0.5 + (0.5 * limb.w));
         float s_4 = (sqrt(half_1) * rest);
         float mu_1 = max((((((2.0 * half_1) * u_2) * u_2) * (1.0 + rest)) - limb.w), 0.0);
         vec3 dir_3 = vec3((_e11 * ((2.0 * s_4) * sqrt((1.0 - (s_4 * s_4))))), mu_1);
-        AirRay _e65 = inner_ray(dir_3, h_5, radius_10, thickness_3, sun_3, false);
-        return TableRay(dir_3, _e65);
+        AirRay _e67 = inner_ray(dir_3, h_5, radius_10, thickness_3, sun_3, false);
+        return TableRay(dir_3, _e67);
     }
     float start_x = (outside ? _e10 : _e9);
     if (ground_1) {
         float rest_1 = ((1.0 - share_1) * (1.0 + share_1));
         float s_5 = (SQRT_HALF * rest_1);
         mu = ((share_1 * share_1) * (1.0 + rest_1));
-        float _e89 = mu;
         float _e91 = mu;
-        c2_ = (((-(radius_10) * radius_10) * _e89) * _e91);
+        float _e93 = mu;
+        c2_ = (((-(radius_10) * radius_10) * _e91) * _e93);
         approach = (radius_10 * ((2.0 * s_5) * sqrt((1.0 - (s_5 * s_5)))));
-        float _e101 = c2_;
-        from_start = (start_x - _e101);
+        float _e103 = c2_;
+        from_start = (start_x - _e103);
     } else {
         float limit = min(h_5, thickness_3);
         float s_6 = min((share_1 / max(limb.x, 1e-20)), 1.0);
@@ -497,39 +497,39 @@ TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_5, float
         float k = (1.0 - limb.y);
         float v = ((2.0 * y) / max((k + sqrt(((k * k) + ((4.0 * limb.y) * y)))), 1e-20));
         float lowest_2 = (limit * min((((s_6 * s_6) * (1.0 + v)) / (1.0 + (limb.y * v))), 1.0));
-        float _e143 = excess_of(lowest_2, radius_10);
-        c2_ = _e143;
+        float _e145 = excess_of(lowest_2, radius_10);
+        c2_ = _e145;
         approach = (radius_10 + lowest_2);
         from_start = (((limit * v) * v) * (((2.0 * radius_10) + limit) + lowest_2));
     }
     float above_1 = ((h_5 - thickness_3) * (((2.0 * radius_10) + thickness_3) + h_5));
-    float _e158 = from_start;
-    float b_8 = -(sqrt(max(_e158, 0.0)));
-    float _e163 = from_start;
-    float down = ((outside ? -(sqrt(max((above_1 + _e163), 0.0))) : b_8) / r_4);
-    float _e171 = approach;
-    vec3 dir_4 = vec3((_e11 * min((_e171 / r_4), 1.0)), down);
+    float _e160 = from_start;
+    float b_8 = -(sqrt(max(_e160, 0.0)));
+    float _e165 = from_start;
+    float down = ((outside ? -(sqrt(max((above_1 + _e165), 0.0))) : b_8) / r_4);
+    float _e173 = approach;
+    vec3 dir_4 = vec3((_e11 * min((_e173 / r_4), 1.0)), down);
     if (outside) {
         start_1 = (above_1 / (-(b_8) - (r_4 * down)));
-        float _e184 = start_1;
-        SunSide _e186 = sun_side_outside(dir_4, sun_3, r_4, _e184, -(b_8), _e10, radius_10);
-        s_3 = _e186;
+        float _e186 = start_1;
+        SunSide _e188 = sun_side_outside(dir_4, sun_3, r_4, _e186, -(b_8), _e10, radius_10);
+        s_3 = _e188;
     } else {
-        SunSide _e187 = sun_side_inside(dir_4, sun_3, r_4, _e9, radius_10);
-        s_3 = _e187;
+        SunSide _e189 = sun_side_inside(dir_4, sun_3, r_4, _e9, radius_10);
+        s_3 = _e189;
     }
-    float _e188 = distance_to_top(start_x, b_8, _e10);
-    float _e189 = mu;
-    float reach_1 = (ground_1 ? (start_x / max(((radius_10 * _e189) - b_8), 1e-20)) : _e188);
-    float _e196 = start_1;
-    float _e197 = c2_;
-    float _e199 = s_3.sun_b;
-    float _e201 = s_3.nu;
-    float _e203 = s_3.cross2_;
-    float _e205 = s_3.shadow_b;
-    float _e207 = s_3.shadow_c;
-    float _e209 = s_3.shadow_half2_;
-    AirRay ray_3 = AirRay(_e196, reach_1, start_x, b_8, _e197, _e199, _e201, _e203, _e205, _e207, _e209, ground_1);
+    float _e190 = distance_to_top(start_x, b_8, _e10);
+    float _e191 = mu;
+    float reach_1 = (ground_1 ? (start_x / max(((radius_10 * _e191) - b_8), 1e-20)) : _e190);
+    float _e198 = start_1;
+    float _e199 = c2_;
+    float _e201 = s_3.sun_b;
+    float _e203 = s_3.nu;
+    float _e205 = s_3.cross2_;
+    float _e207 = s_3.shadow_b;
+    float _e209 = s_3.shadow_c;
+    float _e211 = s_3.shadow_half2_;
+    AirRay ray_3 = AirRay(_e198, reach_1, start_x, b_8, _e199, _e201, _e203, _e205, _e207, _e209, _e211, ground_1);
     return TableRay(dir_4, ray_3);
 }
 

@@ -396,26 +396,26 @@ TableRay table_ray(float azimuth, float share_3, bool ground_1, float h_9, float
     }
     bool _e19 = local_4;
     if (_e19) {
-        float u_1 = (limb_1.z + (((share_3 - limb_1.x) / (1.0 - limb_1.x)) * (1.0 - limb_1.z)));
+        float u_1 = min((limb_1.z + (((share_3 - limb_1.x) / (1.0 - limb_1.x)) * (1.0 - limb_1.z))), 1.0);
         float rest_1 = ((1.0 - u_1) * (1.0 + u_1));
         float half_2 = (0.5 + (0.5 * limb_1.w));
         float s_10 = (sqrt(half_2) * rest_1);
         float mu_3 = max((((((2.0 * half_2) * u_1) * u_1) * (1.0 + rest_1)) - limb_1.w), 0.0);
         vec3 dir_7 = vec3((_e11 * ((2.0 * s_10) * sqrt((1.0 - (s_10 * s_10))))), mu_3);
-        AirRay _e65 = inner_ray(dir_7, h_9, radius_12, thickness_8, sun_4, false);
-        return TableRay(dir_7, _e65);
+        AirRay _e67 = inner_ray(dir_7, h_9, radius_12, thickness_8, sun_4, false);
+        return TableRay(dir_7, _e67);
     }
     float start_x = (outside ? _e10 : _e9);
     if (ground_1) {
         float rest_2 = ((1.0 - share_3) * (1.0 + share_3));
         float s_11 = (SQRT_HALF * rest_2);
         mu_2 = ((share_3 * share_3) * (1.0 + rest_2));
-        float _e89 = mu_2;
         float _e91 = mu_2;
-        c2_ = (((-(radius_12) * radius_12) * _e89) * _e91);
+        float _e93 = mu_2;
+        c2_ = (((-(radius_12) * radius_12) * _e91) * _e93);
         approach = (radius_12 * ((2.0 * s_11) * sqrt((1.0 - (s_11 * s_11)))));
-        float _e101 = c2_;
-        from_start = (start_x - _e101);
+        float _e103 = c2_;
+        from_start = (start_x - _e103);
     } else {
         float limit_1 = min(h_9, thickness_8);
         float s_12 = min((share_3 / max(limb_1.x, 1e-20)), 1.0);
@@ -423,39 +423,39 @@ TableRay table_ray(float azimuth, float share_3, bool ground_1, float h_9, float
         float k = (1.0 - limb_1.y);
         float v_1 = ((2.0 * y_1) / max((k + sqrt(((k * k) + ((4.0 * limb_1.y) * y_1)))), 1e-20));
         float lowest_1 = (limit_1 * min((((s_12 * s_12) * (1.0 + v_1)) / (1.0 + (limb_1.y * v_1))), 1.0));
-        float _e143 = excess_of(lowest_1, radius_12);
-        c2_ = _e143;
+        float _e145 = excess_of(lowest_1, radius_12);
+        c2_ = _e145;
         approach = (radius_12 + lowest_1);
         from_start = (((limit_1 * v_1) * v_1) * (((2.0 * radius_12) + limit_1) + lowest_1));
     }
     float above_3 = ((h_9 - thickness_8) * (((2.0 * radius_12) + thickness_8) + h_9));
-    float _e158 = from_start;
-    float b_6 = -(sqrt(max(_e158, 0.0)));
-    float _e163 = from_start;
-    float down = ((outside ? -(sqrt(max((above_3 + _e163), 0.0))) : b_6) / r_5);
-    float _e171 = approach;
-    vec3 dir_8 = vec3((_e11 * min((_e171 / r_5), 1.0)), down);
+    float _e160 = from_start;
+    float b_6 = -(sqrt(max(_e160, 0.0)));
+    float _e165 = from_start;
+    float down = ((outside ? -(sqrt(max((above_3 + _e165), 0.0))) : b_6) / r_5);
+    float _e173 = approach;
+    vec3 dir_8 = vec3((_e11 * min((_e173 / r_5), 1.0)), down);
     if (outside) {
         start_1 = (above_3 / (-(b_6) - (r_5 * down)));
-        float _e184 = start_1;
-        SunSide _e186 = sun_side_outside(dir_8, sun_4, r_5, _e184, -(b_6), _e10, radius_12);
-        s_5 = _e186;
+        float _e186 = start_1;
+        SunSide _e188 = sun_side_outside(dir_8, sun_4, r_5, _e186, -(b_6), _e10, radius_12);
+        s_5 = _e188;
     } else {
-        SunSide _e187 = sun_side_inside(dir_8, sun_4, r_5, _e9, radius_12);
-        s_5 = _e187;
+        SunSide _e189 = sun_side_inside(dir_8, sun_4, r_5, _e9, radius_12);
+        s_5 = _e189;
     }
-    float _e188 = distance_to_top(start_x, b_6, _e10);
-    float _e189 = mu_2;
-    float reach_2 = (ground_1 ? (start_x / max(((radius_12 * _e189) - b_6), 1e-20)) : _e188);
-    float _e196 = start_1;
-    float _e197 = c2_;
-    float _e199 = s_5.sun_b;
-    float _e201 = s_5.nu;
-    float _e203 = s_5.cross2_;
-    float _e205 = s_5.shadow_b;
-    float _e207 = s_5.shadow_c;
-    float _e209 = s_5.shadow_half2_;
-    AirRay ray = AirRay(_e196, reach_2, start_x, b_6, _e197, _e199, _e201, _e203, _e205, _e207, _e209, ground_1);
+    float _e190 = distance_to_top(start_x, b_6, _e10);
+    float _e191 = mu_2;
+    float reach_2 = (ground_1 ? (start_x / max(((radius_12 * _e191) - b_6), 1e-20)) : _e190);
+    float _e198 = start_1;
+    float _e199 = c2_;
+    float _e201 = s_5.sun_b;
+    float _e203 = s_5.nu;
+    float _e205 = s_5.cross2_;
+    float _e207 = s_5.shadow_b;
+    float _e209 = s_5.shadow_c;
+    float _e211 = s_5.shadow_half2_;
+    AirRay ray = AirRay(_e198, reach_2, start_x, b_6, _e199, _e201, _e203, _e205, _e207, _e209, _e211, ground_1);
     return TableRay(dir_8, ray);
 }
 

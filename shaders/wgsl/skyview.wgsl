@@ -70,7 +70,8 @@ fn table_ray(azimuth: f32, share: f32, ground: bool, h: f32, radius: f32, thickn
     let around = share_azimuth(azimuth);
     let outside = h > thickness;
     if !ground && share > limb.x {
-        let u = limb.z + (share - limb.x) / (1.0 - limb.x) * (1.0 - limb.z);
+        // Not beyond the zenith by a rounding error.
+        let u = min(limb.z + (share - limb.x) / (1.0 - limb.x) * (1.0 - limb.z), 1.0);
         let rest = (1.0 - u) * (1.0 + u); // 1 - u^2
         let half = 0.5 + 0.5 * limb.w;
         let s = sqrt(half) * rest;
