@@ -140,6 +140,7 @@ impl Target {
 pub const TEXTURES_MAX: usize = 6;
 
 /// Where shaders find the sampler: bilinear, clamped to the edges.
+#[cfg(feature = "wgpu")]
 pub(crate) const SAMPLER_BINDING: u32 = TEXTURES_MAX as u32 + 1;
 
 /// What a pass reads, at bindings 1, 2, …
