@@ -31,6 +31,39 @@ fn own(backend: &mut dyn Backend) -> Vec<f32> {
     pixels
 }
 
+/// A device that cannot filter 32-bit floats gets its sky tables in 16 bits.
+#[test]
+fn tables_of_16_bits_hold_the_light() {
+    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
+    let adapter = pollster::block_on(instance.request_adapter(&Default::default())).expect("a Vulkan driver");
+    let (device, queue) = pollster::block_on(adapter.request_device(&Default::default())).unwrap();
+    let mut poor = WgpuBackend::from_device(device, queue, "no features").unwrap();
+    let mut rich = WgpuBackend::headless().unwrap();
+    assert!(!poor.info().filters_f32 && rich.info().filters_f32, "{} {}", poor.info(), rich.info());
+    let settings = PictureSettings { terrain: None, ..PictureSettings::default() };
+    let mut worst = 0.0_f32;
+    for (altitude, pitch) in [(2.0, 10.0), (30e3, -4.0), (4e5, -18.0), (1e7, -90.0)] {
+        for sun_elevation in [40.0, 2.0, -4.0] {
+            let scene = View { altitude, pitch, sun_elevation, ..View::default() }.scene();
+            let draw = |backend: &mut WgpuBackend| {
+                let mut renderer = PictureRenderer::default();
+                let drawn = renderer.draw(backend, &scene, &settings, [SIZE, SIZE]).unwrap();
+                let pixels = backend.read(drawn.radiance).unwrap();
+                renderer.destroy(backend);
+                pixels
+            };
+            let [got, want] = [draw(&mut poor), draw(&mut rich)];
+            let brightest = want.chunks_exact(4).flat_map(|p| &p[..3]).fold(0.0_f32, |m, v| m.max(*v));
+            for (got, want) in got.iter().zip(&want) {
+                worst = worst.max((got - want).abs() / want.max(1e-3 * brightest));
+            }
+        }
+    }
+    println!("16-bit tables change light by {worst:.1e} at most");
+    // Roots of the fourth degree in half floats: 4 · 2^-11 in the sky's table and as much again in the air's.
+    assert!(worst > 0.0 && worst < 4e-3, "{worst}");
+}
+
 #[test]
 fn a_wgpu_user_hands_in_device_queue_encoder_and_view() {
     // The user's side: instance, device, texture, encoder.

@@ -134,8 +134,7 @@ fn through() -> Vec<(&'static str, Vec<View>)> {
 /// 256 × 64 samples, then the tables of [`Quality::MEDIUM`].
 ///
 /// A rounded 255th is a step of 1 or 2. What the tables have more than that is their own error, which is not the same on
-/// both sides: at dusk a long ray along the horizon is 26 % too dark from 30 km, and one that just meets the ground 3 %;
-/// and rows stand for other rays outside the air than inside, so that there is a step of 3.8 % at the top.
+/// both sides: at dusk a long ray along the horizon is 26 % too dark from 30 km, and one that just meets the ground 3 %.
 const BOUNDS: [(&str, [f64; 2], [f64; 2]); 12] = [
     ("horizon", [0.02, 2.0], [0.05, 3.0]),
     ("horizon at dusk", [0.02, 2.0], [0.3, 18.0]),

@@ -4,11 +4,12 @@
 
 mod common;
 
+use common::lines::along;
 use common::{View, mean, on_both};
 use glam::{DQuat, DVec2, DVec3};
-use welkin::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
+use welkin::backend::{Backend, DepthUse, Format, Pass, RowOrder, Target, TextureDesc, TextureId, Uniform, reads};
 use welkin::passes::sky::background_weight;
-use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
+use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering, transmittance};
 use welkin::shaders::Program;
 use welkin::{
     AtmosphereParams, Composition, DepthConvention, LutSettings, Method, MiePhase, PictureRenderer, PictureSettings,
@@ -485,6 +486,91 @@ fn sun_disk_has_the_suns_irradiance() {
         assert_finite(&pixels, "sun at half float");
         assert!(pixels.iter().copied().fold(0.0, f32::max) > 3e4);
     });
+}
+
+/// The disk's radiance over black where there is no air, as its shader defines it.
+fn bare_disk(scene: &Scene, size: [u32; 2]) -> Vec<f64> {
+    let view = scene.validate().unwrap();
+    let p = &scene.atmosphere;
+    let chord = 2.0 * (0.5 * p.sun_angular_radius).sin();
+    let pixel = 2.0 * view.basis.up.length() / f64::from(size[1]);
+    let full = p.sun_intensity / (std::f64::consts::PI * chord * chord);
+    let rays = along(scene, size);
+    rays.iter().map(|q| full * ((chord - (q.direction - view.sun).length()) / pixel + 0.5).clamp(0.0, 1.0)).collect()
+}
+
+#[test]
+fn sun_is_drawn_where_it_is_in_either_row_order() {
+    let params = AtmosphereParams {
+        rayleigh_scattering: [0.0; 3],
+        mie_scattering: [0.0; 3],
+        mie_absorption: [0.0; 3],
+        ozone_absorption: [0.0; 3],
+        sun_intensity: 1.0,
+        sun_angular_radius: 0.03,
+        ..AtmosphereParams::earth()
+    };
+    let size = [60, 36];
+    let view = View { params, altitude: 1e7, sun_elevation: 40.0, aspect: 60.0 / 36.0, ..View::default() };
+    // In the middle, at an edge, in a corner, just outside, behind; narrow, and so wide that the disk is drawn out.
+    let views = [(40.0, 0.0, 60.0), (12.0, 0.0, 60.0), (28.0, 48.0, 50.0), (40.0, 1.6, 1.0), (5.0, 70.0, 150.0)];
+    let away = [(40.0, 90.0, 60.0), (-40.0, 180.0, 60.0), (-89.0, 0.0, 170.0)];
+    on_both(|b| {
+        for (i, (pitch, heading, fov)) in views.into_iter().chain(away).enumerate() {
+            let scene = View { pitch, heading, fov, ..view.clone() }.scene();
+            let want = bare_disk(&scene, size);
+            let shown = want.iter().filter(|v| **v > 0.0).count();
+            assert!((i < views.len()) == (shown > 0), "{pitch} {heading} {fov}: {shown} pixels");
+            for rows in [RowOrder::TopDown, RowOrder::BottomUp] {
+                let desc = TextureDesc { rows, ..TextureDesc::new("target", size[0], size[1], Format::Rgba32Float) };
+                let target = b.create_texture(&desc).unwrap();
+                let mut sky = SkyRenderer::new(SkySettings::default()).unwrap();
+                let black = Target { clear: Some([0.0, 0.0, 0.0, 1.0]), ..Target::color(target) };
+                let passes = sky.background(b, &scene, black).unwrap().to_vec();
+                assert!(i < views.len() || passes.iter().all(|p| p.label != "sun") || fov == 170.0, "{heading}");
+                let got = if passes.is_empty() {
+                    vec![0.0; 4 * want.len()]
+                } else {
+                    b.run(&passes).unwrap();
+                    b.read(target).unwrap()
+                };
+                for (at, pixel) in got.chunks_exact(4).enumerate() {
+                    let (x, y) = (at % size[0] as usize, at / size[0] as usize);
+                    let y = if rows == RowOrder::TopDown { y } else { size[1] as usize - 1 - y };
+                    let want = want[y * size[0] as usize + x];
+                    let off = (f64::from(pixel[0]) - want).abs();
+                    assert!(off < 1e-3 * want.max(1.0), "{pitch} {heading} {fov} {rows:?}: {x} {y}: {pixel:?} {want}");
+                }
+                b.destroy_texture(target);
+            }
+        }
+    });
+}
+
+#[test]
+fn sun_is_dimmed_by_the_air_as_in_the_reference() {
+    // So dim that disk and sky simply add up.
+    let params = AtmosphereParams { sun_intensity: 1e-3, ..AtmosphereParams::earth() };
+    let settings = |sun_disk| SkySettings { composition: Composition::SkyDome, sun_disk, ..SkySettings::default() };
+    let mut worst = 0.0_f64;
+    on_both(|b| {
+        // From the ground to the horizon, from the stratosphere below it, through the limb from orbit.
+        for (altitude, elevation) in [(2.0, 60.0), (2.0, 5.0), (2.0, 0.5), (30e3, -4.0), (4e5, -19.0), (4e5, -18.0)] {
+            let view = View { params: params.clone(), altitude, pitch: elevation, fov: 0.02, ..View::default() };
+            let scene = View { sun_elevation: elevation, ..view }.scene();
+            let [with, without] = [true, false].map(|on| background(b, &scene, settings(on), [3, 3], [0.0; 4]));
+            let full = bare_disk(&scene, [3, 3])[4];
+            let through = transmittance(&params, &along(&scene, [3, 3])[4], Tolerance { relative: 1e-8 }).unwrap();
+            for c in 0..3 {
+                let got = f64::from(with[16 + c]) - f64::from(without[16 + c]);
+                let off = (got / full - through[c]).abs();
+                worst = worst.max(off / through[c].max(1e-3));
+                println!("{altitude} m, sun {elevation}: {} {}", got / full, through[c]);
+            }
+        }
+    });
+    println!("worst: {worst:.1e} of the transmittance");
+    assert!(worst < 5e-4, "{worst}");
 }
 
 #[test]

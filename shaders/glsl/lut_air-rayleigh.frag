@@ -386,7 +386,30 @@ float sun_share(vec4 axis, float mu) {
     return (((sign(y) * log((abs(y) + sqrt(((y * y) + 1.0))))) - axis.z) / axis.w);
 }
 
-Source diffuse_source(highp sampler2D table_2, vec2 at_1, vec3 gas_1, mat3x3 aerosol_1, float mu_1, float mu_sun, float nu) {
+float harmonic(int index, float mu_1, float along) {
+    switch(index) {
+        case 0: {
+            return SH0_;
+        }
+        case 1: {
+            return (SH1_ * mu_1);
+        }
+        case 2: {
+            return (SH1_ * along);
+        }
+        case 3: {
+            return (SH20_ * (((3.0 * mu_1) * mu_1) - 1.0));
+        }
+        case 4: {
+            return ((SH21_ * mu_1) * along);
+        }
+        default: {
+            return (SH22_ * ((((2.0 * along) * along) + (mu_1 * mu_1)) - 1.0));
+        }
+    }
+}
+
+Source diffuse_source(highp sampler2D table_2, vec2 at_1, vec3 gas_1, mat3x3 aerosol_1, float mu_2, float mu_sun, float nu) {
     Corner c_1 = Corner(ivec2(0), ivec2(0), vec2(0.0));
     Source source = Source(vec3(0.0), vec3(0.0));
     ivec2 dims = ivec2(uvec2(textureSize(table_2, 0).xy));
@@ -400,18 +423,21 @@ Source diffuse_source(highp sampler2D table_2, vec2 at_1, vec3 gas_1, mat3x3 aer
     vec4 _e31 = bilinear(table_2, _e28, ivec2(0));
     vec3 mean = exp2(_e31.xyz);
     float sin_sun = sqrt(max(((1.0 - mu_sun) * (1.0 + mu_sun)), 1e-12));
-    float sin_view = sqrt(max(((1.0 - mu_1) * (1.0 + mu_1)), 0.0));
-    float along = clamp(((nu - (mu_1 * mu_sun)) / sin_sun), -(sin_view), sin_view);
+    float sin_view = sqrt(max(((1.0 - mu_2) * (1.0 + mu_2)), 0.0));
+    float along_1 = clamp(((nu - (mu_2 * mu_sun)) / sin_sun), -(sin_view), sin_view);
     Corner _e55 = c_1;
     vec4 _e59 = bilinear(table_2, _e55, ivec2(0, 3));
-    Corner _e69 = c_1;
-    vec4 _e73 = bilinear(table_2, _e69, ivec2(0, 4));
-    Corner _e80 = c_1;
-    vec4 _e84 = bilinear(table_2, _e80, ivec2(0, 5));
-    vec3 l2_ = (((_e59.xyz * (SH20_ * (((3.0 * mu_1) * mu_1) - 1.0))) + (_e73.xyz * ((SH21_ * mu_1) * along))) + (_e84.xyz * (SH22_ * ((((2.0 * along) * along) + (mu_1 * mu_1)) - 1.0))));
+    float _e62 = harmonic(3, mu_2, along_1);
+    Corner _e64 = c_1;
+    vec4 _e68 = bilinear(table_2, _e64, ivec2(0, 4));
+    float _e71 = harmonic(4, mu_2, along_1);
+    Corner _e74 = c_1;
+    vec4 _e78 = bilinear(table_2, _e74, ivec2(0, 5));
+    float _e81 = harmonic(5, mu_2, along_1);
+    vec3 l2_ = (((_e59.xyz * _e62) + (_e68.xyz * _e71)) + (_e78.xyz * _e81));
     source.gas = ((gas_1 * (vec3(0.2820948) + (0.1 * l2_))) * mean);
-    Source _e111 = source;
-    return _e111;
+    Source _e98 = source;
+    return _e98;
 }
 
 float warp(float low, float u) {
@@ -500,11 +526,11 @@ Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium,
                 out_.radiance = (_e121 + ((share_2 * source_1) * _e88.x));
             }
             float r_4 = (radius_11 + _e79);
-            float mu_4 = clamp((((lowest_1.b + _e75) - low_5) / r_4), -1.0, 1.0);
+            float mu_5 = clamp((((lowest_1.b + _e75) - low_5) / r_4), -1.0, 1.0);
             float mu_sun_1 = clamp(((ray_2.sun_b + (ray_2.nu * _e75)) / r_4), -1.0, 1.0);
             float _e144 = altitude_share(t_3.altitude_steepness, t_3.altitude_growth, _e79, thickness_5);
             float _e145 = sun_share(_e27, mu_sun_1);
-            Source _e150 = diffuse_source(moments, (vec2(_e145, _e144) * nodes), medium.rayleigh, scattered, mu_4, mu_sun_1, ray_2.nu);
+            Source _e150 = diffuse_source(moments, (vec2(_e145, _e144) * nodes), medium.rayleigh, scattered, mu_5, mu_sun_1, ray_2.nu);
             vec3 _e152 = out_.radiance;
             out_.radiance = (_e152 + ((share_2 * (step_ * diffuse)) * ((_e150.gas * _e80.x) + (_e150.aerosol * _e80.y))));
             vec3 _e165 = out_.transmittance;
@@ -529,7 +555,7 @@ TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_6, float
     float c2_ = 0.0;
     float approach = 0.0;
     float from_start = 0.0;
-    float mu_2 = 0.0;
+    float mu_3 = 0.0;
     SunSide s_3 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     float start_1 = 0.0;
     float r_5 = (radius_10 + h_6);
@@ -548,8 +574,8 @@ TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_6, float
         float rest = ((1.0 - u_2) * (1.0 + u_2));
         float half_1 = (0.5 + (0.5 * limb.w));
         float s_5 = (sqrt(half_1) * rest);
-        float mu_5 = max((((((2.0 * half_1) * u_2) * u_2) * (1.0 + rest)) - limb.w), 0.0);
-        vec3 dir_3 = vec3((_e11 * ((2.0 * s_5) * sqrt((1.0 - (s_5 * s_5))))), mu_5);
+        float mu_6 = max((((((2.0 * half_1) * u_2) * u_2) * (1.0 + rest)) - limb.w), 0.0);
+        vec3 dir_3 = vec3((_e11 * ((2.0 * s_5) * sqrt((1.0 - (s_5 * s_5))))), mu_6);
         AirRay _e67 = inner_ray(dir_3, h_6, radius_10, thickness_4, sun_3, false);
         return TableRay(dir_3, _e67);
     }
@@ -557,9 +583,9 @@ TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_6, float
     if (ground_1) {
         float rest_1 = ((1.0 - share_1) * (1.0 + share_1));
         float s_6 = (SQRT_HALF * rest_1);
-        mu_2 = ((share_1 * share_1) * (1.0 + rest_1));
-        float _e91 = mu_2;
-        float _e93 = mu_2;
+        mu_3 = ((share_1 * share_1) * (1.0 + rest_1));
+        float _e91 = mu_3;
+        float _e93 = mu_3;
         c2_ = (((-(radius_10) * radius_10) * _e91) * _e93);
         approach = (radius_10 * ((2.0 * s_6) * sqrt((1.0 - (s_6 * s_6)))));
         float _e103 = c2_;
@@ -593,7 +619,7 @@ TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_6, float
         s_3 = _e189;
     }
     float _e190 = distance_to_top(start_x, b_8, _e10);
-    float _e191 = mu_2;
+    float _e191 = mu_3;
     float reach_1 = (ground_1 ? (start_x / max(((radius_10 * _e191) - b_8), 1e-20)) : _e190);
     float _e198 = start_1;
     float _e199 = c2_;
@@ -614,8 +640,8 @@ AirTexel air_texel(vec2 position_1, Tables t_4) {
     return AirTexel((at_3.y / rows), (at_3.y % rows), (at_3.x % columns_2), (at_3.x / columns_2), rows, columns_2);
 }
 
-float rayleigh_phase(float mu_3) {
-    return (0.0596831 * (1.0 + (mu_3 * mu_3)));
+float rayleigh_phase(float mu_4) {
+    return (0.0596831 * (1.0 + (mu_4 * mu_4)));
 }
 
 void main() {

@@ -60,7 +60,7 @@ struct Uniforms {
     vec4 rect;
 };
 const float HALF_MAX = 32000.0;
-const uint STEPS = 64u;
+const uint STEPS = 128u;
 
 layout(std140) uniform Uniforms_block_0Fragment { Uniforms _group_0_binding_0_fs; };
 

@@ -161,15 +161,16 @@ fn diffuse_source(
     let sin_sun = sqrt(max((1.0 - mu_sun) * (1.0 + mu_sun), 1e-12));
     let sin_view = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0));
     let along = clamp((nu - mu * mu_sun) / sin_sun, -sin_view, sin_view);
-    let l2 = bilinear(table, c, vec2i(0, 3)).xyz * (SH20 * (3.0 * mu * mu - 1.0))
-        + bilinear(table, c, vec2i(0, 4)).xyz * (SH21 * mu * along)
-        + bilinear(table, c, vec2i(0, 5)).xyz * (SH22 * (2.0 * along * along + mu * mu - 1.0));
+    let l2 = bilinear(table, c, vec2i(0, 3)).xyz * harmonic(3, mu, along)
+        + bilinear(table, c, vec2i(0, 4)).xyz * harmonic(4, mu, along)
+        + bilinear(table, c, vec2i(0, 5)).xyz * harmonic(5, mu, along);
     var source = Source(vec3f(0.0), vec3f(0.0));
     //#if RAYLEIGH
     source.gas = gas * (SH0 + 0.1 * l2) * mean;
     //#endif
     //#if MIE
-    let l1 = bilinear(table, c, vec2i(0, 1)).xyz * (SH1 * mu) + bilinear(table, c, vec2i(0, 2)).xyz * (SH1 * along);
+    let l1 = bilinear(table, c, vec2i(0, 1)).xyz * harmonic(1, mu, along)
+        + bilinear(table, c, vec2i(0, 2)).xyz * harmonic(2, mu, along);
     source.aerosol = (SH0 * aerosol[0] + l1 * aerosol[1] + l2 * aerosol[2]) * mean;
     //#endif
     return source;

@@ -204,25 +204,6 @@ impl GlowBackend {
         Ok(self.textures.insert(Texture { desc, source: Source::Framebuffer(framebuffer) }))
     }
 
-    /// Shows a texture in a framebuffer of the same size, the right way up (WebGL2: the canvas is `None`).
-    pub fn present(&mut self, id: TextureId, framebuffer: Option<glow::Framebuffer>) -> Result<()> {
-        self.guarded(|this| {
-            let desc = this.texture(id).ok_or_else(|| unknown(NAME, "texture"))?;
-            let from = this.framebuffer(id, None)?;
-            let (w, h) = (desc.width as i32, desc.height as i32);
-            // SAFETY: both framebuffers are complete and of this size.
-            unsafe {
-                this.gl.disable(glow::SCISSOR_TEST);
-                this.gl.bind_framebuffer(glow::READ_FRAMEBUFFER, from);
-                this.gl.bind_framebuffer(glow::DRAW_FRAMEBUFFER, framebuffer);
-                this.gl.blit_framebuffer(0, 0, w, h, 0, h, w, 0, glow::COLOR_BUFFER_BIT, glow::NEAREST);
-                // Left bound, the next blit to a canvas with `preserveDrawingBuffer` fails in Chromium.
-                this.gl.bind_framebuffer(glow::READ_FRAMEBUFFER, None);
-            }
-            this.check_news("present")
-        })
-    }
-
     /// Gives [`AdapterInfo::adapter`] a better name than the context's own, which browsers keep vague.
     pub fn set_adapter_name(&mut self, name: &str) {
         name.clone_into(&mut self.info.adapter);

@@ -99,7 +99,8 @@ pub struct PictureRenderer {
 }
 
 impl PictureRenderer {
-    /// The passes of one picture, in order, and where they leave it.
+    /// The passes of one picture, in order, and where they leave it. Run all of them before you ask for the next: what these
+    /// leave (tables, an empty depth buffer) is not made again.
     ///
     /// # Errors
     /// [`crate::Error::Invalid`] for a scene, a setting or a size that is out of range, before anything is

@@ -18,7 +18,7 @@ block! {
 }
 
 /// Where in the picture (left, bottom, right, top, -1 to 1) the disk may touch a pixel; `None` outside of it.
-/// radius: of the disk, radians; size: of the target, pixels.
+/// radius: of the disk with its soft edge, radians; size: of the target, pixels.
 fn rectangle(basis: &RayBasis, sun: glam::DVec3, radius: f64, size: [u32; 2]) -> Option<[f64; 4]> {
     let axis = basis.right.cross(basis.up).normalize_or_zero();
     let axis = if axis.dot(basis.forward) < 0.0 { -axis } else { axis };
@@ -36,7 +36,7 @@ fn rectangle(basis: &RayBasis, sun: glam::DVec3, radius: f64, size: [u32; 2]) ->
     let span = |side: glam::DVec3, pixels: u32| {
         let length2 = side.length_squared();
         let middle = (sun / along - basis.forward).dot(side) / length2;
-        let half = reach / length2.sqrt() + 4.0 / f64::from(pixels.max(1)); // two pixels
+        let half = reach / length2.sqrt() + 2.0 / f64::from(pixels.max(1)); // one pixel
         (middle - half, middle + half)
     };
     let ((left, right), (bottom, top)) = (span(basis.right, size[0]), span(basis.up, size[1]));
@@ -55,7 +55,8 @@ pub(crate) fn sun_pass(
 ) -> Result<Option<Pass>> {
     let size = frame.size.map(|s| s as u32);
     let p = &scene.atmosphere;
-    let Some([left, bottom, right, top]) = rectangle(&view.basis, view.sun, p.sun_angular_radius, size) else {
+    let radius = p.sun_angular_radius + 0.5 * f64::from(frame.pixel_angle);
+    let Some([left, bottom, right, top]) = rectangle(&view.basis, view.sun, radius, size) else {
         return Ok(None);
     };
     // The frame's up points to the target's first row.

@@ -51,10 +51,10 @@ pub(super) static PARTS: &[&str] = &[
 ];
 
 pub(super) static GLSL: &[Glsl] = &[
-    Glsl { name: "probe-geometry", vertex: &[163, 0], fragment: &[1, 4, 16, 11, 3, 12, 274, 114, 36, 106, 134, 215, 246, 248, 151, 261, 30, 33, 156, 142, 300, 295, 287, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-medium", vertex: &[163, 0], fragment: &[1, 284, 51, 280, 120, 191, 211, 139, 63, 292, 289, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-path", vertex: &[163, 0], fragment: &[1, 273, 114, 36, 106, 146, 51, 65, 120, 267, 199, 251, 293, 288, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-tables", vertex: &[163, 0], fragment: &[1, 4, 16, 11, 3, 18, 17, 8, 272, 114, 281, 282, 299, 308, 309, 285, 312, 270, 271, 283, 267, 264, 277, 278, 275, 301, 307, 245, 303, 279, 276, 302, 313, 311, 131, 297, 306, 294, 286, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-scatter_hg", vertex: &[163, 0], fragment: &[1, 4, 16, 11, 3, 12, 13, 273, 114, 36, 106, 134, 215, 246, 248, 152, 261, 30, 33, 157, 217, 146, 51, 80, 120, 267, 264, 298, 191, 211, 139, 310, 304, 296, 290, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-scatter_cs", vertex: &[163, 0], fragment: &[1, 4, 16, 11, 3, 12, 13, 273, 114, 36, 106, 134, 215, 246, 248, 152, 261, 30, 33, 157, 217, 146, 51, 80, 120, 267, 264, 298, 191, 211, 139, 63, 310, 305, 296, 291, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-geometry", vertex: &[164, 0], fragment: &[1, 4, 16, 11, 3, 12, 275, 114, 36, 106, 134, 216, 247, 249, 152, 262, 30, 33, 157, 143, 301, 296, 288, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-medium", vertex: &[164, 0], fragment: &[1, 285, 51, 281, 120, 192, 212, 140, 63, 293, 290, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-path", vertex: &[164, 0], fragment: &[1, 274, 114, 36, 106, 147, 51, 65, 120, 268, 200, 252, 294, 289, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-tables", vertex: &[164, 0], fragment: &[1, 4, 16, 11, 3, 18, 17, 8, 273, 114, 282, 283, 300, 309, 310, 286, 313, 271, 272, 284, 268, 265, 278, 279, 276, 302, 308, 246, 304, 280, 277, 303, 314, 312, 131, 298, 307, 295, 287, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-scatter_hg", vertex: &[164, 0], fragment: &[1, 4, 16, 11, 3, 12, 13, 274, 114, 36, 106, 134, 216, 247, 249, 153, 262, 30, 33, 158, 218, 147, 51, 80, 120, 268, 265, 299, 192, 212, 140, 311, 305, 297, 291, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-scatter_cs", vertex: &[164, 0], fragment: &[1, 4, 16, 11, 3, 12, 13, 274, 114, 36, 106, 134, 216, 247, 249, 153, 262, 30, 33, 158, 218, 147, 51, 80, 120, 268, 265, 299, 192, 212, 140, 63, 311, 306, 297, 292, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
 ];

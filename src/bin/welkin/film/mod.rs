@@ -184,13 +184,8 @@ impl<'a> Film<'a> {
         let mut steps = Vec::new();
         for (name, drawer) in drawers.iter_mut() {
             let drawn = self.drawn(drawer, &scenes, size).with_context(|| format!("by {name}"))?;
-            let of = |v: &'_ [Vec<[f64; 3]>], i: usize| -> [Vec<[f64; 3]>; 2] { [v[i].clone(), v[i + 1].clone()] };
-            let all: Vec<Step> = (0..frames.len() - 1)
-                .map(|i| {
-                    let ([a, b], [c, d]) = (of(&drawn, i), of(&truths, i));
-                    Step::between([&a, &b], [&c, &d])
-                })
-                .collect();
+            let pairs = drawn.windows(2).zip(truths.windows(2));
+            let all = pairs.map(|(ours, truth)| Step::between([&ours[0], &ours[1]], [&truth[0], &truth[1]])).collect();
             steps.push((name.clone(), all));
         }
         self.report(&frames, &steps, size, out)?;
