@@ -79,6 +79,7 @@ pub mod backend;
 pub mod error;
 pub mod passes;
 pub mod phase;
+pub mod plan;
 #[cfg(feature = "probe")]
 pub mod probe;
 pub mod quality;
@@ -93,6 +94,7 @@ pub use passes::picture::{PictureRenderer, PictureSettings};
 pub use passes::sky::{Composition, Method, Mode, SkyRenderer, SkySettings};
 pub use passes::terrain::TerrainStyle;
 pub use passes::tone::ToneMap;
+pub use plan::{Bound, EffectPlan};
 pub use quality::Quality;
 pub use reference::{clip_segment, compute_single_scatter, ray_sphere_intersect, ray_sphere_intersect_f32};
 pub use view::{Camera, DepthConvention, Pose, Scene};

@@ -11,8 +11,8 @@ use welkin::passes::sky::background_weight;
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
 use welkin::shaders::Program;
 use welkin::{
-    AtmosphereParams, Composition, DepthConvention, LutSettings, Method, MiePhase, PictureRenderer, PictureSettings,
-    Scene, SkyRenderer, SkySettings,
+    AtmosphereParams, Bound, Composition, DepthConvention, LutSettings, Method, MiePhase, PictureRenderer,
+    PictureSettings, Scene, SkyRenderer, SkySettings,
 };
 
 const FINE: SkySettings = SkySettings {
@@ -21,6 +21,8 @@ const FINE: SkySettings = SkySettings {
     method: Method::Single { view_samples: 256, light_samples: 64 },
     render_scale: 1.0,
     sun_disk: false,
+    foreground: true,
+    bound: Some(Bound::LINEAR),
 };
 
 /// Light scattered once, and of all orders: what holds of any sky holds of both. No sun's disk.

@@ -16,7 +16,7 @@ struct Uniforms {
 @group(0) @binding(2) var sky: texture_2d<f32>;
 @group(0) @binding(3) var table_air: texture_2d<f32>;
 @group(0) @binding(4) var columns: texture_2d<f32>;
-//#if MIE
+//#if HAZE
 @group(0) @binding(5) var haze: texture_2d<f32>;
 //#endif
 //#endif
@@ -26,7 +26,7 @@ struct Uniforms {
 @group(0) @binding(3) var sky: texture_2d<f32>;
 @group(0) @binding(4) var table_air: texture_2d<f32>;
 @group(0) @binding(5) var columns: texture_2d<f32>;
-//#if MIE
+//#if HAZE
 @group(0) @binding(6) var haze: texture_2d<f32>;
 //#endif
 //#endif
@@ -91,7 +91,7 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     // Over its whole length; where it ends on the ground the tables hold the mean over that.
     let scale = select(1.0, ray.length, ray.ground);
     var light = fourth(bilinear(sky, at_sky, vec2i(0)).rgb) * scale;
-    //#if MIE
+    //#if HAZE
     var aerosol = aerosol_light(haze, m, at_sky, dir, f.sun) * scale;
     //#endif
     var through = vec3f(1.0);
@@ -108,13 +108,13 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
         let at = (unwarp(low, end) - u0) / (unwarp(low, ray.length) - u0) * f32(t.slices) - 1.0;
         if end < ray.length {
             light *= air_between(table_air, t, c, at, AIR_SMOOTH, size, 0.0);
-            //#if MIE
+            //#if HAZE
             aerosol *= air_between(table_air, t, c, at, AIR_AEROSOL, size, 0.0);
             //#endif
         }
         through = air_through(table_air, t, c, at, size);
     }
-    //#if MIE
+    //#if HAZE
     light += aerosol;
     //#endif
     light *= m.irradiance * weight;

@@ -11,7 +11,7 @@ struct Uniforms {
 @group(0) @binding(0) var<uniform> uniforms: Uniforms;
 @group(0) @binding(1) var sky: texture_2d<f32>;
 @group(0) @binding(2) var columns: texture_2d<f32>;
-//#if MIE
+//#if HAZE
 @group(0) @binding(3) var haze: texture_2d<f32>;
 //#endif
 
@@ -33,7 +33,7 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
         let c = sky_corner(sky, m, uniforms.tables, f.altitude, dir, ray);
         let texel = bilinear(sky, c, vec2i(0));
         light = fourth(texel.rgb);
-        //#if MIE
+        //#if HAZE
         light += aerosol_light(haze, m, c, dir, f.sun);
         //#endif
         light *= f.sky_weight;

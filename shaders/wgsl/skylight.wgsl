@@ -8,7 +8,7 @@ fn fourth(v: vec3f) -> vec3f {
     return square * square;
 }
 
-//#if MIE
+//#if HAZE
 // The aerosol's share: its table and its phase function.
 fn aerosol_light(haze: texture_2d<f32>, m: Medium, c: Corner, dir: vec3f, sun: vec3f) -> vec3f {
     // 1 - cos and 1 + cos of the angle between ray and sun, without cancellation.

@@ -78,7 +78,8 @@ impl PictureRenderer {
         size: [u32; 2],
     ) -> Result<(&[Pass], Drawn)> {
         scene.validate()?;
-        self.sky.set_settings(settings.sky)?;
+        let foreground = settings.sky.foreground && settings.terrain.is_some();
+        self.sky.set_settings(SkySettings { foreground, ..settings.sky })?;
         crate::error::in_range("exposure", settings.exposure, 0.0, 1e9, "")?;
         let t = self.textures(backend, size, settings.radiance)?;
         self.passes.clear();

@@ -6,7 +6,8 @@ use super::frame::{FrameOptions, FrameUniform};
 use super::lut::{FrameTables, LutSettings, Luts};
 use crate::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
 use crate::error::{Error, Result, in_range};
-use crate::shaders::{Constituents, Program};
+use crate::plan::{Bound, EffectPlan};
+use crate::shaders::Program;
 use crate::view::{Scene, ZenithView};
 
 /// How the sky's light is computed, and how finely.
@@ -64,14 +65,6 @@ impl Method {
                 whole("light_samples", light_samples, 256)
             }
             Self::Lut(settings) => settings.validate(),
-        }
-    }
-
-    /// Steps along a view ray and from each towards the sun, for passes that march both.
-    fn samples(&self) -> [u32; 2] {
-        match *self {
-            Self::Single { view_samples, light_samples } => [view_samples, light_samples],
-            Self::Lut(_) => [0; 2],
         }
     }
 }
@@ -161,13 +154,25 @@ pub struct SkySettings {
     pub render_scale: f64,
     /// Whether the background holds the sun's disk.
     pub sun_disk: bool,
+    /// Whether something may stand before the sky: `false` promises a depth buffer that holds the background alone.
+    pub foreground: bool,
+    /// How much pixels may change by what the plan leaves out; `None` leaves nothing out that the settings ask for.
+    pub bound: Option<Bound>,
 }
 
 impl Default for SkySettings {
     /// From the ground to orbit, all orders of scattering from tables, full resolution, with the sun.
     fn default() -> Self {
         let method = Method::Lut(LutSettings::default());
-        Self { enabled: true, composition: Composition::Full, method, render_scale: 1.0, sun_disk: true }
+        Self {
+            enabled: true,
+            composition: Composition::Full,
+            method,
+            render_scale: 1.0,
+            sun_disk: true,
+            foreground: true,
+            bound: Some(Bound::LINEAR),
+        }
     }
 }
 
@@ -176,7 +181,7 @@ impl SkySettings {
     pub fn validate(&self) -> Result<()> {
         self.method.validate()?;
         in_range("render_scale", self.render_scale, 0.125, 1.0, "")?;
-        Ok(())
+        self.bound.map_or(Ok(()), |bound| bound.validate())
     }
 }
 
@@ -200,6 +205,8 @@ pub struct SkyRenderer {
     passes: Vec<Pass>,
     low: Option<TextureId>,
     luts: Luts,
+    /// Frames' passes in a row that called for no tables.
+    idle: u32,
 }
 
 impl SkyRenderer {
@@ -209,7 +216,7 @@ impl SkyRenderer {
     /// [`Error::Invalid`] from [`SkySettings::validate`].
     pub fn new(settings: SkySettings) -> Result<Self> {
         settings.validate()?;
-        Ok(Self { settings, passes: Vec::with_capacity(4), low: None, luts: Luts::default() })
+        Ok(Self { settings, passes: Vec::with_capacity(4), low: None, luts: Luts::default(), idle: 0 })
     }
 
     /// The settings in use.
@@ -224,18 +231,22 @@ impl SkyRenderer {
         Ok(())
     }
 
-    fn options(&self, desc: &TextureDesc, view: &ZenithView) -> FrameOptions {
-        let [view_samples, light_samples] = self.settings.method.samples();
+    /// What a scene calls for, with the settings in use.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] from [`Scene::validate`].
+    pub fn plan(&self, scene: &Scene) -> Result<EffectPlan> {
+        EffectPlan::new(scene, &self.settings)
+    }
+
+    fn options(desc: &TextureDesc, plan: &EffectPlan) -> FrameOptions {
+        let [view_samples, light_samples] = plan.samples;
         FrameOptions {
             size: [desc.width, desc.height],
             rows: desc.rows,
             view_samples,
             light_samples,
-            sky_weight: match self.settings.composition {
-                Composition::Full => background_weight(view.altitude),
-                Composition::SkyDome => 1.0,
-                Composition::AtmospherePost | Composition::Planet => 0.0,
-            },
+            sky_weight: plan.sky_weight,
             low_resolution: false,
         }
     }
@@ -249,31 +260,31 @@ impl SkyRenderer {
     /// [`Error::Invalid`] from [`Scene::validate`], before anything is created; errors of the backend.
     pub fn background(&mut self, backend: &mut dyn Backend, scene: &Scene, target: Target) -> Result<&[Pass]> {
         let view = scene.validate()?;
+        let plan = EffectPlan::of(scene, &view, &self.settings);
         self.passes.clear();
         let desc = texture(backend, target.color)?;
-        let mut options = self.options(&desc, &view);
-        let air = if options.sky_weight > 0.0 { Constituents::of(&scene.atmosphere) } else { Constituents::default() };
-        let sun = self.settings.sun_disk && scene.atmosphere.sun_intensity > 0.0 && sun_in_view(scene, &view);
-        if !self.settings.enabled || !(air.any() || sun) {
+        self.free_tables_unless(backend, plan.tables.is_some());
+        let Some(program) = plan.background else {
             self.free_low(backend);
             return Ok(&self.passes);
-        }
+        };
+        let mut options = Self::options(&desc, &plan);
         let frame = FrameUniform::new(scene, &view, &options);
         let label = "background sky";
         let side = |s: u32| ((f64::from(s) * self.settings.render_scale).ceil() as u32).max(1);
         let small = [side(desc.width), side(desc.height)];
-        let full = small == options.size;
+        let full = !plan.reduced || small == options.size;
         options.size = small;
         options.low_resolution = !full;
         let drawn = FrameUniform::new(scene, &view, &options);
-        let (program, textures, uniform) = match &self.settings.method {
-            Method::Lut(lut) if air.any() => {
+        let (textures, uniform) = match &plan.tables {
+            Some(wanted) if matches!(program, Program::SkyLut { .. }) => {
                 let passes = &mut self.passes;
-                let (t, tables) = self.luts.update(backend, &scene.atmosphere, lut, &frame, false, passes)?;
+                let (t, tables) = self.luts.update(backend, &scene.atmosphere, wanted, &frame, false, passes)?;
                 let textures = t.haze.map_or(reads([t.sky, t.columns]), |haze| reads([t.sky, t.columns, haze]));
-                (Program::SkyLut { air, sun }, textures, Uniform::new(&FrameTables { frame: drawn, tables }))
+                (textures, Uniform::new(&FrameTables { frame: drawn, tables }))
             }
-            _ => (Program::Sky { air, sun }, reads([]), Uniform::new(&drawn)),
+            _ => (reads([]), Uniform::new(&drawn)),
         };
         let program = Some(backend.create_program(program)?);
         if full {
@@ -356,29 +367,29 @@ impl SkyRenderer {
         depth: TextureId,
         target: Target,
     ) -> Result<()> {
-        let air = Constituents::of(&scene.atmosphere);
-        if self.settings.enabled && air.any() {
-            let blend = color.is_none();
-            let frame = FrameUniform::new(scene, view, &self.options(desc, view));
-            let (program, textures, uniform) = match &self.settings.method {
-                Method::Lut(lut) => {
+        let plan = EffectPlan::of(scene, view, &self.settings);
+        self.free_tables_unless(backend, plan.tables.is_some());
+        if let Some(program) = plan.before {
+            let frame = FrameUniform::new(scene, view, &Self::options(desc, &plan));
+            let (textures, uniform) = match &plan.tables {
+                Some(wanted) => {
                     let passes = &mut self.passes;
-                    let (t, tables) = self.luts.update(backend, &scene.atmosphere, lut, &frame, true, passes)?;
+                    let (t, tables) = self.luts.update(backend, &scene.atmosphere, wanted, &frame, true, passes)?;
                     let textures = match (color, t.haze) {
                         (Some(color), Some(haze)) => reads([color, depth, t.sky, t.air, t.columns, haze]),
                         (Some(color), None) => reads([color, depth, t.sky, t.air, t.columns]),
                         (None, Some(haze)) => reads([depth, t.sky, t.air, t.columns, haze]),
                         (None, None) => reads([depth, t.sky, t.air, t.columns]),
                     };
-                    (Program::AerialLut { air, blend }, textures, Uniform::new(&FrameTables { frame, tables }))
+                    (textures, Uniform::new(&FrameTables { frame, tables }))
                 }
                 _ => {
                     let textures = color.map_or(reads([depth]), |color| reads([color, depth]));
-                    (Program::Aerial { air, blend }, textures, Uniform::new(&frame))
+                    (textures, Uniform::new(&frame))
                 }
             };
             let program = Some(backend.create_program(program)?);
-            let label = if blend { "planet shell" } else { "aerial perspective" };
+            let label = if color.is_none() { "planet shell" } else { "aerial perspective" };
             self.passes.push(Pass { label, program, textures, uniform, target, depth: DepthUse::Always });
         }
         Ok(())
@@ -388,6 +399,14 @@ impl SkyRenderer {
     pub fn destroy(&mut self, backend: &mut dyn Backend) {
         self.free_low(backend);
         self.luts.destroy(backend);
+    }
+
+    /// Tables that no scene has called for in a while are freed; not at once, for the camera may turn back.
+    fn free_tables_unless(&mut self, backend: &mut dyn Backend, needed: bool) {
+        self.idle = if needed { 0 } else { self.idle.saturating_add(1) };
+        if self.idle == IDLE {
+            self.luts.destroy(backend);
+        }
     }
 
     fn free_low(&mut self, backend: &mut dyn Backend) {
@@ -410,22 +429,11 @@ impl SkyRenderer {
     }
 }
 
+/// How often passes without tables are asked for before their textures go: about five seconds of frames.
+const IDLE: u32 = 600;
+
 /// Label of the sky in low resolution.
 const LOW: &str = "low-resolution sky";
-
-/// Whether the sun's disk can touch the picture: whether it lies within the cone around the axis that holds the
-/// picture's corners, widened by the disk's radius and a few pixels.
-fn sun_in_view(scene: &Scene, view: &ZenithView) -> bool {
-    let b = &view.basis;
-    let corners = [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)];
-    let axis = b.forward.normalize_or_zero();
-    let widest = corners
-        .map(|(x, y)| (b.forward + b.right * x + b.up * y).normalize_or_zero().dot(axis).clamp(-1.0, 1.0).acos())
-        .into_iter()
-        .fold(0.0, f64::max);
-    let pixel = b.up.length().max(b.right.length()) * 4e-3;
-    axis.dot(view.sun).clamp(-1.0, 1.0).acos() <= widest + scene.atmosphere.sun_angular_radius + pixel
-}
 
 /// Checks that a texture covers the same pixels as the target.
 fn same_size(backend: &dyn Backend, name: &str, id: TextureId, target: &TextureDesc) -> Result<()> {

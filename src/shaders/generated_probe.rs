@@ -22,9 +22,9 @@ pub(super) static PARTS: &[&str] = &[
 ];
 
 pub(super) static GLSL: &[Glsl] = &[
-    Glsl { name: "probe-geometry", vertex: &[141, 0], fragment: &[1, 3, 12, 9, 252, 94, 37, 89, 120, 232, 235, 29, 136, 128, 263, 261, 254, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-medium", vertex: &[141, 0], fragment: &[1, 253, 107, 171, 191, 125, 58, 259, 256, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-path", vertex: &[141, 0], fragment: &[1, 251, 94, 37, 89, 60, 107, 247, 177, 236, 260, 255, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-scatter_hg", vertex: &[141, 0], fragment: &[1, 3, 12, 9, 10, 251, 94, 37, 89, 120, 232, 235, 30, 137, 201, 61, 107, 247, 244, 178, 171, 191, 125, 237, 264, 262, 257, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-scatter_cs", vertex: &[141, 0], fragment: &[1, 3, 12, 9, 10, 251, 94, 37, 89, 120, 232, 235, 30, 137, 201, 61, 107, 247, 244, 178, 171, 191, 125, 58, 237, 265, 262, 258, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-geometry", vertex: &[144, 0], fragment: &[1, 3, 12, 9, 260, 96, 38, 91, 123, 239, 242, 29, 139, 131, 271, 269, 262, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-medium", vertex: &[144, 0], fragment: &[1, 261, 109, 176, 196, 128, 60, 267, 264, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-path", vertex: &[144, 0], fragment: &[1, 259, 96, 38, 91, 62, 109, 255, 182, 243, 268, 263, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-scatter_hg", vertex: &[144, 0], fragment: &[1, 3, 12, 9, 10, 259, 96, 38, 91, 123, 239, 242, 30, 140, 208, 63, 109, 255, 252, 183, 176, 196, 128, 244, 272, 270, 265, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-scatter_cs", vertex: &[144, 0], fragment: &[1, 3, 12, 9, 10, 259, 96, 38, 91, 123, 239, 242, 30, 140, 208, 63, 109, 255, 252, 183, 176, 196, 128, 60, 244, 273, 270, 266, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
 ];

@@ -29,6 +29,8 @@ pub struct Constituents {
     pub mie: Option<MiePhase>,
     /// The absorbing layer.
     pub ozone: bool,
+    /// No sunlight reaches it: it dims what lies behind and sends no light.
+    pub dark: bool,
 }
 
 impl Constituents {
@@ -39,6 +41,7 @@ impl Constituents {
             rayleigh: some(&params.rayleigh_scattering),
             mie: (some(&params.mie_scattering) || some(&params.mie_absorption)).then_some(params.mie_phase),
             ozone: some(&params.ozone_absorption),
+            dark: false,
         }
     }
 
@@ -49,15 +52,25 @@ impl Constituents {
 
     fn each() -> impl Iterator<Item = Self> {
         [false, true].into_iter().flat_map(|rayleigh| {
-            [None, Some(MiePhase::HenyeyGreenstein), Some(MiePhase::CornetteShanks)]
-                .into_iter()
-                .flat_map(move |mie| [false, true].into_iter().map(move |ozone| Self { rayleigh, mie, ozone }))
+            [None, Some(MiePhase::HenyeyGreenstein), Some(MiePhase::CornetteShanks)].into_iter().flat_map(move |mie| {
+                [false, true].into_iter().map(move |ozone| Self { rayleigh, mie, ozone, dark: false })
+            })
         })
     }
 
     /// For tables, which hold no phase function: any aerosol is the same.
     pub fn without_phase(self) -> Self {
         Self { mie: self.mie.map(|_| MiePhase::HenyeyGreenstein), ..self }
+    }
+
+    /// Whether there is an aerosol that scatters light, which has a table of its own.
+    pub fn has_haze(self) -> bool {
+        self.mie.is_some() && !self.dark
+    }
+
+    /// Where no sunlight reaches it. Any aerosol is the same.
+    pub fn in_the_dark(self) -> Self {
+        Self { dark: true, ..self.without_phase() }
     }
 
     fn flags(self, flags: &mut Vec<&'static str>) {
@@ -67,11 +80,13 @@ impl Constituents {
             }
         };
         add(self.any(), &["AIR"]);
-        add(self.rayleigh || self.mie.is_some(), &["SCATTER"]);
+        add(!self.dark && (self.rayleigh || self.mie.is_some()), &["SCATTER"]);
         add(self.rayleigh, &["RAYLEIGH"]);
-        add(self.mie == Some(MiePhase::HenyeyGreenstein), &["MIE", "MIE_HG"]);
-        add(self.mie == Some(MiePhase::CornetteShanks), &["MIE", "MIE_CS"]);
+        add(self.mie.is_some(), &["MIE"]);
+        add(!self.dark && self.mie == Some(MiePhase::HenyeyGreenstein), &["HAZE", "MIE_HG"]);
+        add(!self.dark && self.mie == Some(MiePhase::CornetteShanks), &["HAZE", "MIE_CS"]);
         add(self.ozone, &["OZONE"]);
+        add(self.dark, &["DARK"]);
     }
 }
 
@@ -152,11 +167,15 @@ pub enum Program {
         air: Constituents,
         /// The table of what the aerosol scatters straight from the sun; otherwise of all other light.
         aerosol: bool,
+        /// With light that was scattered before.
+        diffuse: bool,
     },
     /// Fills the slices of the air table, `lut_air.wgsl`; any aerosol stands for both phase functions.
     LutAir {
         /// What the air holds.
         air: Constituents,
+        /// With light that was scattered before.
+        diffuse: bool,
     },
     /// Adds up the slices of the air table, `lut_scan.wgsl`.
     LutScan {
@@ -195,9 +214,14 @@ impl Program {
                 all.extend([false, true].map(|blend| Self::AerialLut { air, blend }));
             }
             if air.any() && air == air.without_phase() {
-                all.push(Self::LutSky { air, aerosol: false });
-                all.extend(air.mie.map(|_| Self::LutSky { air, aerosol: true }));
-                all.push(Self::LutAir { air });
+                all.extend([false, true].map(|diffuse| Self::LutSky { air, aerosol: false, diffuse }));
+                all.extend(air.mie.map(|_| Self::LutSky { air, aerosol: true, diffuse: false }));
+                all.extend([false, true].map(|diffuse| Self::LutAir { air, diffuse }));
+                let air = air.in_the_dark();
+                all.push(Self::Sky { air, sun: false });
+                all.extend([false, true].map(|blend| Self::Aerial { air, blend }));
+                all.push(Self::SkyLut { air, sun: false });
+                all.extend([false, true].map(|blend| Self::AerialLut { air, blend }));
             }
             all.push(Self::Sky { air, sun: true });
         }
@@ -225,6 +249,7 @@ impl Program {
                 part("MIE", "-mie"),
                 part("OZONE", "-ozone"),
                 part("AEROSOL", "-haze"),
+                part("BARE", "-bare"),
             ]
             .concat(),
             Self::Sky { .. } | Self::Aerial { .. } | Self::SkyLut { .. } | Self::AerialLut { .. } => [
@@ -232,7 +257,9 @@ impl Program {
                 part("RAYLEIGH", "-rayleigh"),
                 part("MIE_HG", "-mie_hg"),
                 part("MIE_CS", "-mie_cs"),
+                if flags.contains(&"DARK") { part("MIE", "-mie") } else { "" },
                 part("OZONE", "-ozone"),
+                part("DARK", "-dark"),
                 part("SUN", "-sun"),
                 part("BLEND", "-blend"),
             ]
@@ -275,13 +302,17 @@ impl Program {
                 air.flags(&mut flags);
                 flags.push(if blend { "BLEND" } else { "READ" });
             }
-            Self::LutSky { air, aerosol } => {
+            Self::LutSky { air, aerosol, diffuse } => {
                 air.flags(&mut flags);
-                flags.extend(if aerosol { ["AEROSOL", "DIRECT"] } else { ["SMOOTH", "DIFFUSE"] });
+                flags.extend(match (aerosol, diffuse) {
+                    (true, _) => &["AEROSOL", "DIRECT"][..],
+                    (false, true) => &["SMOOTH", "DIFFUSE"],
+                    (false, false) => &["SMOOTH", "BARE", "DIRECT"],
+                });
             }
-            Self::LutAir { air } => {
+            Self::LutAir { air, diffuse } => {
                 air.flags(&mut flags);
-                flags.push("DIFFUSE");
+                flags.extend(if diffuse { &["DIFFUSE"][..] } else { &["BARE", "DIRECT"] });
             }
             Self::LutScan { finish } => flags.push(if finish { "FINISH" } else { "ADD" }),
             Self::ToneMap(t) => flags.push(match t {
@@ -290,13 +321,14 @@ impl Program {
                 ToneMap::Neutral => "NEUTRAL",
             }),
             Self::Terrain | Self::LutColumns | Self::LutRadiance | Self::LutMoments => {
-                Constituents { rayleigh: true, mie: Some(MiePhase::HenyeyGreenstein), ozone: true }.flags(&mut flags);
+                Constituents { rayleigh: true, mie: Some(MiePhase::HenyeyGreenstein), ozone: true, dark: false }
+                    .flags(&mut flags);
                 flags.push("DIFFUSE");
             }
             Self::Upsample | Self::Copy => {}
             #[cfg(feature = "probe")]
             Self::Probe(p) => {
-                Constituents { rayleigh: true, mie: Some(p.mie_phase()), ozone: true }.flags(&mut flags);
+                Constituents { rayleigh: true, mie: Some(p.mie_phase()), ozone: true, dark: false }.flags(&mut flags);
                 flags.push(p.flag());
             }
         }
@@ -319,11 +351,11 @@ impl Program {
         match self {
             Self::Sky { .. } | Self::Terrain | Self::LutColumns => 0,
             Self::Upsample | Self::ToneMap(_) | Self::Copy | Self::LutMoments | Self::LutScan { .. } => 1,
-            Self::SkyLut { air, .. } => 2 + usize::from(air.mie.is_some()),
-            Self::LutRadiance | Self::LutAir { .. } => 2,
-            Self::LutSky { aerosol, .. } => 2 - usize::from(aerosol),
+            Self::SkyLut { air, .. } => 2 + usize::from(air.has_haze()),
+            Self::LutRadiance => 2,
+            Self::LutSky { diffuse, .. } | Self::LutAir { diffuse, .. } => 1 + usize::from(diffuse),
             Self::Aerial { blend, .. } => 2 - usize::from(blend),
-            Self::AerialLut { air, blend } => 5 - usize::from(blend) + usize::from(air.mie.is_some()),
+            Self::AerialLut { air, blend } => 5 - usize::from(blend) + usize::from(air.has_haze()),
             #[cfg(feature = "probe")]
             Self::Probe(_) => 1,
         }

@@ -8,6 +8,7 @@ mod compare;
 mod draw;
 mod info;
 mod output;
+mod plan;
 mod progress;
 mod radiance;
 mod render;
@@ -46,6 +47,7 @@ fn main() -> ExitCode {
 fn run(cli: Cli) -> anyhow::Result<()> {
     match cli.command {
         Command::Render(args) => render::run(&args),
+        Command::Plan(args) => plan::run(&args),
         Command::Compare(args) => compare::run(&args),
         Command::Accuracy(args) => accuracy::run(&args),
         Command::Radiance(args) => radiance::run(&args),
