@@ -77,6 +77,7 @@
 pub mod atmosphere;
 pub mod backend;
 pub mod error;
+pub mod lighting;
 pub mod passes;
 pub mod phase;
 pub mod plan;
@@ -89,6 +90,7 @@ pub mod view;
 
 pub use atmosphere::{AtmosphereParams, MiePhase};
 pub use error::{Error, Result};
+pub use lighting::{AtmosphereConfig, LightingContext, LightingContextUniform, SkyLight};
 pub use passes::lut::LutSettings;
 pub use passes::picture::{PictureRenderer, PictureSettings};
 pub use passes::sky::{Composition, Method, Mode, SkyRenderer, SkySettings};

@@ -294,7 +294,8 @@ fn air_before(b: &mut dyn Backend, settings: SkySettings, scene: &Scene, z: f64,
     let mut sky = SkyRenderer::new(settings).unwrap();
     let passes = sky.aerial(b, scene, color, depth, out).unwrap().to_vec();
     b.run(&passes).unwrap();
-    let pixels = b.read(out).unwrap();
+    // Where no air is in the picture the scene stays as it is.
+    let pixels = b.read(if passes.is_empty() { color } else { out }).unwrap();
     sky.destroy(b);
     [color, depth, out].into_iter().for_each(|t| b.destroy_texture(t));
     pixels

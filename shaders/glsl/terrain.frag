@@ -39,6 +39,27 @@ struct Frame {
     uint low_resolution;
     float camera_altitude;
 };
+struct Tables {
+    vec3 mie_extinction;
+    float altitude_steepness;
+    vec3 mie_moment0_;
+    float altitude_growth;
+    vec3 mie_moment1_;
+    float sun_middle;
+    vec3 mie_moment2_;
+    float sun_width;
+    vec3 mie_asymmetry;
+    float altitude_pad;
+    vec3 albedo;
+    float sun_first;
+    float sun_span;
+    float ground_rows;
+    uvec2 size;
+    uint steps;
+    uint shift;
+    uint slices;
+    float air_ground_rows;
+};
 struct Terrain {
     Frame frame;
     vec3 axis;
@@ -59,6 +80,7 @@ struct Terrain {
     float snow_line;
     vec3 sky_share;
     float pad;
+    Tables tables;
 };
 struct Varyings {
     vec4 clip;
@@ -71,6 +93,13 @@ struct Shaded {
     float depth;
 };
 const float INV_4PI = 0.07957747;
+const float LOG_FLOOR = -100.0;
+const int MOMENTS = 6;
+const float SH0_ = 0.2820948;
+const float SH1_ = 0.48860252;
+const float SH20_ = 0.31539157;
+const float SH21_ = 1.0925485;
+const float SH22_ = 0.54627424;
 const uint RINGS = 256u;
 const uint SEGMENTS = 384u;
 const float TAU = 6.2831855;
@@ -92,6 +121,7 @@ float depth_of(Frame f, float z) {
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, _vs2fs_location0, _vs2fs_location1, _vs2fs_location2);
     vec3 albedo = vec3(0.0);
+    vec3 light = vec3(0.0);
     Shaded out_ = Shaded(vec4(0.0), 0.0);
     Frame f_1 = _group_0_binding_0_fs.frame;
     float h = in_.surface.x;
@@ -109,14 +139,16 @@ void main() {
     vec3 _e44 = albedo;
     float _e51 = _group_0_binding_0_fs.sea;
     albedo = mix(_e44, vec3(0.02, 0.04, 0.06), (_e51 * (1.0 - smoothstep(0.0, 0.004, h))));
-    vec3 _e61 = albedo;
-    out_.color = vec4((((_e61 * in_.light) * f_1.medium.irradiance) * 0.31830987), 1.0);
-    vec3 _e75 = _group_0_binding_0_fs.axis;
-    float _e79 = depth_of(f_1, max(dot(in_.position, _e75), 1e-9));
-    out_.depth = clamp(_e79, 0.0, 1.0);
-    Shaded _e83 = out_;
-    _fs2p_location0 = _e83.color;
-    gl_FragDepth = _e83.depth;
+    light = in_.light;
+    vec3 _e63 = albedo;
+    vec3 _e64 = light;
+    out_.color = vec4((((_e63 * _e64) * f_1.medium.irradiance) * 0.31830987), 1.0);
+    vec3 _e77 = _group_0_binding_0_fs.axis;
+    float _e81 = depth_of(f_1, max(dot(in_.position, _e77), 1e-9));
+    out_.depth = clamp(_e81, 0.0, 1.0);
+    Shaded _e85 = out_;
+    _fs2p_location0 = _e85.color;
+    gl_FragDepth = _e85.depth;
     return;
 }
 

@@ -39,6 +39,27 @@ struct Frame {
     uint low_resolution;
     float camera_altitude;
 };
+struct Tables {
+    vec3 mie_extinction;
+    float altitude_steepness;
+    vec3 mie_moment0_;
+    float altitude_growth;
+    vec3 mie_moment1_;
+    float sun_middle;
+    vec3 mie_moment2_;
+    float sun_width;
+    vec3 mie_asymmetry;
+    float altitude_pad;
+    vec3 albedo;
+    float sun_first;
+    float sun_span;
+    float ground_rows;
+    uvec2 size;
+    uint steps;
+    uint shift;
+    uint slices;
+    float air_ground_rows;
+};
 struct Terrain {
     Frame frame;
     vec3 axis;
@@ -59,6 +80,7 @@ struct Terrain {
     float snow_line;
     vec3 sky_share;
     float pad;
+    Tables tables;
 };
 struct Varyings {
     vec4 clip;
@@ -67,6 +89,13 @@ struct Varyings {
     vec2 surface;
 };
 const float INV_4PI = 0.07957747;
+const float LOG_FLOOR = -100.0;
+const int MOMENTS = 6;
+const float SH0_ = 0.2820948;
+const float SH1_ = 0.48860252;
+const float SH20_ = 0.31539157;
+const float SH21_ = 1.0925485;
+const float SH22_ = 0.54627424;
 const uint RINGS = 256u;
 const uint SEGMENTS = 384u;
 const float TAU = 6.2831855;
@@ -99,23 +128,23 @@ float distance_to_top(float x_2, float b_1, float x_top) {
     return (root - b_1);
 }
 
-vec3 densities(Medium m, float h_1) {
+vec3 densities(Medium m_1, float h_1) {
     vec3 d = vec3(0.0);
-    d.x = exp((-(h_1) * m.rayleigh_inv_height));
-    d.y = exp((-(h_1) * m.mie_inv_height));
-    d.z = max(0.0, (1.0 - (abs((h_1 - m.ozone_center)) * m.ozone_inv_half_width)));
+    d.x = exp((-(h_1) * m_1.rayleigh_inv_height));
+    d.y = exp((-(h_1) * m_1.mie_inv_height));
+    d.z = max(0.0, (1.0 - (abs((h_1 - m_1.ozone_center)) * m_1.ozone_inv_half_width)));
     vec3 _e25 = d;
     return _e25;
 }
 
-vec3 extinction(Medium m_1, vec3 d_1) {
+vec3 extinction(Medium m_2, vec3 d_1) {
     vec3 sum = vec3(0.0);
     vec3 _e5 = sum;
-    sum = (_e5 + (m_1.rayleigh * d_1.x));
+    sum = (_e5 + (m_2.rayleigh * d_1.x));
     vec3 _e10 = sum;
-    sum = (_e10 + (m_1.mie_extinction * d_1.y));
+    sum = (_e10 + (m_2.mie_extinction * d_1.y));
     vec3 _e15 = sum;
-    sum = (_e15 + (m_1.ozone * d_1.z));
+    sum = (_e15 + (m_2.ozone * d_1.z));
     vec3 _e20 = sum;
     return _e20;
 }
@@ -124,7 +153,7 @@ float warp(float low, float u) {
     return (low + (u * abs(u)));
 }
 
-vec3 path_densities(Medium m_2, float x_3, float b_2, float distance_, uint samples) {
+vec3 path_densities(Medium m_3, float x_3, float b_2, float distance_, uint samples) {
     vec3 sum_1 = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
@@ -148,9 +177,9 @@ vec3 path_densities(Medium m_2, float x_3, float b_2, float distance_, uint samp
             float u_1 = (u0_ + (du * float(_e24)));
             float _e31 = warp(low_1, (u_1 + (0.5 * du)));
             float _e33 = warp(low_1, (u_1 + du));
-            float _e35 = altitude_after(x_3, b_2, _e31, m_2.radius);
+            float _e35 = altitude_after(x_3, b_2, _e31, m_3.radius);
             vec3 _e36 = sum_1;
-            vec3 _e37 = densities(m_2, _e35);
+            vec3 _e37 = densities(m_3, _e35);
             float _e38 = t0_;
             sum_1 = (_e36 + (_e37 * (_e33 - _e38)));
             t0_ = _e33;
@@ -160,11 +189,11 @@ vec3 path_densities(Medium m_2, float x_3, float b_2, float distance_, uint samp
     return _e45;
 }
 
-vec3 sun_transmittance(Medium m_3, float x_4, float sun_b, uint samples_1) {
-    float _e6 = excess_of(m_3.thickness, m_3.radius);
+vec3 sun_transmittance(Medium m_4, float x_4, float sun_b, uint samples_1) {
+    float _e6 = excess_of(m_4.thickness, m_4.radius);
     float _e7 = distance_to_top(x_4, sun_b, _e6);
-    vec3 _e8 = path_densities(m_3, x_4, sun_b, _e7, samples_1);
-    vec3 _e9 = extinction(m_3, _e8);
+    vec3 _e8 = path_densities(m_4, x_4, sun_b, _e7, samples_1);
+    vec3 _e9 = extinction(m_4, _e8);
     return exp(-(_e9));
 }
 
@@ -284,73 +313,81 @@ vec4 height_field(vec3 n, float amplitude, float rate, float sea, float spacing)
 
 void main() {
     uint index = uint(gl_VertexID);
+    Medium m = Medium(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
     vec3 light = vec3(0.0);
     Varyings out_ = Varyings(vec4(0.0), vec3(0.0), vec3(0.0), vec2(0.0));
     Frame f_1 = _group_0_binding_0_vs.frame;
-    Medium m_4 = f_1.medium;
+    m = f_1.medium;
     uint k = min((max((index % 772u), 1u) - 1u), (772u - 3u));
     uint ring = ((index / 772u) + (k & 1u));
     float azimuth = ((TAU * float(((k / 2u) % SEGMENTS))) / 384.0);
-    float _e29 = _group_0_binding_0_vs.arc_rate;
-    float s_1 = (_e29 * float(ring));
-    float _e34 = _group_0_binding_0_vs.arc_scale;
-    float t_2 = ((_e34 * 0.5) * (exp(s_1) - exp(-(s_1))));
-    vec3 _e44 = _group_0_binding_0_vs.grid_x;
-    vec3 _e49 = _group_0_binding_0_vs.grid_y;
-    vec3 flat_ = normalize(((_e44 * cos(azimuth)) + (_e49 * sin(azimuth))));
+    float _e30 = _group_0_binding_0_vs.arc_rate;
+    float s_1 = (_e30 * float(ring));
+    float _e35 = _group_0_binding_0_vs.arc_scale;
+    float t_2 = ((_e35 * 0.5) * (exp(s_1) - exp(-(s_1))));
+    vec3 _e45 = _group_0_binding_0_vs.grid_x;
+    vec3 _e50 = _group_0_binding_0_vs.grid_y;
+    vec3 flat_ = normalize(((_e45 * cos(azimuth)) + (_e50 * sin(azimuth))));
     vec3 up = vec3(0.0, 0.0, 1.0);
     float sin_arc = ((2.0 * t_2) / (1.0 + (t_2 * t_2)));
     float drop = (((2.0 * t_2) * t_2) / (1.0 + (t_2 * t_2)));
     vec3 n_1 = ((flat_ * sin_arc) + (up * (1.0 - drop)));
-    vec3 _e78 = _group_0_binding_0_vs.planet_x;
-    vec3 _e82 = _group_0_binding_0_vs.planet_y;
-    vec3 _e86 = _group_0_binding_0_vs.planet_z;
-    vec3 planet_n = vec3(dot(_e78, n_1), dot(_e82, n_1), dot(_e86, n_1));
-    float _e91 = _group_0_binding_0_vs.arc_rate;
-    float _e96 = _group_0_binding_0_vs.arc_scale;
-    float _e99 = _group_0_binding_0_vs.arc_scale;
-    float along = (((2.0 * _e91) * sqrt(((_e96 * _e99) + (t_2 * t_2)))) / (1.0 + (t_2 * t_2)));
+    vec3 _e79 = _group_0_binding_0_vs.planet_x;
+    vec3 _e83 = _group_0_binding_0_vs.planet_y;
+    vec3 _e87 = _group_0_binding_0_vs.planet_z;
+    vec3 planet_n = vec3(dot(_e79, n_1), dot(_e83, n_1), dot(_e87, n_1));
+    float _e92 = _group_0_binding_0_vs.arc_rate;
+    float _e97 = _group_0_binding_0_vs.arc_scale;
+    float _e100 = _group_0_binding_0_vs.arc_scale;
+    float along = (((2.0 * _e92) * sqrt(((_e97 * _e100) + (t_2 * t_2)))) / (1.0 + (t_2 * t_2)));
     float spacing_1 = max(along, (sin_arc * 0.016362462));
-    float _e114 = _group_0_binding_0_vs.amplitude;
-    float _e117 = _group_0_binding_0_vs.mountain_rate;
-    float _e120 = _group_0_binding_0_vs.sea;
-    vec4 _e121 = height_field(planet_n, _e114, _e117, _e120, spacing_1);
-    float h_3 = _e121.w;
-    vec3 position = ((flat_ * ((m_4.radius + h_3) * sin_arc)) + (up * ((h_3 - f_1.camera_altitude) - ((m_4.radius + h_3) * drop))));
-    vec3 _e137 = _group_0_binding_0_vs.planet_x;
-    vec3 _e142 = _group_0_binding_0_vs.planet_y;
-    vec3 _e148 = _group_0_binding_0_vs.planet_z;
-    vec3 g = (((_e137 * _e121.x) + (_e142 * _e121.y)) + (_e148 * _e121.z));
-    vec3 tangential = ((g - (n_1 * dot(g, n_1))) / vec3(m_4.radius));
+    float _e115 = _group_0_binding_0_vs.amplitude;
+    float _e118 = _group_0_binding_0_vs.mountain_rate;
+    float _e121 = _group_0_binding_0_vs.sea;
+    vec4 _e122 = height_field(planet_n, _e115, _e118, _e121, spacing_1);
+    float h_3 = _e122.w;
+    float _e125 = m.radius;
+    float _e132 = m.radius;
+    vec3 position = ((flat_ * ((_e125 + h_3) * sin_arc)) + (up * ((h_3 - f_1.camera_altitude) - ((_e132 + h_3) * drop))));
+    vec3 _e140 = _group_0_binding_0_vs.planet_x;
+    vec3 _e145 = _group_0_binding_0_vs.planet_y;
+    vec3 _e151 = _group_0_binding_0_vs.planet_z;
+    vec3 g = (((_e140 * _e122.x) + (_e145 * _e122.y)) + (_e151 * _e122.z));
+    float _e159 = m.radius;
+    vec3 tangential = ((g - (n_1 * dot(g, n_1))) / vec3(_e159));
     vec3 normal = normalize((n_1 - tangential));
-    float _e161 = excess_of(h_3, m_4.radius);
-    float sun_b_1 = ((m_4.radius + h_3) * dot(n_1, f_1.sun));
-    float dip = (sqrt(_e161) / (m_4.radius + h_3));
+    float _e165 = m.radius;
+    float _e166 = excess_of(h_3, _e165);
+    float _e168 = m.radius;
+    float sun_b_1 = ((_e168 + h_3) * dot(n_1, f_1.sun));
+    float _e175 = m.radius;
+    float dip = (sqrt(_e166) / (_e175 + h_3));
     float above_1 = ((dot(n_1, f_1.sun) + dip) / f_1.sun_chord);
     float visible = smoothstep(-1.0, 1.0, above_1);
-    vec3 _e181 = _group_0_binding_0_vs.sky_share;
-    light = ((_e181 * clamp(((dot(n_1, f_1.sun) + 0.1) / 1.1), 0.0, 1.0)) * (0.5 + (0.5 * dot(normal, n_1))));
+    vec3 _e191 = _group_0_binding_0_vs.sky_share;
+    light = ((_e191 * clamp(((dot(n_1, f_1.sun) + 0.1) / 1.1), 0.0, 1.0)) * (0.5 + (0.5 * dot(normal, n_1))));
     if ((visible > 0.0)) {
-        vec3 _e201 = light;
-        vec3 _e203 = sun_transmittance(m_4, _e161, sun_b_1, 8u);
-        light = (_e201 + (_e203 * (visible * max(dot(normal, f_1.sun), 0.0))));
+        vec3 _e210 = light;
+        Medium _e211 = m;
+        vec3 _e213 = sun_transmittance(_e211, _e166, sun_b_1, 8u);
+        light = (_e210 + (_e213 * (visible * max(dot(normal, f_1.sun), 0.0))));
     }
-    vec3 _e214 = _group_0_binding_0_vs.axis;
-    float z = dot(position, _e214);
-    float _e224 = _group_0_binding_0_vs.offset_x;
-    float right = ((dot(position, f_1.ray_right) / dot(f_1.ray_right, f_1.ray_right)) - (_e224 * z));
-    float _e235 = _group_0_binding_0_vs.offset_y;
-    float top = ((dot(position, f_1.ray_up) / dot(f_1.ray_up, f_1.ray_up)) - (_e235 * z));
+    vec3 _e224 = _group_0_binding_0_vs.axis;
+    float z = dot(position, _e224);
+    float _e234 = _group_0_binding_0_vs.offset_x;
+    float right = ((dot(position, f_1.ray_right) / dot(f_1.ray_right, f_1.ray_right)) - (_e234 * z));
+    float _e245 = _group_0_binding_0_vs.offset_y;
+    float top = ((dot(position, f_1.ray_up) / dot(f_1.ray_up, f_1.ray_up)) - (_e245 * z));
     out_.clip = vec4(right, top, (0.5 * z), z);
     out_.position = position;
-    vec3 _e244 = light;
-    out_.light = _e244;
+    vec3 _e254 = light;
+    out_.light = _e254;
     out_.surface = vec2(h_3, dot(normal, n_1));
-    Varyings _e248 = out_;
-    gl_Position = _e248.clip;
-    _vs2fs_location0 = _e248.position;
-    _vs2fs_location1 = _e248.light;
-    _vs2fs_location2 = _e248.surface;
+    Varyings _e258 = out_;
+    gl_Position = _e258.clip;
+    _vs2fs_location0 = _e258.position;
+    _vs2fs_location1 = _e258.light;
+    _vs2fs_location2 = _e258.surface;
     gl_Position.yz = vec2(-gl_Position.y, gl_Position.z * 2.0 - gl_Position.w);
     return;
 }

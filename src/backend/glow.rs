@@ -371,7 +371,7 @@ impl GlowBackend {
                     UNIFORM_MAX as i32,
                 );
             }
-            let mode = if program == Program::Terrain { glow::TRIANGLE_STRIP } else { glow::TRIANGLES };
+            let mode = if matches!(program, Program::Terrain { .. }) { glow::TRIANGLE_STRIP } else { glow::TRIANGLES };
             gl.draw_arrays(mode, 0, program.vertices() as i32);
             // Textures stay bound to no unit of ours: the next pass may draw to them.
             for (unit, texture) in (0..).zip(read) {

@@ -293,7 +293,7 @@ impl WgpuBackend {
                 buffers: &[],
             },
             primitive: wgpu::PrimitiveState {
-                topology: if program == Program::Terrain {
+                topology: if matches!(program, Program::Terrain { .. }) {
                     wgpu::PrimitiveTopology::TriangleStrip
                 } else {
                     wgpu::PrimitiveTopology::TriangleList

@@ -261,7 +261,7 @@ impl TablesUniform {
 
 /// Textures of the tables.
 #[derive(Clone, Copy, Debug)]
-struct Textures {
+pub(crate) struct Textures {
     columns: TextureId,
     sky: TextureId,
     /// Gathered radiance, and two tables of moments.
@@ -338,6 +338,29 @@ pub(crate) struct Luts {
 }
 
 impl Luts {
+    /// Appends the passes that bring the tables of the medium up to date.
+    pub fn of_medium(
+        &mut self,
+        backend: &mut dyn Backend,
+        params: &AtmosphereParams,
+        plan: &TablePlan,
+        with_air: bool,
+        passes: &mut Vec<Pass>,
+    ) -> Result<(Textures, TablesUniform)> {
+        let t = self.textures(backend, plan, with_air)?;
+        let tables = TablesUniform::new(params, &plan.settings);
+        // Tables hold light per unit of irradiance.
+        let medium = MediumUniform { irradiance: [0.0; 3], ..MediumUniform::new(params) };
+        let key = MediumTables { medium, tables };
+        let rounds = plan.rounds as usize;
+        if self.medium != Some((key, rounds)) {
+            self.forget();
+            self.medium_passes(backend, &plan.settings, key, rounds, &t, passes)?;
+            self.medium = Some((key, rounds));
+        }
+        Ok((t, tables))
+    }
+
     /// Appends the passes that bring stale tables up to date. `frame`: the camera's block.
     pub fn update(
         &mut self,
@@ -348,21 +371,11 @@ impl Luts {
         with_air: bool,
         passes: &mut Vec<Pass>,
     ) -> Result<(Ready, TablesUniform)> {
-        let TablePlan { settings, air: constituents, rounds, .. } = plan;
-        let (constituents, rounds) = (*constituents, *rounds as usize);
-        let t = self.textures(backend, plan, with_air)?;
-        let tables = TablesUniform::new(params, settings);
-        // Tables hold light per unit of irradiance.
-        let medium = MediumUniform { irradiance: [0.0; 3], ..frame.medium };
-        let key = MediumTables { medium, tables };
+        let (settings, constituents, rounds) = (&plan.settings, plan.air, plan.rounds as usize);
+        let (t, tables) = self.of_medium(backend, params, plan, with_air, passes)?;
         // Columns, and with light that was scattered before its moments.
         let inputs = t.scattered.map_or(reads([t.columns]), |s| reads([t.columns, s[1 + rounds % 2]]));
         let diffuse = t.scattered.is_some();
-        if self.medium != Some((key, rounds)) {
-            self.forget();
-            self.medium_passes(backend, settings, key, rounds, &t, passes)?;
-            self.medium = Some((key, rounds));
-        }
         let view = ([frame.altitude, frame.sun[0], frame.sun[1], frame.sun[2]], constituents);
         let block = |tables: TablesUniform| Uniform::new(&FrameTables { frame: *frame, tables });
         if self.sky != Some(view) {
@@ -443,6 +456,14 @@ impl Luts {
             pass(moments_label, Some(Program::LutMoments), reads([radiance]), block, Target::color(to))?;
         }
         Ok(())
+    }
+
+    /// The table of moments once its passes were given out, what it was made for, and its nodes.
+    pub fn moments(&self) -> Option<(TextureId, MediumTables, [u32; 2])> {
+        let (settings, t) = self.textures.as_ref()?;
+        let (made_for, rounds) = self.medium?;
+        let [_, moments @ ..] = t.scattered?;
+        Some((moments[rounds % 2], made_for, settings.moments))
     }
 
     /// Nothing is up to date any more.

@@ -84,9 +84,15 @@ impl PictureRenderer {
         let t = self.textures(backend, size, settings.radiance)?;
         self.passes.clear();
         let target = Target { depth: Some(t.depth), ..Target::color(t.scene) };
+        let mut light = None;
+        if settings.terrain.is_some() {
+            let (passes, found) = self.sky.ground_light(backend, scene)?;
+            self.passes.extend_from_slice(passes);
+            light = found;
+        }
         self.passes.extend_from_slice(self.sky.background(backend, scene, target)?);
         if let Some(terrain) = &settings.terrain {
-            self.passes.push(terrain.pass(backend, scene, target)?);
+            self.passes.push(terrain.pass(backend, scene, target, light)?);
         }
         if self.passes.is_empty() {
             let (textures, uniform) = (reads([]), crate::backend::Uniform::NONE);

@@ -3,9 +3,10 @@
 use std::fmt;
 
 use super::frame::{FrameOptions, FrameUniform};
-use super::lut::{FrameTables, LutSettings, Luts};
+use super::lut::{FrameTables, LutSettings, Luts, TablesUniform};
 use crate::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
 use crate::error::{Error, Result, in_range};
+use crate::lighting::SkyLightRead;
 use crate::plan::{Bound, EffectPlan};
 use crate::shaders::Program;
 use crate::view::{Scene, ZenithView};
@@ -395,6 +396,36 @@ impl SkyRenderer {
         Ok(())
     }
 
+    /// Light of the sky for ground that is drawn before the air: the passes that fill its table, to be run first, and
+    /// how a pass reads it. `None` where the method or the plan has no such table.
+    ///
+    /// # Errors
+    /// As [`Self::background`].
+    pub fn ground_light(&mut self, backend: &mut dyn Backend, scene: &Scene) -> Result<(&[Pass], Option<GroundLight>)> {
+        let view = scene.validate()?;
+        let plan = EffectPlan::of(scene, &view, &self.settings);
+        self.passes.clear();
+        let mut light = None;
+        if let Some(wanted) = plan.tables.filter(|t| t.rounds > 0) {
+            let tables = self.luts.of_medium(backend, &scene.atmosphere, &wanted, false, &mut self.passes)?.1;
+            light = self.luts.moments().map(|(moments, ..)| GroundLight { moments, tables });
+        }
+        Ok((&self.passes, light))
+    }
+
+    /// Asks for the light of the sky that was drawn last, for a scene's own shading: see [`SkyLight`]. The passes that
+    /// fill its tables must have been run. `None` where the method or the plan has no table of it.
+    ///
+    /// [`SkyLight`]: crate::lighting::SkyLight
+    ///
+    /// # Errors
+    /// Those of the backend.
+    pub fn begin_sky_light(&self, backend: &mut dyn Backend, scene: &Scene) -> Result<Option<SkyLightRead>> {
+        let Some((table, made_for, nodes)) = self.luts.moments() else { return Ok(None) };
+        let read = backend.begin_read(table)?;
+        Ok(Some(SkyLightRead { read, params: scene.atmosphere.clone(), made_for, nodes }))
+    }
+
     /// Frees what this renderer made on a backend.
     pub fn destroy(&mut self, backend: &mut dyn Backend) {
         self.free_low(backend);
@@ -431,6 +462,13 @@ impl SkyRenderer {
 
 /// How often passes without tables are asked for before their textures go: about five seconds of frames.
 const IDLE: u32 = 600;
+
+/// Where a pass finds the sky's light on the ground; see [`SkyRenderer::ground_light`].
+#[derive(Clone, Copy, Debug)]
+pub struct GroundLight {
+    pub(crate) moments: TextureId,
+    pub(crate) tables: TablesUniform,
+}
 
 /// Label of the sky in low resolution.
 const LOW: &str = "low-resolution sky";

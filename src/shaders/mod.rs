@@ -187,7 +187,10 @@ pub enum Program {
     /// Exposure, tone mapping and sRGB, `tonemap.wgsl`.
     ToneMap(ToneMap),
     /// The demonstration's terrain, `terrain.wgsl`; it holds every constituent.
-    Terrain,
+    Terrain {
+        /// With the light of the simulated sky, from the table of moments; otherwise a rough estimate of it.
+        sky: bool,
+    },
     /// A plain copy, `copy.wgsl`.
     Copy,
     /// The library's functions on single cases, `probe.wgsl`; see [`crate::probe`].
@@ -202,7 +205,7 @@ const TERRAIN_SEGMENTS: u32 = 384;
 impl Program {
     /// Every program that can be asked for.
     pub fn all() -> Vec<Self> {
-        let mut all = vec![Self::Copy, Self::Upsample, Self::Terrain];
+        let mut all = vec![Self::Copy, Self::Upsample, Self::Terrain { sky: false }, Self::Terrain { sky: true }];
         all.extend([Self::LutColumns, Self::LutRadiance, Self::LutMoments]);
         all.extend([false, true].map(|finish| Self::LutScan { finish }));
         all.extend(ToneMap::ALL.map(Self::ToneMap));
@@ -236,9 +239,10 @@ impl Program {
         let flags = self.flags();
         let part = |flag: &str, text: &'static str| if flags.contains(&flag) { text } else { "" };
         match self {
-            Self::Copy | Self::Upsample | Self::Terrain | Self::LutColumns | Self::LutRadiance | Self::LutMoments => {
+            Self::Copy | Self::Upsample | Self::LutColumns | Self::LutRadiance | Self::LutMoments => {
                 self.module().to_owned()
             }
+            Self::Terrain { sky } => if sky { "terrain-sky" } else { "terrain" }.to_owned(),
             Self::LutScan { finish } => format!("lut_scan-{}", if finish { "finish" } else { "add" }),
             Self::ToneMap(t) => format!("tonemap-{}", t.name()),
             #[cfg(feature = "probe")]
@@ -282,7 +286,7 @@ impl Program {
             Self::LutScan { .. } => "lut_scan",
             Self::Upsample => "upsample",
             Self::ToneMap(_) => "tonemap",
-            Self::Terrain => "terrain",
+            Self::Terrain { .. } => "terrain",
             Self::Copy => "copy",
             #[cfg(feature = "probe")]
             Self::Probe(_) => "probe",
@@ -320,10 +324,13 @@ impl Program {
                 ToneMap::AgX => "AGX",
                 ToneMap::Neutral => "NEUTRAL",
             }),
-            Self::Terrain | Self::LutColumns | Self::LutRadiance | Self::LutMoments => {
+            Self::Terrain { .. } | Self::LutColumns | Self::LutRadiance | Self::LutMoments => {
                 Constituents { rayleigh: true, mie: Some(MiePhase::HenyeyGreenstein), ozone: true, dark: false }
                     .flags(&mut flags);
                 flags.push("DIFFUSE");
+                if let Self::Terrain { sky } = self {
+                    flags.push(if sky { "SKYLIGHT" } else { "ROUGH" });
+                }
             }
             Self::Upsample | Self::Copy => {}
             #[cfg(feature = "probe")]
@@ -339,7 +346,7 @@ impl Program {
     pub fn wgsl(self) -> String {
         let mut text = String::new();
         let mut seen = Vec::new();
-        if self != Self::Terrain {
+        if !matches!(self, Self::Terrain { .. }) {
             link("fullscreen", &[], &mut seen, &mut text);
         }
         link(self.module(), &self.flags(), &mut seen, &mut text);
@@ -349,7 +356,8 @@ impl Program {
     /// How many textures it reads, at bindings 1, 2, …; none is filtered.
     pub fn textures(self) -> usize {
         match self {
-            Self::Sky { .. } | Self::Terrain | Self::LutColumns => 0,
+            Self::Sky { .. } | Self::LutColumns => 0,
+            Self::Terrain { sky } => usize::from(sky),
             Self::Upsample | Self::ToneMap(_) | Self::Copy | Self::LutMoments | Self::LutScan { .. } => 1,
             Self::SkyLut { air, .. } => 2 + usize::from(air.has_haze()),
             Self::LutRadiance => 2,
@@ -366,7 +374,7 @@ impl Program {
         use crate::passes::{frame::FrameUniform, lut, terrain::TerrainUniform, tone::ToneUniform};
         match self {
             Self::Sky { .. } | Self::Aerial { .. } | Self::Upsample => size_of::<FrameUniform>(),
-            Self::Terrain => size_of::<TerrainUniform>(),
+            Self::Terrain { .. } => size_of::<TerrainUniform>(),
             Self::ToneMap(_) => size_of::<ToneUniform>(),
             Self::LutColumns | Self::LutRadiance | Self::LutMoments => size_of::<lut::MediumTables>(),
             Self::SkyLut { .. }
@@ -383,7 +391,7 @@ impl Program {
     /// Vertices to draw.
     pub fn vertices(self) -> u32 {
         match self {
-            Self::Terrain => TERRAIN_RINGS * (2 * (TERRAIN_SEGMENTS + 1) + 2),
+            Self::Terrain { .. } => TERRAIN_RINGS * (2 * (TERRAIN_SEGMENTS + 1) + 2),
             _ => 3,
         }
     }
@@ -512,6 +520,7 @@ pub const MODULES: &[(&str, &str)] = modules![
     "frame",
     "fullscreen",
     "geometry",
+    "lighting",
     "lut_air",
     "lut_columns",
     "lut_moments",
