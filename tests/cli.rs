@@ -473,7 +473,7 @@ fn a_flight_is_planned_timed_and_plotted() {
     // Something is saved at the end: night.
     assert!(rows[23][3] < rows[23][4] && rows[23][5] < rows[23][6], "{:?}", rows[23]);
     let svg = std::fs::read_to_string(folder.join("f.svg")).unwrap();
-    assert!(svg.contains("everything on") && svg.contains("planned") && svg.contains("384,000 km"));
+    assert!(svg.contains("everything on") && svg.contains("planned") && svg.contains(" km, sun -60°"));
 }
 
 #[test]

@@ -10,6 +10,9 @@ const PLANNED: RGBColor = RGBColor(0, 114, 178);
 const EVERYTHING: RGBColor = RGBColor(213, 94, 0);
 const SIZE: (u32, u32) = (1000, 760);
 
+/// A number of a frame.
+type Of = fn(&Cost) -> f64;
+
 /// Three diagrams above one another.
 pub fn svg(frames: &[Frame], [width, height]: [u32; 2], describe: &str) -> anyhow::Result<String> {
     let mut text = String::new();
@@ -18,7 +21,7 @@ pub fn svg(frames: &[Frame], [width, height]: [u32; 2], describe: &str) -> anyho
         area.fill(&WHITE).map_err(|e| anyhow!("plot: {e}"))?;
         let driver = describe.split(',').next().unwrap_or(describe);
         let time = format!("GPU time of the sky, ms ({width}×{height}, {driver})");
-        let diagrams: [(&str, fn(&Cost) -> f64); 3] =
+        let diagrams: [(&str, Of); 3] =
             [(&time, |c| c.time), ("megapixels shaded", |c| 1e-6 * c.pixels), ("passes", |c| c.passes as f64)];
         for (part, (title, of)) in area.split_evenly((3, 1)).iter().zip(diagrams) {
             diagram(part, frames, title, of).map_err(|e| anyhow!("plot: {e}"))?;
@@ -32,7 +35,7 @@ fn diagram(
     area: &DrawingArea<SVGBackend<'_>, plotters::coord::Shift>,
     frames: &[Frame],
     title: &str,
-    of: fn(&Cost) -> f64,
+    of: Of,
 ) -> Result<(), Box<dyn std::error::Error>> {
     let last = frames.len() - 1;
     let top = frames.iter().flat_map(|f| [of(&f.planned), of(&f.everything)]).fold(0.0, f64::max);
@@ -54,10 +57,9 @@ fn diagram(
         .light_line_style(RGBColor(240, 240, 240))
         .label_style(("sans-serif", 11))
         .draw()?;
-    let lines: [(&str, RGBColor, fn(&Frame) -> &Cost); 2] =
-        [("everything on", EVERYTHING, |f| &f.everything), ("planned", PLANNED, |f| &f.planned)];
-    for (label, color, cost) in lines {
-        let points = frames.iter().enumerate().map(|(i, f)| (i, of(cost(f))));
+    for (label, color, planned) in [("everything on", EVERYTHING, false), ("planned", PLANNED, true)] {
+        let points = frames.iter().enumerate();
+        let points = points.map(|(i, f)| (i, of(if planned { &f.planned } else { &f.everything })));
         chart
             .draw_series(LineSeries::new(points, color.stroke_width(2)))?
             .label(label)
