@@ -225,6 +225,51 @@ fn harmonics_are_the_references() {
     });
 }
 
+/// Light of the Earth's sky on level ground at ten elevations of the sun, against the f64 reference of all orders.
+#[test]
+fn ambient_light_is_the_references_at_ten_elevations() {
+    use std::f64::consts::PI;
+    let params = AtmosphereParams { sun_intensity: 1.0, ..AtmosphereParams::earth() };
+    let orders = Orders::solve(&params, Settings::QUICK.for_medium(&params), |_| {}).unwrap();
+    // Midpoints, denser around the sun's azimuth.
+    let (zeniths, azimuths) = (48, 24);
+    let truth = |elevation: f64| {
+        let mut sum = [0.0; 3];
+        for z in 0..zeniths {
+            let zenith = (f64::from(z) + 0.5) / f64::from(zeniths) * 0.5 * PI;
+            let ring = zenith.sin() * zenith.cos() * 0.5 * PI / f64::from(zeniths);
+            for a in 0..azimuths {
+                let v = (f64::from(a) + 0.5) / f64::from(azimuths);
+                let azimuth = PI * v * v;
+                // Both halves of the turn.
+                let weight = 2.0 * ring * 2.0 * PI * v / f64::from(azimuths);
+                let q = RayQuery::new(0.0, zenith, (90.0 - elevation).to_radians(), azimuth);
+                let l = orders.radiance(&q, Tolerance::PICTURE).unwrap().per_irradiance;
+                (0..3).for_each(|c| sum[c] += l[c] * weight);
+            }
+        }
+        sum
+    };
+    let elevations = [90.0, 60.0, 40.0, 25.0, 15.0, 8.0, 4.0, 1.0, -2.0, -5.0];
+    let wanted = elevations.map(truth);
+    on_both(|b| {
+        let light = sky_light(b, &params, LutSettings::MEDIUM);
+        println!(
+            "{}: sun, sky's irradiance of level ground per sunlight above the air, reference, off",
+            b.info().backend
+        );
+        for (elevation, want) in elevations.into_iter().zip(wanted) {
+            let got = light.ground_irradiance(elevation.to_radians().sin()).unwrap();
+            let off: [f64; 3] = std::array::from_fn(|c| got[c] / want[c] - 1.0);
+            let short = |v: [f64; 3]| v.map(|v| format!("{v:.3e}")).join(" ");
+            let off_percent = off.map(|v| format!("{:+.1}", 100.0 * v)).join(" ");
+            println!("{elevation:4}°   {}   {}   {off_percent} %", short(got), short(want));
+            let allowed = if elevation < 0.0 { 0.05 } else { 0.02 };
+            assert!(off.iter().all(|v| v.abs() < allowed), "{elevation}°: {off:?}");
+        }
+    });
+}
+
 #[test]
 fn physical_contexts_follow_altitude_and_sun() {
     on_both(|b| {

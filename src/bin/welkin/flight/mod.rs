@@ -26,16 +26,17 @@ use crate::views::{self, Place, View};
 /// Metres from the Earth's ground to the moon.
 const MOON: f64 = 3.84e8;
 /// Degrees of the sun by day and on the night side.
-const SUN: [f64; 2] = [30.0, -60.0];
-/// Shares of the flight: up by day, around, down by night.
-const LEGS: [f64; 3] = [0.45, 0.2, 0.35];
+const SUN: [f64; 2] = [20.0, -60.0];
+/// Shares of the flight: up by day, around, a look away from the planet, down by night.
+const LEGS: [f64; 4] = [0.4, 0.2, 0.1, 0.3];
 
 /// Options of `welkin flight`.
 #[derive(Args, Debug)]
 #[command(long_about = "\
 Fly from the ground to the moon's distance and around to the night side: what is drawn, why, and what it costs
 
-The camera rises from 2 m to 384,000 km by day, goes around to the night side and comes down there. For each frame: the \
+The camera rises from 2 m to 384,000 km by day, goes around to the night side, looks away from the planet for a moment \
+and comes down by night. For each frame: the \
 passes that the plan calls for, the pixels that they shade and their time on the GPU, beside the same with every effect \
 forced on. Then every switch of an effect with its reason, the slowest frame with pipelines made ahead and made when \
 they are first needed, and the largest change of a pixel by what was left out.")]
@@ -183,8 +184,13 @@ impl<'a> Flight<'a> {
                 up(t / LEGS[0], SUN[0])
             } else if t <= LEGS[0] + LEGS[1] {
                 up(1.0, SUN[0] + (SUN[1] - SUN[0]) * (t - LEGS[0]) / LEGS[1])
+            } else if t < 1.0 - LEGS[3] {
+                // Away and back.
+                let away = 1.0 - (2.0 * (t - LEGS[0] - LEGS[1]) / LEGS[2] - 1.0).abs();
+                let there = up(1.0, SUN[1]);
+                Moment { pitch: there.pitch + 90.0 * away, ..there }
             } else {
-                up((1.0 - t) / LEGS[2], SUN[1])
+                up((1.0 - t) / LEGS[3], SUN[1])
             }
         };
         (0..self.args.frames).map(moment).collect()
