@@ -9,6 +9,7 @@
 use glam::{DMat3, DVec2, DVec3};
 
 use crate::atmosphere::AtmosphereParams;
+use crate::eclipse::Moon;
 use crate::error::{Error, Result, direction, in_range};
 
 /// A pinhole camera. Metres and radians, in any right-handed frame.
@@ -245,6 +246,8 @@ pub struct Scene {
     pub sun_direction: DVec3,
     /// How the scene's depth is stored.
     pub depth: DepthConvention,
+    /// A moon that may hide the sun; the camera is outside of it.
+    pub moon: Option<Moon>,
 }
 
 /// A [`Scene`] checked and turned into the camera's zenith frame; still f64, metres.
@@ -269,6 +272,9 @@ impl Scene {
             for (axis, c) in ["x", "y", "z"].iter().zip(v.to_array()) {
                 in_range(format_args!("{name}.{axis}"), c, -1e15, 1e15, "m")?;
             }
+        }
+        if let Some(moon) = &self.moon {
+            moon.validate(self.camera.position)?;
         }
         let basis = self.camera.basis()?;
         let sun = direction("sun_direction", self.sun_direction)?;
@@ -333,6 +339,7 @@ mod tests {
             atmosphere: earth.clone(),
             sun_direction: turn * DVec3::new(1.0, 1.0, 0.5) * 7.0,
             depth: DepthConvention::default(),
+            moon: None,
         };
         let a = make(DVec3::ZERO, glam::DQuat::IDENTITY).validate().unwrap();
         let b = make(DVec3::new(1e9, -2e9, 3e9), glam::DQuat::from_rotation_x(1.0)).validate().unwrap();

@@ -154,6 +154,7 @@ pub fn frame(seed: u64, number: u64) -> Frame {
             atmosphere,
             sun_direction: turn * DVec3::new(sun.cos(), 0.0, sun.sin()) * [1.0, 1e-9, 1e9][rng.usize(0..3)],
             depth,
+            moon: None,
         },
         settings: SkySettings {
             enabled: true,
