@@ -36,7 +36,7 @@ pub fn limb_darkening(r: f64) -> [f64; 3] {
 pub struct Moon {
     /// Its centre in the scene's frame of reference, metres, |component| ≤ 1e15.
     pub position: DVec3,
-    /// Metres, 1 to 1e9.
+    /// Metres, 1 to 1e13.
     pub radius: f64,
     /// Least share of sunlight that reaches a point, 0 to 1; 0 is what physics says.
     pub floor: f64,
@@ -59,7 +59,7 @@ impl Moon {
         for (axis, c) in ["x", "y", "z"].iter().zip(self.position.to_array()) {
             in_range(format_args!("moon.position.{axis}"), c, -1e15, 1e15, "m")?;
         }
-        in_range("moon.radius", self.radius, 1.0, 1e9, "m")?;
+        in_range("moon.radius", self.radius, 1.0, 1e13, "m")?;
         in_range("moon.floor", self.floor, 0.0, 1.0, "")?;
         let distance = (self.position - camera).length();
         if distance <= self.radius {

@@ -93,6 +93,7 @@ fn query(scene: &Scene, [w, h]: [u32; 2], x: u32, y: u32) -> RayQuery {
         direction: view.basis.ray(ndc).normalize(),
         sun: view.sun,
         length: f64::INFINITY,
+        moon: None,
     }
 }
 

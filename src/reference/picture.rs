@@ -112,7 +112,13 @@ impl<'a> Painter<'a> {
             color = [cover * p.sun_intensity / (std::f64::consts::PI * chord * chord); 3];
         }
         if self.air {
-            let query = RayQuery { altitude: self.view.altitude, direction: dir, sun: self.view.sun, length: distance };
+            let query = RayQuery {
+                altitude: self.view.altitude,
+                direction: dir,
+                sun: self.view.sun,
+                length: distance,
+                moon: None,
+            };
             let s = single_scattering(p, &query, Sun::Point, Tolerance::PICTURE)?;
             color = std::array::from_fn(|c| color[c] * s.transmittance[c] + s.radiance[c]);
         }
