@@ -13,8 +13,8 @@ use crate::backend::{Backend, Format, RowOrder, TextureDesc, TextureId};
 use crate::passes::picture::{Drawn, PictureRenderer, PictureSettings};
 use crate::shaders::ToneMap;
 use crate::{
-    AtmosphereParams, Camera, DepthConvention, Error, Method, Mode, Pose, Quality, Result, Scene, SkySettings,
-    TerrainStyle,
+    AtmosphereParams, Bound, Camera, DepthConvention, EffectPlan, Error, Method, Mode, Pose, Quality, Result, Scene,
+    SkySettings, TerrainStyle,
 };
 
 impl From<Error> for JsValue {
@@ -364,10 +364,20 @@ impl Viewer {
         Ok(())
     }
 
+    /// What the view calls for: for each effect its name, `on` or `off`, and why.
+    pub fn plan(&self) -> std::result::Result<Vec<String>, JsValue> {
+        let bound = Some(Bound::eight_bit(self.settings.exposure));
+        let sky = SkySettings { foreground: self.terrain, bound, ..self.settings.sky };
+        let plan = EffectPlan::new(&self.scene()?, &sky, self.size)?;
+        let state = |on| if on { "on" } else { "off" };
+        Ok(plan.effects().iter().flat_map(|e| [e.name.into(), state(e.on).into(), e.reason.to_string()]).collect())
+    }
+
     /// Draws a frame and shows it.
     pub fn render(&mut self) -> std::result::Result<(), JsValue> {
         let scene = self.scene()?;
         self.settings.terrain = self.style();
+        self.settings.sky.bound = Some(Bound::eight_bit(self.settings.exposure));
         let mut canvas = self.canvas.borrow_mut();
         if let Some(reason) = canvas.lost() {
             return Err(Error::Lost { backend: canvas.info().backend, reason }.into());

@@ -139,7 +139,8 @@ impl PictureRenderer {
         display: Option<TextureId>,
     ) -> Result<(&[Pass], Drawn)> {
         scene.validate()?;
-        self.sky.set_settings(settings.sky)?;
+        let foreground = settings.sky.foreground && settings.terrain.is_some();
+        self.sky.set_settings(SkySettings { foreground, ..settings.sky })?;
         crate::error::in_range("exposure", settings.exposure, 0.0, 1e9, "")?;
         let sun_intensity = scene.atmosphere.sun_intensity;
         let scale = scale(settings.exposure, sun_intensity);
@@ -159,11 +160,17 @@ impl PictureRenderer {
             // Only terrain writes depth: an empty one stays so.
             clear_depth: (self.empty_depth != Some(background)).then_some(background),
         };
+        let mut light = None;
+        if settings.terrain.is_some() {
+            let (passes, found) = self.sky.ground_light(backend, scene, size)?;
+            self.passes.extend_from_slice(passes);
+            light = found;
+        }
         self.passes.extend_from_slice(self.sky.background(backend, scene, target)?);
         let drawn = self.passes.iter().any(|p| p.target.color == t.scene);
         let after = if drawn { Target { clear: None, clear_depth: None, ..target } } else { target };
         if let Some(terrain) = &settings.terrain {
-            self.passes.push(terrain.pass(backend, scene, after)?);
+            self.passes.push(terrain.pass(backend, scene, after, light)?);
         } else if !drawn {
             let (textures, uniform, depth) = (reads([]), Uniform::NONE, DepthUse::Always);
             self.passes.push(Pass { label: "clear", program: None, textures, uniform, target, depth });

@@ -51,10 +51,10 @@ pub(super) static PARTS: &[&str] = &[
 ];
 
 pub(super) static GLSL: &[Glsl] = &[
-    Glsl { name: "probe-geometry", vertex: &[164, 0], fragment: &[1, 4, 16, 11, 3, 12, 275, 114, 36, 106, 134, 216, 247, 249, 152, 262, 30, 33, 157, 143, 301, 296, 288, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-medium", vertex: &[164, 0], fragment: &[1, 285, 51, 281, 120, 192, 212, 140, 63, 293, 290, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-path", vertex: &[164, 0], fragment: &[1, 274, 114, 36, 106, 147, 51, 65, 120, 268, 200, 252, 294, 289, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-tables", vertex: &[164, 0], fragment: &[1, 4, 16, 11, 3, 18, 17, 8, 273, 114, 282, 283, 300, 309, 310, 286, 313, 271, 272, 284, 268, 265, 278, 279, 276, 302, 308, 246, 304, 280, 277, 303, 314, 312, 131, 298, 307, 295, 287, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-scatter_hg", vertex: &[164, 0], fragment: &[1, 4, 16, 11, 3, 12, 13, 274, 114, 36, 106, 134, 216, 247, 249, 153, 262, 30, 33, 158, 218, 147, 51, 80, 120, 268, 265, 299, 192, 212, 140, 311, 305, 297, 291, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-scatter_cs", vertex: &[164, 0], fragment: &[1, 4, 16, 11, 3, 12, 13, 274, 114, 36, 106, 134, 216, 247, 249, 153, 262, 30, 33, 158, 218, 147, 51, 80, 120, 268, 265, 299, 192, 212, 140, 63, 311, 306, 297, 292, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-geometry", vertex: &[174, 0], fragment: &[1, 4, 16, 11, 3, 12, 293, 122, 38, 114, 143, 231, 264, 266, 162, 280, 31, 34, 167, 152, 319, 314, 306, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-medium", vertex: &[174, 0], fragment: &[1, 303, 56, 299, 127, 206, 226, 149, 70, 311, 308, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-path", vertex: &[174, 0], fragment: &[1, 292, 122, 38, 114, 156, 56, 72, 127, 286, 214, 269, 312, 307, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-tables", vertex: &[174, 0], fragment: &[1, 4, 16, 11, 3, 18, 17, 8, 291, 122, 300, 301, 318, 327, 328, 304, 331, 289, 290, 302, 286, 283, 296, 297, 294, 320, 326, 263, 322, 298, 295, 321, 332, 330, 139, 316, 325, 313, 305, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-scatter_hg", vertex: &[174, 0], fragment: &[1, 4, 16, 11, 3, 12, 13, 292, 122, 38, 114, 143, 231, 264, 266, 163, 280, 31, 34, 168, 233, 156, 56, 87, 127, 286, 283, 317, 206, 226, 149, 329, 323, 315, 309, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-scatter_cs", vertex: &[174, 0], fragment: &[1, 4, 16, 11, 3, 12, 13, 292, 122, 38, 114, 143, 231, 264, 266, 163, 280, 31, 34, 168, 233, 156, 56, 87, 127, 286, 283, 317, 206, 226, 149, 70, 329, 324, 315, 310, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
 ];

@@ -9,6 +9,7 @@ mod draw;
 mod film;
 mod info;
 mod output;
+mod plan;
 mod progress;
 mod radiance;
 mod render;
@@ -48,6 +49,7 @@ fn run(cli: Cli) -> anyhow::Result<()> {
     match cli.command {
         Command::Render(args) => render::run(&args),
         Command::Film(args) => film::run(&args),
+        Command::Plan(args) => plan::run(&args),
         Command::Compare(args) => compare::run(&args),
         Command::Accuracy(args) => accuracy::run(&args),
         Command::Radiance(args) => radiance::run(&args),

@@ -112,6 +112,8 @@ uniform highp sampler2D _group_0_binding_3_fs;
 
 uniform highp sampler2D _group_0_binding_4_fs;
 
+uniform highp sampler2D _group_0_binding_5_fs;
+
 layout(location = 0) out vec4 _fs2p_location0;
 
 vec3 pixel_ray(vec2 pixel, vec2 size, vec3 forward, vec3 right, vec3 up) {
@@ -221,9 +223,11 @@ vec3 extinction(mat3x3 coefficients, vec3 d) {
     vec3 _e5 = sum;
     sum = (_e5 + (coefficients[0] * d.x));
     vec3 _e10 = sum;
-    sum = (_e10 + (coefficients[2] * d.z));
+    sum = (_e10 + (coefficients[1] * d.y));
     vec3 _e15 = sum;
-    return _e15;
+    sum = (_e15 + (coefficients[2] * d.z));
+    vec3 _e20 = sum;
+    return _e20;
 }
 
 Corner corner(vec2 at, ivec2 size_1) {
@@ -334,112 +338,113 @@ void main() {
     vec3 through = vec3(1.0);
     bool local_2 = false;
     ivec2 pixel_1 = ivec2(position.xy);
-    vec4 behind = vec4(0.0);
-    vec2 _e9 = _group_0_binding_0_fs.frame.size;
-    vec3 _e13 = _group_0_binding_0_fs.frame.ray_forward;
-    vec3 _e17 = _group_0_binding_0_fs.frame.ray_right;
-    vec3 _e21 = _group_0_binding_0_fs.frame.ray_up;
-    vec3 _e22 = pixel_ray(position.xy, _e9, _e13, _e17, _e21);
-    float ray_length_1 = length(_e22);
-    DepthCode _e27 = _group_0_binding_0_fs.frame.depth;
-    vec4 _e30 = texelFetch(_group_0_binding_1_fs, pixel_1, 0);
-    float _e32 = depth_distance(_e27, _e30.x, ray_length_1);
-    vec3 dir_2 = (_e22 / vec3(ray_length_1));
+    vec4 behind = texelFetch(_group_0_binding_1_fs, pixel_1, 0);
+    vec2 _e10 = _group_0_binding_0_fs.frame.size;
+    vec3 _e14 = _group_0_binding_0_fs.frame.ray_forward;
+    vec3 _e18 = _group_0_binding_0_fs.frame.ray_right;
+    vec3 _e22 = _group_0_binding_0_fs.frame.ray_up;
+    vec3 _e23 = pixel_ray(position.xy, _e10, _e14, _e18, _e22);
+    float ray_length_1 = length(_e23);
+    DepthCode _e28 = _group_0_binding_0_fs.frame.depth;
+    vec4 _e31 = texelFetch(_group_0_binding_2_fs, pixel_1, 0);
+    float _e33 = depth_distance(_e28, _e31.x, ray_length_1);
+    vec3 dir_2 = (_e23 / vec3(ray_length_1));
     float h_7 = _group_0_binding_0_fs.frame.altitude;
     float radius_9 = _group_0_binding_0_fs.frame.medium.radius;
     float thickness_5 = _group_0_binding_0_fs.frame.medium.thickness;
-    Line _e49 = line_past(dir_2, h_7, radius_9);
-    AirPath _e50 = air_path(_e49, h_7, radius_9, thickness_5);
-    if (_e49.ground) {
-        local = (_e50.length_ >= 0.0);
+    Line _e50 = line_past(dir_2, h_7, radius_9);
+    AirPath _e51 = air_path(_e50, h_7, radius_9, thickness_5);
+    if (_e50.ground) {
+        local = (_e51.length_ >= 0.0);
     } else {
         local = false;
     }
     bool ground_2 = local;
-    end = _e50.length_;
-    if ((_e32 >= 0.0)) {
-        float _e73 = _group_0_binding_0_fs.frame.pixel_angle;
-        float _e74 = scene_reach(_e50.start, _e50.length_, _e50.b, ground_2, _e32, radius_9, _e73);
-        end = _e74;
+    end = _e51.length_;
+    if ((_e33 >= 0.0)) {
+        float _e74 = _group_0_binding_0_fs.frame.pixel_angle;
+        float _e75 = scene_reach(_e51.start, _e51.length_, _e51.b, ground_2, _e33, radius_9, _e74);
+        end = _e75;
     } else {
         if (!(ground_2)) {
-            float _e79 = _group_0_binding_0_fs.frame.shell_weight;
-            weight = _e79;
-            float _e80 = weight;
-            dims = (_e80 >= 1.0);
+            float _e80 = _group_0_binding_0_fs.frame.shell_weight;
+            weight = _e80;
+            float _e81 = weight;
+            dims = (_e81 >= 1.0);
         }
     }
-    float _e83 = end;
-    if (!((_e83 <= 0.0))) {
-        float _e89 = weight;
-        local_1 = (_e89 <= 0.0);
+    float _e84 = end;
+    if (!((_e84 <= 0.0))) {
+        float _e90 = weight;
+        local_1 = (_e90 <= 0.0);
     } else {
         local_1 = true;
     }
-    bool _e93 = local_1;
-    if (_e93) {
+    bool _e94 = local_1;
+    if (_e94) {
         _fs2p_location0 = behind;
         return;
     }
-    float _e94 = azimuth_share(dir_2);
-    vec4 _e99 = _group_0_binding_0_fs.frame.limb;
-    float _e100 = zenith_share(_e49, dir_2.z, h_7, radius_9, thickness_5, _e99);
-    vec2 size_4 = vec2(uvec2(textureSize(_group_0_binding_2_fs, 0).xy));
-    float _e108 = _group_0_binding_0_fs.tables.ground_rows;
-    float _e109 = sky_row(_e100, ground_2, size_4.y, _e108);
-    vec2 _e110 = table_uv(_e94, _e109, size_4);
-    float scale_1 = (ground_2 ? _e50.length_ : 1.0);
-    vec4 _e117 = textureLod(_group_0_binding_2_fs, vec2(_e110), 0.0);
-    vec3 _e119 = fourth(_e117.xyz);
-    light = (_e119 * scale_1);
+    float _e95 = azimuth_share(dir_2);
+    vec4 _e100 = _group_0_binding_0_fs.frame.limb;
+    float _e101 = zenith_share(_e50, dir_2.z, h_7, radius_9, thickness_5, _e100);
+    vec2 size_4 = vec2(uvec2(textureSize(_group_0_binding_3_fs, 0).xy));
+    float _e109 = _group_0_binding_0_fs.tables.ground_rows;
+    float _e110 = sky_row(_e101, ground_2, size_4.y, _e109);
+    vec2 _e111 = table_uv(_e95, _e110, size_4);
+    float scale_1 = (ground_2 ? _e51.length_ : 1.0);
+    vec4 _e118 = textureLod(_group_0_binding_3_fs, vec2(_e111), 0.0);
+    vec3 _e120 = fourth(_e118.xyz);
+    light = (_e120 * scale_1);
     if (!(ground_2)) {
-        float _e128 = end;
-        local_2 = (_e128 >= _e50.length_);
+        float _e129 = end;
+        local_2 = (_e129 >= _e51.length_);
     } else {
         local_2 = false;
     }
-    bool _e132 = local_2;
-    if (_e132) {
-        bool _e133 = dims;
-        if (_e133) {
-            float _e137 = altitude_of(_e50.x, radius_9);
-            vec3 _e139 = columns_to_top(_group_0_binding_4_fs, radius_9, thickness_5, _e50.x, _e137, _e50.b);
-            vec3 _e144 = _group_0_binding_0_fs.frame.medium.rayleigh;
-            vec3 _e149 = _group_0_binding_0_fs.frame.medium.mie_extinction;
-            vec3 _e154 = _group_0_binding_0_fs.frame.medium.ozone;
-            mat3x3 medium = mat3x3(_e144, _e149, _e154);
-            vec3 _e156 = extinction(medium, _e139);
-            through = exp(-(_e156));
+    bool _e133 = local_2;
+    if (_e133) {
+        bool _e134 = dims;
+        if (_e134) {
+            float _e138 = altitude_of(_e51.x, radius_9);
+            vec3 _e140 = columns_to_top(_group_0_binding_5_fs, radius_9, thickness_5, _e51.x, _e138, _e51.b);
+            vec3 _e145 = _group_0_binding_0_fs.frame.medium.rayleigh;
+            vec3 _e150 = _group_0_binding_0_fs.frame.medium.mie_extinction;
+            vec3 _e155 = _group_0_binding_0_fs.frame.medium.ozone;
+            mat3x3 medium = mat3x3(_e145, _e150, _e155);
+            vec3 _e157 = extinction(medium, _e140);
+            through = exp(-(_e157));
         }
     } else {
-        uint _e162 = _group_0_binding_0_fs.tables.slices;
-        float slices = float(_e162);
-        vec2 table_3 = (vec2(uvec2(textureSize(_group_0_binding_3_fs, 0).xy)) / vec2(slices, 4.0));
-        float _e178 = _group_0_binding_0_fs.tables.air_ground_rows;
-        float _e179 = sky_row(_e100, ground_2, table_3.y, _e178);
-        vec2 texel_1 = vec2((_e94 * (table_3.x - 1.0)), _e179);
-        float low_3 = clamp(-(_e50.b), 0.0, _e50.length_);
-        float _e187 = unwarp(low_3, 0.0);
-        float _e188 = end;
-        float _e189 = unwarp(low_3, _e188);
-        float _e192 = unwarp(low_3, _e50.length_);
-        float at_3 = ((((_e189 - _e187) / (_e192 - _e187)) * slices) - 1.0);
-        float _e198 = end;
-        if ((_e198 < _e50.length_)) {
-            vec3 _e201 = light;
-            vec3 _e208 = air_between(_group_0_binding_3_fs, texel_1, at_3, (slices - 1.0), AIR_SMOOTH, table_3, 0.0);
-            light = (_e201 * _e208);
+        uint _e163 = _group_0_binding_0_fs.tables.slices;
+        float slices = float(_e163);
+        vec2 table_3 = (vec2(uvec2(textureSize(_group_0_binding_4_fs, 0).xy)) / vec2(slices, 4.0));
+        float _e179 = _group_0_binding_0_fs.tables.air_ground_rows;
+        float _e180 = sky_row(_e101, ground_2, table_3.y, _e179);
+        vec2 texel_1 = vec2((_e95 * (table_3.x - 1.0)), _e180);
+        float low_3 = clamp(-(_e51.b), 0.0, _e51.length_);
+        float _e188 = unwarp(low_3, 0.0);
+        float _e189 = end;
+        float _e190 = unwarp(low_3, _e189);
+        float _e193 = unwarp(low_3, _e51.length_);
+        float at_3 = ((((_e190 - _e188) / (_e193 - _e188)) * slices) - 1.0);
+        float _e199 = end;
+        if ((_e199 < _e51.length_)) {
+            vec3 _e202 = light;
+            vec3 _e209 = air_between(_group_0_binding_4_fs, texel_1, at_3, (slices - 1.0), AIR_SMOOTH, table_3, 0.0);
+            light = (_e202 * _e209);
         }
-        vec3 _e216 = air_between(_group_0_binding_3_fs, texel_1, at_3, (slices - 1.0), AIR_THROUGH, table_3, 1.0);
-        through = _e216;
+        vec3 _e217 = air_between(_group_0_binding_4_fs, texel_1, at_3, (slices - 1.0), AIR_THROUGH, table_3, 1.0);
+        through = _e217;
     }
-    vec3 _e217 = light;
-    vec3 _e222 = _group_0_binding_0_fs.frame.medium.irradiance;
-    float _e223 = weight;
-    light = (_e217 * (_e222 * _e223));
-    vec3 _e226 = light;
-    vec3 _e230 = through;
-    _fs2p_location0 = vec4(min(_e226, vec3(32000.0)), (1.0 - dot(_e230, vec3(0.33333334))));
+    vec3 _e218 = light;
+    vec3 _e223 = _group_0_binding_0_fs.frame.medium.irradiance;
+    float _e224 = weight;
+    light = (_e218 * (_e223 * _e224));
+    vec3 _e228 = through;
+    vec3 dimmed = (behind.xyz * _e228);
+    vec3 _e230 = light;
+    _fs2p_location0 = vec4((dimmed + min(_e230, max((vec3(32000.0) - dimmed), vec3(0.0)))), behind.w);
     return;
 }
 
