@@ -14,6 +14,7 @@
 //! #     atmosphere: earth,
 //! #     sun_direction: DVec3::X,
 //! #     depth: DepthConvention::default(),
+//! #     moon: None,
 //! # };
 //! // From orbit, looking away from the planet.
 //! let plan = EffectPlan::new(&scene, &SkySettings::default(), [960, 640])?;

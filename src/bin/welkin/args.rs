@@ -75,6 +75,8 @@ pub enum Command {
     Accuracy(AccuracyArgs),
     /// Run the shaders' functions on a million cases, against f64
     Stress(StressArgs),
+    /// Tell how much of the sun the moon hides above a place on Earth, and when
+    Eclipse(EclipseArgs),
     /// List the backends and adapters that can draw here
     Info,
     /// Translate shaders/wgsl/ to shaders/glsl/ (for work on welkin itself)
@@ -141,9 +143,57 @@ impl Command {
             Self::Accuracy(_) => "accuracy",
             Self::Compare(_) => "compare",
             Self::Stress(_) => "stress",
+            Self::Eclipse(_) => "eclipse",
             Self::Info => "info",
             Self::Shaders { .. } => "shaders",
         }
+    }
+}
+
+const ECLIPSE_DETAILS: &str = "\
+elevation, azimuth  of the disks' middles, without refraction; 0° is north, 90° east
+magnitude           share of the sun's diameter that is covered; where one disk lies within the other, the ratio
+                    of their diameters
+obscuration         share of the sun's disk that is covered
+sunlight            what is left of the sun's light, its edge being darker than its middle
+Contacts are for a moon without mountains: k = 0.2725076 for partial, 0.272281 for total and annular phases.
+Places are heights above the ellipsoid WGS 84. Times are good to a second or two from 1972 to the next leap second,
+beyond by as much as the Earth's turning was guessed wrong.
+
+Examples:
+  welkin eclipse --place 25.29,-104.14 --time 2024-04-08T18:17:16Z
+      The total eclipse over Nazas, Mexico
+  welkin eclipse --place 35.08,-106.65 --time 2023-10-14T12:00:00Z --json
+      The ring over Albuquerque, found from the morning on, for a program to read
+
+Exit status: 0 printed; 1 printing failed; 2 the request was not accepted.";
+
+/// Options of `welkin eclipse`.
+#[derive(Args, Debug)]
+#[command(after_long_help = ECLIPSE_DETAILS)]
+#[command(after_help = "What the numbers mean, and examples: welkin eclipse --help")]
+pub struct EclipseArgs {
+    /// Latitude north and longitude east in degrees, as in 25.3,-104.1
+    #[arg(long, value_name = "LAT,LON", allow_hyphen_values = true, value_parser = parse_place)]
+    place: Place,
+
+    /// Time in RFC 3339, years 1900 to 2099, as in 2024-04-08T18:17:16Z; the eclipse nearest to it, within 12 hours
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true, value_parser = parse_time)]
+    time: jiff::Timestamp,
+
+    /// Height above sea level: metres, or as in 2km
+    #[arg(long, value_name = "LENGTH", default_value = "0m", allow_hyphen_values = true, value_parser = parse_length)]
+    height: Length,
+
+    /// As JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+impl EclipseArgs {
+    /// Time, place and height in metres.
+    pub fn when_and_where(&self) -> (jiff::Timestamp, Place, f64) {
+        (self.time, self.place, self.height.metres)
     }
 }
 

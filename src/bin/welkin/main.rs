@@ -6,6 +6,8 @@ mod cache;
 mod choose;
 mod compare;
 mod draw;
+mod eclipse;
+mod ephemeris;
 mod film;
 mod info;
 mod output;
@@ -54,6 +56,7 @@ fn run(cli: Cli) -> anyhow::Result<()> {
         Command::Accuracy(args) => accuracy::run(&args),
         Command::Radiance(args) => radiance::run(&args),
         Command::Stress(args) => stress::run(&args),
+        Command::Eclipse(args) => eclipse::run(&args),
         Command::Info => info::run(),
         Command::Shaders { check, root } => shaders::run(&root, check),
     }
