@@ -11,6 +11,7 @@ use glam::DVec3;
 
 use crate::error::{Result, in_range};
 use crate::reference::quadrature::gauss_32;
+use crate::reference::ray_sphere_intersect;
 
 /// Exponents of the sun's limb darkening at 680, 550 and 440 nm: `I(μ) = I(1) μ^α`, μ the cosine of the angle to the
 /// photosphere's normal.
@@ -23,12 +24,27 @@ pub const LIMB_DARKENING: [f64; 3] = [0.397, 0.503, 0.652];
 /// The moon's mean radius, metres: k = 0.2725076 (IAU 1982) times the Earth's equatorial radius of 6378.137 km.
 pub const MOON_RADIUS: f64 = 0.272_507_6 * 6_378_137.0;
 
+/// The moon's geometric albedo, all channels alike: Allen's Astrophysical Quantities (4th ed., Cox 2000), table 12.1.
+pub const MOON_ALBEDO: f64 = 0.12;
+
 /// Brightness of the sun's disk over its mean, for 680, 550 and 440 nm, at `r` sun radii from its middle (0 to 1;
 /// clamped).
 pub fn limb_darkening(r: f64) -> [f64; 3] {
     let mu2 = ((1.0 - r) * (1.0 + r)).clamp(0.0, 1.0);
     // The mean of mu^a over the disk is 2 / (a + 2).
     LIMB_DARKENING.map(|a| (0.5 * a + 1.0) * mu2.powf(0.5 * a))
+}
+
+/// The mean of [`limb_darkening`] over a ring of radius `r` and half width `half`, sun radii.
+#[cfg(all(feature = "reference", not(target_arch = "wasm32")))]
+pub(crate) fn limb_darkening_of_ring(r: f64, half: f64) -> [f64; 3] {
+    let (inner, outer) = ((r - half).clamp(0.0, 1.0), (r + half).clamp(0.0, 1.0));
+    let area = (outer - inner) * (outer + inner);
+    if area < 1e-6 {
+        return limb_darkening(0.5 * (inner + outer));
+    }
+    let outside = |r: f64, a: f64| ((1.0 - r) * (1.0 + r)).powf(0.5 * a + 1.0);
+    LIMB_DARKENING.map(|a| (outside(inner, a) - outside(outer, a)) / area)
 }
 
 /// A moon: a sphere that hides the sun.
@@ -40,27 +56,31 @@ pub struct Moon {
     pub radius: f64,
     /// Least share of sunlight that reaches a point, 0 to 1; 0 is what physics says.
     pub floor: f64,
+    /// Light that the planet throws on the moon's side towards the camera, per sunlight there; 0 to 1, and 0 to leave it out.
+    /// The Earth's is some 1e-4 at new moon.
+    pub earthshine: f64,
     /// Whether the share counts the sun's edge as darker than its middle ([`LIMB_DARKENING`]); otherwise all of
     /// the disk counts the same.
     pub limb_darkening: bool,
 }
 
 impl Moon {
-    /// A moon with physical light: no floor, a sun with limb darkening. Metres.
+    /// A moon with physical light: no floor, a sun with limb darkening; no earthshine. Metres.
     pub fn new(position: DVec3, radius: f64) -> Self {
-        Self { position, radius, floor: 0.0, limb_darkening: true }
+        Self { position, radius, floor: 0.0, earthshine: 0.0, limb_darkening: true }
     }
 
     /// Checks the ranges, and that `camera` (same frame, metres) is outside of it.
     ///
     /// # Errors
-    /// [`crate::Error::Invalid`] with `moon.position`, `moon.radius` or `moon.floor`.
+    /// [`crate::Error::Invalid`] with `moon.position`, `moon.radius`, `moon.floor` or `moon.earthshine`.
     pub fn validate(&self, camera: DVec3) -> Result<()> {
         for (axis, c) in ["x", "y", "z"].iter().zip(self.position.to_array()) {
             in_range(format_args!("moon.position.{axis}"), c, -1e15, 1e15, "m")?;
         }
         in_range("moon.radius", self.radius, 1.0, 1e13, "m")?;
         in_range("moon.floor", self.floor, 0.0, 1.0, "")?;
+        in_range("moon.earthshine", self.earthshine, 0.0, 1.0, "")?;
         let distance = (self.position - camera).length();
         if distance <= self.radius {
             return Err(crate::Error::invalid(
@@ -93,6 +113,18 @@ impl Moon {
             None => [0.0; 3],
         };
         share.map(|v| v.max(self.floor))
+    }
+
+    /// Radiance of its disk per unit of the sun's irradiance, 1/sr, where a ray from `camera` meets it, and `None` where it
+    /// does not. direction, sun: unit. After Lommel and Seeliger (see `moon.wgsl`), with [`MOON_ALBEDO`].
+    pub fn radiance(&self, camera: DVec3, direction: DVec3, sun: DVec3) -> Option<f64> {
+        let (near, _) = ray_sphere_intersect(camera, direction, self.position, self.radius)?;
+        if near < 0.0 {
+            return None;
+        }
+        let normal = (camera + direction * near - self.position) / self.radius;
+        let (mu, mu0) = (-normal.dot(direction), normal.dot(sun).max(0.0));
+        Some(MOON_ALBEDO / PI * (2.0 * mu0 / (mu0 + mu.max(1e-4)) + self.earthshine))
     }
 
     /// Where along a ray (metres from `origin`, ascending) the share of sunlight may bend: on the edges of umbra and penumbra.
@@ -231,8 +263,10 @@ impl Disks {
 /// Half the arc of a circle of radius `own` that lies in a circle of radius `other`, `apart` away, and what of
 /// half a turn is left. Kahan's form for a triangle's angle by its sides.
 fn half_angle(own: f64, apart: f64, other: f64) -> (f64, f64) {
-    let opposite = ((other - own + apart) * (other + own - apart)).max(0.0).sqrt();
-    let adjacent = ((own + apart - other) * (own + apart + other)).max(0.0).sqrt();
+    // The difference of the radii first: it is exact where they are alike.
+    let more = other - own;
+    let opposite = ((more + apart) * (other + own - apart)).max(0.0).sqrt();
+    let adjacent = ((apart - more) * (own + apart + other)).max(0.0).sqrt();
     (2.0 * opposite.atan2(adjacent), 2.0 * adjacent.atan2(opposite))
 }
 

@@ -38,7 +38,7 @@ use crate::atmosphere::{AtmosphereParams, MiePhase};
 use crate::error::{Result, in_range, short};
 use crate::passes::lut::LutSettings;
 use crate::passes::sky::{Composition, Method, SkySettings, background_weight};
-use crate::passes::sun::{SunPlan, rectangle};
+use crate::passes::sun::{DiskPlan, rectangle};
 use crate::shaders::{Constituents, Program};
 use crate::view::{Scene, ZenithView};
 
@@ -185,10 +185,11 @@ enum Name {
     Tables,
     Slices,
     SunDisk,
+    MoonDisk,
     Reduced,
 }
 
-const NAMES: [&str; 13] = [
+const NAMES: [&str; 14] = [
     "atmosphere",
     "rayleigh",
     "mie",
@@ -201,6 +202,7 @@ const NAMES: [&str; 13] = [
     "sky tables",
     "air table",
     "sun disk",
+    "moon disk",
     "reduced resolution",
 ];
 
@@ -213,7 +215,9 @@ pub struct EffectPlan {
     /// Whether it is drawn smaller and brought to full size.
     pub(crate) reduced: bool,
     /// Draws the sun's disk.
-    pub(crate) sun: Option<SunPlan>,
+    pub(crate) sun: Option<DiskPlan>,
+    /// Draws the moon's disk.
+    pub(crate) moon: Option<DiskPlan>,
     /// Draws the air before the scene.
     pub(crate) before: Option<Program>,
     pub(crate) tables: Option<TablePlan>,
@@ -256,6 +260,7 @@ impl EffectPlan {
             background: None,
             reduced: false,
             sun: None,
+            moon: None,
             before: None,
             tables: None,
             sky_weight: match settings.composition {
@@ -267,6 +272,7 @@ impl EffectPlan {
         };
         plan.set(Name::Reduced, false, Reason::of("no sky to draw smaller"));
         let sun = plan.sun_disk(p, view, settings, &sight, size);
+        let moon = plan.moon_disk(p, view, settings, &sight, size);
         let all = Constituents::of(p);
         let why_not = if !settings.enabled {
             Some("switched off")
@@ -285,7 +291,7 @@ impl EffectPlan {
             None => plan.constituents(p, settings, &sight, all, sun.is_some()),
         };
         if settings.enabled {
-            plan.passes_for(p, view, settings, &sight, air, sun);
+            plan.passes_for(p, view, settings, &sight, air, [sun, moon]);
         }
         plan
     }
@@ -325,6 +331,40 @@ impl EffectPlan {
             (true, "in the picture")
         };
         self.set(Name::SunDisk, on, Reason::of(text));
+        rect.filter(|_| on)
+    }
+
+    /// Where in the picture the moon's disk is drawn.
+    fn moon_disk(
+        &mut self,
+        p: &AtmosphereParams,
+        view: &ZenithView,
+        settings: &SkySettings,
+        sight: &Sight,
+        size: [u32; 2],
+    ) -> Option<[f64; 4]> {
+        let Some(moon) = view.moon else {
+            self.set(Name::MoonDisk, false, Reason::of("the scene has none"));
+            return None;
+        };
+        let distance = moon.position.length();
+        let towards = moon.position / distance;
+        let radius = (moon.radius / distance).min(1.0).asin() + view.basis.up.length() / f64::from(size[1].max(1));
+        let rect = rectangle(&view.basis, towards, radius, size);
+        let (on, text) = if !settings.enabled {
+            (false, "switched off")
+        } else if p.sun_intensity <= 0.0 {
+            (false, "the sun is dark")
+        } else if rect.is_none() {
+            (false, "outside the picture")
+        } else if settings.bound.is_none() {
+            (true, "nothing is to be left out")
+        } else if sight.hides(towards, radius) {
+            (false, "behind the planet")
+        } else {
+            (true, "in the picture")
+        };
+        self.set(Name::MoonDisk, on, Reason::of(text));
         rect.filter(|_| on)
     }
 
@@ -418,7 +458,7 @@ impl EffectPlan {
         settings: &SkySettings,
         sight: &Sight,
         air: Constituents,
-        sun: Option<[f64; 4]>,
+        [sun, moon]: [Option<[f64; 4]>; 2],
     ) {
         let all = settings.bound.is_none();
         let sky = air.any() && (all || sight.sky);
@@ -483,7 +523,13 @@ impl EffectPlan {
             self.background = Some(program);
         }
         let dims = Constituents { dark: false, ..behind_air.without_phase() };
-        self.sun = sun.map(|rect| SunPlan { program: Program::Sun { air: dims }, rect });
+        let hidden = view.moon.is_some_and(|moon| {
+            let disks = moon.disks(glam::DVec3::ZERO, view.sun, p.sun_angular_radius);
+            disks.is_some_and(|d| d.apart < d.sun + d.moon + MARGIN)
+        });
+        let program = Program::Sun { air: dims, limb: settings.limb_darkening, moon: hidden };
+        self.sun = sun.map(|rect| DiskPlan { label: "sun", program, rect });
+        self.moon = moon.map(|rect| DiskPlan { label: "moon", program: Program::Moon { air: dims }, rect });
         if shell || aerial {
             let blend = composition == Composition::Planet;
             let lut = Program::AerialLut { mie: haze, blend };
@@ -550,8 +596,8 @@ impl EffectPlan {
                 add("upsample sky", Some(Program::Upsample), Runs::PerFrame, 1);
             }
         }
-        if let Some(sun) = self.sun {
-            add("sun", Some(sun.program), Runs::PerFrame, 1);
+        for disk in [self.sun, self.moon].into_iter().flatten() {
+            add(disk.label, Some(disk.program), Runs::PerFrame, 1);
         }
         if let Some(program) = self.before {
             let blend = matches!(program, Program::Aerial { blend: true, .. } | Program::AerialLut { blend: true, .. });

@@ -261,6 +261,8 @@ pub struct ZenithView {
     pub basis: RayBasis,
     /// Towards the sun: (sin, 0, cos) of its zenith angle at the camera.
     pub sun: DVec3,
+    /// The scene's moon, its position from the camera.
+    pub moon: Option<Moon>,
 }
 
 impl Scene {
@@ -298,6 +300,7 @@ impl Scene {
             altitude: r - self.atmosphere.planet_radius,
             basis: RayBasis { forward: rows * basis.forward, right: rows * basis.right, up: rows * basis.up },
             sun: rows * sun,
+            moon: self.moon.map(|m| Moon { position: rows * (m.position - self.camera.position), ..m }),
         })
     }
 }

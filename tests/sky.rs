@@ -22,6 +22,7 @@ const FINE: SkySettings = SkySettings {
     method: Method::Single { view_samples: 256, light_samples: 64 },
     render_scale: 1.0,
     sun_disk: false,
+    limb_darkening: false,
     foreground: true,
     bound: Some(Bound::LINEAR),
 };
