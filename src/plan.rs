@@ -35,6 +35,7 @@ use std::f64::consts::PI;
 use std::fmt;
 
 use crate::atmosphere::{AtmosphereParams, MiePhase};
+use crate::eclipse::{Disks, Phase};
 use crate::error::{Result, in_range, short};
 use crate::passes::lut::LutSettings;
 use crate::passes::sky::{Composition, Method, SkySettings, background_weight};
@@ -327,6 +328,8 @@ impl EffectPlan {
             (true, "nothing is to be left out")
         } else if sight.hides(view.sun, radius) {
             (false, "behind the planet")
+        } else if disks(p, view).is_some_and(|d| d.phase() == Phase::Total) {
+            (false, "behind the moon")
         } else {
             (true, "in the picture")
         };
@@ -523,13 +526,12 @@ impl EffectPlan {
             self.background = Some(program);
         }
         let dims = Constituents { dark: false, ..behind_air.without_phase() };
-        let hidden = view.moon.is_some_and(|moon| {
-            let disks = moon.disks(glam::DVec3::ZERO, view.sun, p.sun_angular_radius);
-            disks.is_some_and(|d| d.apart < d.sun + d.moon + MARGIN)
-        });
+        let disks = disks(p, view);
+        let share = disks.map_or(1.0, |d| d.visible());
+        let hidden = disks.is_some_and(|d| d.apart < d.sun + d.moon + MARGIN);
         let program = Program::Sun { air: dims, limb: settings.limb_darkening, moon: hidden };
-        self.sun = sun.map(|rect| DiskPlan { label: "sun", program, rect });
-        self.moon = moon.map(|rect| DiskPlan { label: "moon", program: Program::Moon { air: dims }, rect });
+        self.sun = sun.map(|rect| DiskPlan { label: "sun", program, rect, share });
+        self.moon = moon.map(|rect| DiskPlan { label: "moon", program: Program::Moon { air: dims }, rect, share });
         if shell || aerial {
             let blend = composition == Composition::Planet;
             let lut = Program::AerialLut { mie: haze, blend };
@@ -605,6 +607,11 @@ impl EffectPlan {
         }
         passes
     }
+}
+
+/// The disks of sun and moon as the camera sees them.
+fn disks(p: &AtmosphereParams, view: &ZenithView) -> Option<Disks> {
+    view.moon?.disks(glam::DVec3::ZERO, view.sun, p.sun_angular_radius)
 }
 
 /// What part of a bound something uses up.

@@ -283,8 +283,12 @@ fn the_moon_hides_the_drawn_sun() {
                 assert!((dark[c] - shares[c]).abs() < 5e-3, "{size} {apart} {c}: {dark:?} {shares:?}");
             }
             if share == 0.0 {
-                assert!(flat[1] < 1e-6, "{flat:?}");
+                assert!(flat == [0.0; 3], "{flat:?}");
             }
+            // Of a pixel or two.
+            let coarse = irradiance(&background(b, &scene, BARE, 3), 0.6, 3);
+            let whole = irradiance(&background(b, &view.scene(), BARE, 3), 0.6, 3);
+            assert!((coarse[1] - share * whole[1]).abs() < 0.02, "{size} {apart}: {coarse:?} {share} of {whole:?}");
         }
     });
 }
@@ -353,12 +357,17 @@ fn without_a_moon_there_is_nothing_of_it() {
     let labels = |scene: &Scene| plan(scene).passes().iter().map(|p| p.program.map(|p| p.name())).collect::<Vec<_>>();
     assert!(labels(&scene).iter().flatten().all(|name| !name.contains("moon")));
     let towards = |direction: DVec3| Some(Moon::new(scene.camera.position + direction * DISTANCE, MOON_RADIUS));
-    let [behind, before, beside] = [-scene.sun_direction, scene.sun_direction, scene.camera.up].map(towards);
-    for (moon, drawn, hides) in [(behind, false, false), (before, true, true), (beside, false, false)] {
+    let (sun, up) = (scene.sun_direction, scene.camera.up);
+    let [behind, total, partial, beside] = [-sun, sun, sun + up * 2e-3, up].map(towards);
+    for (moon, drawn, hides) in
+        [(behind, false, false), (total, true, false), (partial, true, true), (beside, false, false)]
+    {
         scene.moon = moon;
         let names: Vec<_> = labels(&scene).into_iter().flatten().collect();
         assert_eq!(names.iter().any(|n| n.starts_with("moon")), drawn, "{names:?}");
         assert_eq!(names.iter().any(|n| n.starts_with("sun") && n.ends_with("-moon")), hides, "{names:?}");
+        // All of the sun behind the moon: no pass for it.
+        assert_eq!(names.iter().any(|n| n.starts_with("sun")), moon != total, "{names:?}");
     }
     scene.moon = Some(Moon { radius: 1e9, ..Moon::new(scene.camera.position + DVec3::X * DISTANCE, 1.0) });
     let error = EffectPlan::new(&scene, &SkySettings::default(), [64, 64]).unwrap_err().to_string();

@@ -71,6 +71,10 @@ float disk_coverage(vec3 offset, float chord, float pixel_1) {
     return clamp((((chord - length(offset)) / pixel_1) + 0.5), 0.0, 1.0);
 }
 
+float resolved(float chord_1, float pixel_2) {
+    return smoothstep(1.0, 4.0, (chord_1 / pixel_2));
+}
+
 float excess_of(float h, float radius) {
     return (h * ((2.0 * radius) + h));
 }
@@ -141,18 +145,21 @@ void main() {
     vec3 _e33 = light;
     vec3 _e44 = limb_darkening((length((dir_1 - f.sun)) / f.sun_chord), ((0.5 * f.pixel_angle) / f.sun_chord));
     light = (_e33 * _e44);
-    vec3 _e46 = light;
-    vec4 _e49 = _group_0_binding_0_fs.moon;
-    float _e55 = _group_0_binding_0_fs.shine.x;
-    float _e57 = disk_coverage((dir_1 - _e49.xyz), _e55, f.pixel_angle);
-    light = (_e46 * (1.0 - _e57));
-    vec3 _e61 = light;
-    light = min(_e61, vec3(32000.0));
-    vec3 _e65 = light;
-    float _e67 = light.x;
-    float _e69 = light.y;
-    float _e71 = light.z;
-    _fs2p_location0 = vec4(_e65, (max(_e67, max(_e69, _e71)) * 3.125e-5));
+    vec4 _e48 = _group_0_binding_0_fs.moon;
+    float _e54 = _group_0_binding_0_fs.shine.x;
+    float _e56 = disk_coverage((dir_1 - _e48.xyz), _e54, f.pixel_angle);
+    float left = (1.0 - _e56);
+    vec3 _e59 = light;
+    float _e63 = _group_0_binding_0_fs.shine.w;
+    float _e66 = resolved(f.sun_chord, f.pixel_angle);
+    light = (_e59 * mix(_e63, left, _e66));
+    vec3 _e69 = light;
+    light = min(_e69, vec3(32000.0));
+    vec3 _e73 = light;
+    float _e75 = light.x;
+    float _e77 = light.y;
+    float _e79 = light.z;
+    _fs2p_location0 = vec4(_e73, (max(_e75, max(_e77, _e79)) * 3.125e-5));
     return;
 }
 

@@ -71,6 +71,10 @@ float disk_coverage(vec3 offset, float chord, float pixel_1) {
     return clamp((((chord - length(offset)) / pixel_1) + 0.5), 0.0, 1.0);
 }
 
+float resolved(float chord_1, float pixel_2) {
+    return smoothstep(1.0, 4.0, (chord_1 / pixel_2));
+}
+
 float excess_of(float h, float radius) {
     return (h * ((2.0 * radius) + h));
 }
@@ -119,18 +123,21 @@ void main() {
         discard;
     }
     light = (m.irradiance * (f.sun_disk * _e19));
-    vec3 _e33 = light;
-    vec4 _e36 = _group_0_binding_0_fs.moon;
-    float _e42 = _group_0_binding_0_fs.shine.x;
-    float _e44 = disk_coverage((dir_1 - _e36.xyz), _e42, f.pixel_angle);
-    light = (_e33 * (1.0 - _e44));
-    vec3 _e48 = light;
-    light = min(_e48, vec3(32000.0));
-    vec3 _e52 = light;
-    float _e54 = light.x;
-    float _e56 = light.y;
-    float _e58 = light.z;
-    _fs2p_location0 = vec4(_e52, (max(_e54, max(_e56, _e58)) * 3.125e-5));
+    vec4 _e35 = _group_0_binding_0_fs.moon;
+    float _e41 = _group_0_binding_0_fs.shine.x;
+    float _e43 = disk_coverage((dir_1 - _e35.xyz), _e41, f.pixel_angle);
+    float left = (1.0 - _e43);
+    vec3 _e46 = light;
+    float _e50 = _group_0_binding_0_fs.shine.w;
+    float _e53 = resolved(f.sun_chord, f.pixel_angle);
+    light = (_e46 * mix(_e50, left, _e53));
+    vec3 _e56 = light;
+    light = min(_e56, vec3(32000.0));
+    vec3 _e60 = light;
+    float _e62 = light.x;
+    float _e64 = light.y;
+    float _e66 = light.z;
+    _fs2p_location0 = vec4(_e60, (max(_e62, max(_e64, _e66)) * 3.125e-5));
     return;
 }
 

@@ -77,6 +77,10 @@ float disk_coverage(vec3 offset, float chord, float pixel_1) {
     return clamp((((chord - length(offset)) / pixel_1) + 0.5), 0.0, 1.0);
 }
 
+float resolved(float chord_1, float pixel_2) {
+    return smoothstep(1.0, 4.0, (chord_1 / pixel_2));
+}
+
 float altitude_of(float x, float radius) {
     return (x / (radius + sqrt(max(((radius * radius) + x), 0.0))));
 }
@@ -260,27 +264,30 @@ void main() {
     vec3 _e33 = light;
     vec3 _e44 = limb_darkening((length((dir_1 - f.sun)) / f.sun_chord), ((0.5 * f.pixel_angle) / f.sun_chord));
     light = (_e33 * _e44);
-    vec3 _e46 = light;
-    vec4 _e49 = _group_0_binding_0_fs.moon;
-    float _e55 = _group_0_binding_0_fs.shine.x;
-    float _e57 = disk_coverage((dir_1 - _e49.xyz), _e55, f.pixel_angle);
-    light = (_e46 * (1.0 - _e57));
-    AirPath _e64 = air_path(_e14, f.altitude, m_2.radius, m_2.thickness);
-    if ((_e64.length_ > 0.0)) {
-        vec3 _e68 = light;
-        mat3x3 _e69 = coefficients_of(m_2);
-        vec4 _e70 = layers_of(m_2);
-        vec3 _e76 = path_densities(_e70, m_2.radius, _e64.x, _e64.b, _e64.length_, STEPS);
-        vec3 _e77 = extinction(_e69, _e76);
-        light = (_e68 * exp(-(_e77)));
+    vec4 _e48 = _group_0_binding_0_fs.moon;
+    float _e54 = _group_0_binding_0_fs.shine.x;
+    float _e56 = disk_coverage((dir_1 - _e48.xyz), _e54, f.pixel_angle);
+    float left = (1.0 - _e56);
+    vec3 _e59 = light;
+    float _e63 = _group_0_binding_0_fs.shine.w;
+    float _e66 = resolved(f.sun_chord, f.pixel_angle);
+    light = (_e59 * mix(_e63, left, _e66));
+    AirPath _e72 = air_path(_e14, f.altitude, m_2.radius, m_2.thickness);
+    if ((_e72.length_ > 0.0)) {
+        vec3 _e76 = light;
+        mat3x3 _e77 = coefficients_of(m_2);
+        vec4 _e78 = layers_of(m_2);
+        vec3 _e84 = path_densities(_e78, m_2.radius, _e72.x, _e72.b, _e72.length_, STEPS);
+        vec3 _e85 = extinction(_e77, _e84);
+        light = (_e76 * exp(-(_e85)));
     }
-    vec3 _e81 = light;
-    light = min(_e81, vec3(32000.0));
-    vec3 _e85 = light;
-    float _e87 = light.x;
-    float _e89 = light.y;
-    float _e91 = light.z;
-    _fs2p_location0 = vec4(_e85, (max(_e87, max(_e89, _e91)) * 3.125e-5));
+    vec3 _e89 = light;
+    light = min(_e89, vec3(32000.0));
+    vec3 _e93 = light;
+    float _e95 = light.x;
+    float _e97 = light.y;
+    float _e99 = light.z;
+    _fs2p_location0 = vec4(_e93, (max(_e95, max(_e97, _e99)) * 3.125e-5));
     return;
 }
 

@@ -77,6 +77,10 @@ float disk_coverage(vec3 offset, float chord, float pixel_1) {
     return clamp((((chord - length(offset)) / pixel_1) + 0.5), 0.0, 1.0);
 }
 
+float resolved(float chord_1, float pixel_2) {
+    return smoothstep(1.0, 4.0, (chord_1 / pixel_2));
+}
+
 float altitude_of(float x, float radius) {
     return (x / (radius + sqrt(max(((radius * radius) + x), 0.0))));
 }
@@ -241,27 +245,30 @@ void main() {
         discard;
     }
     light = (m_2.irradiance * (f.sun_disk * _e19));
-    vec3 _e33 = light;
-    vec4 _e36 = _group_0_binding_0_fs.moon;
-    float _e42 = _group_0_binding_0_fs.shine.x;
-    float _e44 = disk_coverage((dir_1 - _e36.xyz), _e42, f.pixel_angle);
-    light = (_e33 * (1.0 - _e44));
-    AirPath _e51 = air_path(_e14, f.altitude, m_2.radius, m_2.thickness);
-    if ((_e51.length_ > 0.0)) {
-        vec3 _e55 = light;
-        mat3x3 _e56 = coefficients_of(m_2);
-        vec4 _e57 = layers_of(m_2);
-        vec3 _e63 = path_densities(_e57, m_2.radius, _e51.x, _e51.b, _e51.length_, STEPS);
-        vec3 _e64 = extinction(_e56, _e63);
-        light = (_e55 * exp(-(_e64)));
+    vec4 _e35 = _group_0_binding_0_fs.moon;
+    float _e41 = _group_0_binding_0_fs.shine.x;
+    float _e43 = disk_coverage((dir_1 - _e35.xyz), _e41, f.pixel_angle);
+    float left = (1.0 - _e43);
+    vec3 _e46 = light;
+    float _e50 = _group_0_binding_0_fs.shine.w;
+    float _e53 = resolved(f.sun_chord, f.pixel_angle);
+    light = (_e46 * mix(_e50, left, _e53));
+    AirPath _e59 = air_path(_e14, f.altitude, m_2.radius, m_2.thickness);
+    if ((_e59.length_ > 0.0)) {
+        vec3 _e63 = light;
+        mat3x3 _e64 = coefficients_of(m_2);
+        vec4 _e65 = layers_of(m_2);
+        vec3 _e71 = path_densities(_e65, m_2.radius, _e59.x, _e59.b, _e59.length_, STEPS);
+        vec3 _e72 = extinction(_e64, _e71);
+        light = (_e63 * exp(-(_e72)));
     }
-    vec3 _e68 = light;
-    light = min(_e68, vec3(32000.0));
-    vec3 _e72 = light;
-    float _e74 = light.x;
-    float _e76 = light.y;
-    float _e78 = light.z;
-    _fs2p_location0 = vec4(_e72, (max(_e74, max(_e76, _e78)) * 3.125e-5));
+    vec3 _e76 = light;
+    light = min(_e76, vec3(32000.0));
+    vec3 _e80 = light;
+    float _e82 = light.x;
+    float _e84 = light.y;
+    float _e86 = light.z;
+    _fs2p_location0 = vec4(_e80, (max(_e82, max(_e84, _e86)) * 3.125e-5));
     return;
 }
 

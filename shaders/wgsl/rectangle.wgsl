@@ -5,7 +5,7 @@ struct Uniforms {
     frame: Frame,
     rect: vec4f,   // the rectangle's left, bottom, right, top in the picture, -1 to 1
     moon: vec4f,   // towards the moon's middle, unit; sine of its angular radius
-    shine: vec4f,  // chord of the moon's angular radius; its albedo over pi; earthshine per unit of sunlight; 0
+    shine: vec4f,  // chord of the moon's angular radius; its albedo over pi; earthshine per unit of sunlight; share of the sun left
 }
 
 @group(0) @binding(0) var<uniform> uniforms: Uniforms;

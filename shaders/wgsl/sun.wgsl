@@ -21,7 +21,8 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     light *= limb_darkening(length(dir - f.sun) / f.sun_chord, 0.5 * f.pixel_angle / f.sun_chord);
     //#endif
     //#if MOON
-    light *= 1.0 - disk_coverage(dir - uniforms.moon.xyz, uniforms.shine.x, f.pixel_angle);
+    let left = 1.0 - disk_coverage(dir - uniforms.moon.xyz, uniforms.shine.x, f.pixel_angle);
+    light *= mix(uniforms.shine.w, left, resolved(f.sun_chord, f.pixel_angle));
     //#endif
     //#if AIR
     let path = air_path(line, f.altitude, m.radius, m.thickness);

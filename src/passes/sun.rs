@@ -54,6 +54,8 @@ pub(crate) struct DiskPlan {
     pub program: Program,
     /// As `rectangle` gives it.
     pub rect: [f64; 4],
+    /// Share of the sun's disk that the moon leaves.
+    pub share: f64,
 }
 
 /// The pass that draws a disk.
@@ -74,7 +76,7 @@ pub(crate) fn disk_pass(
         moon = [towards.x, towards.y, towards.z, sine];
         // 2 sin(a / 2) of sin a, without a difference of cosines.
         let chord = (2.0 * sine * sine / (1.0 + (1.0 - sine * sine).max(0.0).sqrt())).sqrt();
-        shine = [chord, MOON_ALBEDO / std::f64::consts::PI, m.earthshine, 0.0];
+        shine = [chord, MOON_ALBEDO / std::f64::consts::PI, m.earthshine, plan.share];
     }
     let [rect, moon, shine] = [rect, moon, shine].map(|v| v.map(|v| v as f32));
     let uniform = DiskUniform { frame: *frame, rect, moon, shine };

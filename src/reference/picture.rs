@@ -111,8 +111,14 @@ impl<'a> Painter<'a> {
             let chord = 2.0 * (0.5 * p.sun_angular_radius).sin();
             let cover = ((chord - (dir - self.view.sun).length()) / self.pixel_angle + 0.5).clamp(0.0, 1.0);
             let full = cover * p.sun_intensity / (std::f64::consts::PI * chord * chord);
-            let hidden = self.view.moon.map_or(0.0, |m| self.moon_cover(&m, dir));
-            color = [full * (1.0 - hidden); 3];
+            let left = self.view.moon.map_or(1.0, |m| {
+                // A small disk's edges and the moon's share pixels: then the share of the whole disk counts.
+                let whole = m.disks(DVec3::ZERO, self.view.sun, p.sun_angular_radius).map_or(1.0, |d| d.visible());
+                let t = ((chord / self.pixel_angle - 1.0) / 3.0).clamp(0.0, 1.0);
+                let own = 1.0 - self.moon_cover(&m, dir);
+                if whole > 0.0 { whole + (own - whole) * t * t * (3.0 - 2.0 * t) } else { 0.0 }
+            });
+            color = [full * left; 3];
             if self.settings.sky.limb_darkening {
                 let r = (dir - self.view.sun).length() / chord;
                 let brightness = limb_darkening_of_ring(r, 0.5 * self.pixel_angle / chord);

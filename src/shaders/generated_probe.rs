@@ -60,11 +60,11 @@ pub(super) static PARTS: &[&str] = &[
 ];
 
 pub(super) static GLSL: &[Glsl] = &[
-    Glsl { name: "probe-geometry", vertex: &[180, 0], fragment: &[1, 4, 16, 11, 3, 12, 307, 123, 39, 115, 144, 245, 278, 280, 167, 294, 32, 35, 173, 153, 340, 332, 323, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-medium", vertex: &[180, 0], fragment: &[1, 319, 57, 313, 128, 220, 240, 150, 71, 329, 325, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-path", vertex: &[180, 0], fragment: &[1, 306, 123, 39, 115, 157, 57, 73, 128, 300, 228, 283, 330, 324, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-tables", vertex: &[180, 0], fragment: &[1, 4, 16, 11, 3, 18, 17, 8, 305, 123, 314, 316, 339, 348, 349, 321, 352, 303, 304, 318, 300, 297, 310, 311, 308, 341, 347, 277, 343, 312, 309, 342, 355, 351, 140, 335, 346, 331, 322, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-scatter_hg", vertex: &[180, 0], fragment: &[1, 4, 16, 11, 3, 12, 13, 306, 123, 39, 115, 144, 245, 278, 280, 168, 294, 32, 35, 174, 247, 157, 57, 88, 128, 300, 297, 336, 220, 240, 150, 350, 344, 333, 326, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-scatter_cs", vertex: &[180, 0], fragment: &[1, 4, 16, 11, 3, 12, 13, 306, 123, 39, 115, 144, 245, 278, 280, 168, 294, 32, 35, 174, 247, 157, 57, 88, 128, 300, 297, 336, 220, 240, 150, 71, 350, 345, 333, 327, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-eclipse", vertex: &[180, 0], fragment: &[320, 337, 315, 338, 354, 317, 353, 334, 328, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-geometry", vertex: &[180, 0], fragment: &[1, 4, 16, 11, 3, 12, 308, 123, 39, 115, 144, 246, 279, 281, 167, 295, 32, 35, 173, 153, 341, 333, 324, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-medium", vertex: &[180, 0], fragment: &[1, 320, 57, 314, 128, 220, 240, 150, 71, 330, 326, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-path", vertex: &[180, 0], fragment: &[1, 307, 123, 39, 115, 157, 57, 73, 128, 301, 228, 284, 331, 325, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-tables", vertex: &[180, 0], fragment: &[1, 4, 16, 11, 3, 18, 17, 8, 306, 123, 315, 317, 340, 349, 350, 322, 353, 304, 305, 319, 301, 298, 311, 312, 309, 342, 348, 278, 344, 313, 310, 343, 356, 352, 140, 336, 347, 332, 323, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-scatter_hg", vertex: &[180, 0], fragment: &[1, 4, 16, 11, 3, 12, 13, 307, 123, 39, 115, 144, 246, 279, 281, 168, 295, 32, 35, 174, 248, 157, 57, 88, 128, 301, 298, 337, 220, 240, 150, 351, 345, 334, 327, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-scatter_cs", vertex: &[180, 0], fragment: &[1, 4, 16, 11, 3, 12, 13, 307, 123, 39, 115, 144, 246, 279, 281, 168, 295, 32, 35, 174, 248, 157, 57, 88, 128, 301, 298, 337, 220, 240, 150, 71, 351, 346, 334, 328, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-eclipse", vertex: &[180, 0], fragment: &[321, 338, 316, 339, 355, 318, 354, 335, 329, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
 ];

@@ -6,10 +6,13 @@ use std::time::Duration;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser as _};
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use glam::DVec3;
+use welkin::eclipse::{MOON_RADIUS, Moon};
 use welkin::{AtmosphereParams, Bound, Mode, Quality, SkySettings, ToneMap};
 
 use crate::choose::Wish;
 use crate::draw::{BackendChoice, Shot};
+use crate::ephemeris;
 use crate::sun;
 use crate::views::{self, Place, View};
 
@@ -343,6 +346,17 @@ pub struct RenderArgs {
     #[arg(long, value_name = "TIME", help_heading = "Sun (by angles, or by place and time)")]
     #[arg(allow_hyphen_values = true, value_parser = parse_time)]
     time: Option<jiff::Timestamp>,
+
+    /// Put the moon where it stood, too; needs --place and --time, years 1900 to 2099
+    ///
+    /// It is drawn with its phase, hides the sun's disk, whose edge is then darker, and with --backend cpu its shadow
+    /// falls through the air, for light scattered once. The other backends do not darken the air.
+    #[arg(long, help_heading = "Sun (by angles, or by place and time)", requires_all = ["place", "time"])]
+    moon: bool,
+
+    /// Draw the sun's disk darker towards its edge
+    #[arg(long, help_heading = "Sun (by angles, or by place and time)")]
+    limb_darkening: bool,
 
     /// Pixels, as in 1920x1080; each side 1 to 8192 [default: 1280x720]
     #[arg(long, value_name = "WxH", help_heading = "Picture", allow_hyphen_values = true)]
@@ -857,7 +871,7 @@ impl RenderArgs {
     ) -> Result<Shot, UsageError> {
         let terrain = (!self.no_terrain).then(|| view.terrain());
         let aspect = f64::from(width) / f64::from(height);
-        let scene = view.scene(place, aspect, terrain.as_ref()).map_err(|e| match e {
+        let mut scene = view.scene(place, aspect, terrain.as_ref()).map_err(|e| match e {
             welkin::Error::Invalid { field, value, allowed } if field.starts_with("camera.tangents") => {
                 UsageError::new(format!(
                     "'--fov <DEGREES>' {} and '--size <WxH>' {width}x{height} make too wide a view: \
@@ -867,8 +881,20 @@ impl RenderArgs {
             }
             other => UsageError::new(other.to_string()),
         })?;
+        if let (true, Some(time)) = (self.moon, self.time) {
+            let bodies = ephemeris::bodies(time, place, 0.0)
+                .map_err(|_| UsageError::value("--time <TIME>", time, "in the years 1900 to 2099 with '--moon'"))?;
+            let [up, north, east] = place.frame();
+            let turn = |v: DVec3| east * v.x + north * v.y + up * v.z;
+            // As seen from sea level at the place, wherever above it the camera is.
+            let moon = up * scene.atmosphere.planet_radius + turn(bodies.moon);
+            scene.moon = Some(Moon::new(moon, MOON_RADIUS));
+            scene.sun_direction = turn(bodies.sun);
+            scene.atmosphere.sun_angular_radius = bodies.disks().sun;
+            scene.validate().map_err(|e| UsageError::new(e.to_string()))?;
+        }
         let (composition, bound) = (self.mode.settings().composition, self.bound(view.exposure));
-        let sky = SkySettings { composition, bound, ..sky };
+        let sky = SkySettings { composition, bound, limb_darkening: self.limb_darkening || self.moon, ..sky };
         Ok(Shot {
             scene,
             width,
