@@ -246,7 +246,8 @@ pub struct Scene {
     pub sun_direction: DVec3,
     /// How the scene's depth is stored.
     pub depth: DepthConvention,
-    /// A moon that may hide the sun; the camera is outside of it.
+    /// A moon that may hide the sun; the camera is outside of it. It is drawn, and hides the sun's disk; light in the air
+    /// under its shadow is what [`crate::reference`] computes and the GPU passes do not.
     pub moon: Option<Moon>,
 }
 

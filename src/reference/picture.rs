@@ -125,18 +125,17 @@ impl<'a> Painter<'a> {
                 color = std::array::from_fn(|c| color[c] * brightness[c]);
             }
         }
-        if ground.is_none() && !hits_planet && self.settings.sky.enabled {
-            if let Some(moon) = &self.view.moon {
-                // The disk's soft edge shines as its rim.
-                let (towards, sine) = (moon.position.normalize(), moon.radius / moon.position.length());
-                let chord = 2.0 * (0.5 * sine.asin()).sin();
-                let rim = ((dir - towards).length() / chord).max(1.0);
-                let inward = (towards + (dir - towards) / rim * 0.999_999).normalize();
-                let cover = self.moon_cover(moon, dir);
-                if cover > 0.0 {
-                    let light = moon.radiance(DVec3::ZERO, inward, self.view.sun).unwrap_or(0.0);
-                    color = color.map(|c| c + cover * light * p.sun_intensity);
-                }
+        let sight = ground.is_none() && !hits_planet && self.settings.sky.enabled;
+        if let Some(moon) = self.view.moon.filter(|_| sight) {
+            // The disk's soft edge shines as its rim.
+            let (towards, sine) = (moon.position.normalize(), moon.radius / moon.position.length());
+            let chord = 2.0 * (0.5 * sine.asin()).sin();
+            let rim = ((dir - towards).length() / chord).max(1.0);
+            let inward = (towards + (dir - towards) / rim * 0.999_999).normalize();
+            let cover = self.moon_cover(&moon, dir);
+            if cover > 0.0 {
+                let light = moon.radiance(DVec3::ZERO, inward, self.view.sun).unwrap_or(0.0);
+                color = color.map(|c| c + cover * light * p.sun_intensity);
             }
         }
         if self.air {

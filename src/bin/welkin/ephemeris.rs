@@ -89,7 +89,7 @@ fn moon(tt: f64) -> DVec3 {
     let m = stem_branch::moon_position(tt);
     let t = (tt - J2000) / 36_525.0;
     // General precession in longitude, arc seconds (Capitaine et al. 2003, as in that crate), and nutation.
-    let precession = ((-0.000_079_64 * t + 1.105_434_8) * t + 5028.796_195) * t;
+    let precession = ((-0.000_079_64 * t + 1.105_434_8) * t + 5_028.796_195) * t;
     let (nutation, _) = sofars::pnp::nut00b(tt, 0.0);
     let (sin_lon, cos_lon) = ((m.longitude_degrees - precession / 3600.0).to_radians() - nutation).sin_cos();
     let (sin_lat, cos_lat) = m.latitude_degrees.to_radians().sin_cos();
