@@ -98,6 +98,7 @@ pub use passes::picture::{PictureRenderer, PictureSettings};
 pub use passes::sky::{Composition, Method, Mode, SkyRenderer, SkySettings};
 pub use passes::terrain::TerrainStyle;
 pub use passes::tone::ToneMap;
+pub use passes::warm::{SkyTargets, WarmUp};
 pub use plan::{Bound, EffectPlan};
 pub use quality::Quality;
 pub use reference::{clip_segment, compute_single_scatter, ray_sphere_intersect, ray_sphere_intersect_f32};

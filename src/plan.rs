@@ -155,6 +155,8 @@ pub struct PlannedPass {
     pub runs: Runs,
     /// How many times in a row.
     pub times: u32,
+    /// Share of its target's pixels that it draws.
+    pub share: f64,
 }
 
 /// Which tables a plan needs.
@@ -228,10 +230,16 @@ pub struct EffectPlan {
     pub(crate) samples: [u32; 2],
 }
 
+/// Share of the bound below which what is on goes off.
+const STAYS: f64 = 0.5;
+
 /// Radians by which a picture is taken to be wider than it is: rounding, and half a pixel, decide nothing then.
 const MARGIN: f64 = 1e-3;
 
 impl EffectPlan {
+    /// The names of all effects, in the order of [`Self::effects`].
+    pub const NAMES: [&'static str; NAMES.len()] = NAMES;
+
     /// The plan of a scene, for a picture of a size in pixels.
     ///
     /// # Errors
@@ -239,7 +247,18 @@ impl EffectPlan {
     pub fn new(scene: &Scene, settings: &SkySettings, size: [u32; 2]) -> Result<Self> {
         let view = scene.validate()?;
         settings.validate()?;
-        Ok(Self::of(scene, &view, settings, size))
+        Ok(Self::of(scene, &view, settings, size, None))
+    }
+
+    /// The plan of the frame that follows another: what is on stays on until leaving it out uses up less than half of the
+    /// bound, so that a scene on a threshold does not switch in every frame. Either way it is within the bound.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn after(previous: &Self, scene: &Scene, settings: &SkySettings, size: [u32; 2]) -> Result<Self> {
+        let view = scene.validate()?;
+        settings.validate()?;
+        Ok(Self::of(scene, &view, settings, size, Some(previous)))
     }
 
     /// Every effect with its reason.
@@ -253,7 +272,13 @@ impl EffectPlan {
     }
 
     /// Of a checked scene and settings.
-    pub(crate) fn of(scene: &Scene, view: &ZenithView, settings: &SkySettings, size: [u32; 2]) -> Self {
+    pub(crate) fn of(
+        scene: &Scene,
+        view: &ZenithView,
+        settings: &SkySettings,
+        size: [u32; 2],
+        previous: Option<&Self>,
+    ) -> Self {
         let p = &scene.atmosphere;
         let sight = Sight::new(p, view);
         let mut plan = Self {
@@ -289,7 +314,7 @@ impl EffectPlan {
                 plan.set(Name::Atmosphere, false, Reason::of(text));
                 Constituents::default()
             }
-            None => plan.constituents(p, settings, &sight, all, sun.is_some()),
+            None => plan.constituents(p, settings, &sight, all, sun.is_some(), previous),
         };
         if settings.enabled {
             plan.passes_for(p, view, settings, &sight, air, [sun, moon]);
@@ -379,6 +404,7 @@ impl EffectPlan {
         sight: &Sight,
         all: Constituents,
         sun: bool,
+        previous: Option<&Self>,
     ) -> Constituents {
         let tables = matches!(settings.method, Method::Lut(_));
         // Tables hold every direction, whichever way the camera looks.
@@ -405,7 +431,8 @@ impl EffectPlan {
             let index = name as usize - Name::Rayleigh as usize;
             // What is not there at all costs nothing to leave out, not even where nothing is to be left out.
             let absent = index < 3 && !there[index];
-            if absent || (!everything && spent + cost <= 1.0) {
+            let most = if previous.is_some_and(|p| p.is_on(name)) { STAYS } else { 1.0 };
+            if absent || (!everything && spent + cost <= most) {
                 spent += if absent { 0.0 } else { cost };
                 out[index] = true;
             }
@@ -572,7 +599,8 @@ impl EffectPlan {
     /// The passes in order, those that fill tables included, as a first frame runs them.
     pub fn passes(&self) -> Vec<PlannedPass> {
         let mut passes = Vec::new();
-        let mut add = |label, program, runs, times| passes.push(PlannedPass { label, program, runs, times });
+        let mut add =
+            |label, program, runs, times| passes.push(PlannedPass { label, program, runs, times, share: 1.0 });
         if let Some(t) = &self.tables {
             let (air, diffuse) = (t.air, t.rounds > 0);
             add("columns table", Some(Program::LutColumns), Runs::PerMedium, 1);
@@ -599,8 +627,13 @@ impl EffectPlan {
             }
         }
         for disk in [self.sun, self.moon].into_iter().flatten() {
-            add(disk.label, Some(disk.program), Runs::PerFrame, 1);
+            let [left, bottom, right, top] = disk.rect;
+            let share = 0.25 * (right - left) * (top - bottom);
+            let (label, program) = (disk.label, Some(disk.program));
+            passes.push(PlannedPass { label, program, runs: Runs::PerFrame, times: 1, share });
         }
+        let mut add =
+            |label, program, runs, times| passes.push(PlannedPass { label, program, runs, times, share: 1.0 });
         if let Some(program) = self.before {
             let blend = matches!(program, Program::Aerial { blend: true, .. } | Program::AerialLut { blend: true, .. });
             add(if blend { "planet shell" } else { "aerial perspective" }, Some(program), Runs::PerFrame, 1);

@@ -428,3 +428,98 @@ fn tables_go_when_the_camera_stays_away() {
         b.destroy_texture(color);
     });
 }
+
+/// A scene on a threshold does not switch in every frame, and either way it is within the bound.
+#[test]
+fn a_scene_on_a_threshold_switches_once() {
+    let sky = SkySettings { method: tables(), bound: Some(Bound::eight_bit(1.0)), ..SkySettings::default() };
+    let lit = |plan: &EffectPlan| plan.effect("sunlight").unwrap().on;
+    let at = |elevation: f64| View { sun_elevation: elevation, pitch: 10.0, ..View::default() }.scene();
+    let fresh = |elevation: f64| lit(&EffectPlan::new(&at(elevation), &sky, SIZE).unwrap());
+    // Where a plan without a past switches.
+    let (mut day, mut night) = (0.0, -60.0);
+    for _ in 0..40 {
+        let middle = 0.5 * (day + night);
+        if fresh(middle) { day = middle } else { night = middle }
+    }
+    let mut switches = 0;
+    let mut plan = EffectPlan::new(&at(day + 1.0), &sky, SIZE).unwrap();
+    for i in 0..200 {
+        // Down through the threshold, trembling.
+        let elevation = day + 0.5 - 0.01 * f64::from(i) + if i % 2 == 0 { 0.05 } else { -0.05 };
+        let next = EffectPlan::after(&plan, &at(elevation), &sky, SIZE).unwrap();
+        switches += usize::from(lit(&next) != lit(&plan));
+        // Never brighter than the bound without light, and off by the time half of it is left.
+        assert!(lit(&next) || !fresh(elevation), "dark at {elevation}");
+        plan = next;
+    }
+    assert_eq!((switches, lit(&plan)), (1, false));
+    // On again only above the threshold itself.
+    for (elevation, want) in [(day - 0.05, false), (day + 0.05, true), (day - 0.05, true)] {
+        plan = EffectPlan::after(&plan, &at(elevation), &sky, SIZE).unwrap();
+        assert_eq!(lit(&plan), want, "{elevation}");
+    }
+}
+
+/// Night and day in turn make nothing anew but the tables of the camera; what night has no use for goes after a while.
+#[test]
+fn a_night_keeps_the_tables_of_the_medium_for_a_while() {
+    on_both(|b| {
+        let mut renderer = SkyRenderer::new(SkySettings { method: tables(), ..SkySettings::default() }).unwrap();
+        let color = b.create_texture(&TextureDesc::new("color", 4, 4, Format::Rgba32Float)).unwrap();
+        let scene = |sun_elevation| View { sun_elevation, pitch: 20.0, heading: 180.0, ..View::default() }.scene();
+        let [day, night] = [30.0, -60.0].map(scene);
+        let mut labels = |b: &mut dyn Backend, scene| -> Vec<&str> {
+            let passes = renderer.background(b, scene, Target::color(color)).unwrap().to_vec();
+            b.run(&passes).unwrap();
+            passes.iter().map(|p| p.label).collect()
+        };
+        assert!(labels(b, &day).contains(&"moments table"));
+        let with = b.live().textures;
+        for _ in 0..3 {
+            assert_eq!(labels(b, &night), ["sky table", "background sky"]);
+            assert_eq!(labels(b, &day), ["sky table", "sky table", "background sky"]);
+        }
+        assert_eq!(b.live().textures, with);
+        for _ in 0..700 {
+            labels(b, &night);
+        }
+        assert_eq!(b.live().textures, with - 4, "gathered radiance, two tables of moments, the aerosol's light");
+        assert!(labels(b, &day).contains(&"moments table"));
+        renderer.destroy(b);
+        b.destroy_texture(color);
+    });
+}
+
+/// After a warm-up no frame of a flight makes a program or a pipeline; and nothing of it is left.
+#[test]
+fn pipelines_are_made_ahead() {
+    let terrain = [None, Some(welkin::TerrainStyle::earth())];
+    for (i, method) in [single(), tables()].into_iter().enumerate() {
+        on_both(|b| {
+            let sky = SkySettings { method, bound: Some(Bound::eight_bit(1.0)), ..SkySettings::default() };
+            let settings = welkin::PictureSettings { sky, terrain: terrain[i], ..Default::default() };
+            let views: Vec<_> = flight(method).into_iter().map(|case| case.view.scene()).collect();
+            let before = b.live();
+            let mut warm_up = welkin::WarmUp::picture(&views[0], &settings).unwrap();
+            let mut steps = 0;
+            let mut made = b.live();
+            while warm_up.step(b).unwrap() {
+                let now = b.live();
+                assert!(now.programs <= made.programs + 1 && now.pipelines <= made.pipelines + 1, "too much at once");
+                (made, steps) = (now, steps + 1);
+            }
+            let ready = b.live();
+            assert_eq!(ready.textures, before.textures, "left behind");
+            assert!(ready.programs > before.programs + 5, "{ready:?}");
+            let mut renderer = welkin::PictureRenderer::default();
+            for scene in &views {
+                renderer.draw(b, scene, &settings, SIZE).unwrap();
+            }
+            let after = b.live();
+            println!("{} {}: {steps} steps, {} programs", b.info().backend, method.name(), ready.programs);
+            assert_eq!((after.programs, after.pipelines), (ready.programs, ready.pipelines));
+            renderer.destroy(b);
+        });
+    }
+}

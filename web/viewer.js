@@ -121,6 +121,23 @@ function fit() {
   applied.height = h;
 }
 
+let asked = false;
+/** What other views call for is made while there is nothing else to do, so that flying there does not stutter. */
+function makeAhead() {
+  if (asked || !viewer) return;
+  asked = true;
+  (window.requestIdleCallback ?? setTimeout)(() => exclusive(() => {
+    asked = false;
+    try {
+      if (viewer?.warm_up()) makeAhead();
+    } catch (error) {
+      const lost = viewer.lost();
+      if (lost === undefined) console.warn(`Nothing is made ahead: ${text(error)}`);
+      else recover(lost);
+    }
+  }));
+}
+
 let lastFrame = -Infinity;
 function draw() {
   if (!viewer) return;
@@ -147,6 +164,7 @@ function draw() {
     announced = true;
     console.log('Sky renderer initialized');
   }
+  makeAhead();
 }
 
 // ---------------------------------------------------------------- the renderer's life

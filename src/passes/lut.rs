@@ -327,8 +327,13 @@ pub(crate) struct Ready {
     pub air: TextureId,
 }
 
-/// What a table that is up to date was made for: camera, sun, and what of the air it holds.
-type ViewKey = ([f32; 4], Constituents);
+/// What a table that is up to date was made for: camera, sun, what of the air it holds, whether with light that was
+/// scattered before, and whether there is one for the aerosol's.
+type ViewKey = ([f32; 4], Constituents, [bool; 2]);
+
+/// How often in a row something is not called for before its textures go: about five seconds of frames. Not at once, for
+/// the camera may turn back.
+pub(crate) const IDLE: u32 = 600;
 
 /// The tables of one medium and one view.
 #[derive(Debug, Default)]
@@ -338,6 +343,8 @@ pub(crate) struct Luts {
     medium: Option<(MediumTables, usize)>,
     sky: Option<ViewKey>,
     air: Option<ViewKey>,
+    /// Plans in a row that had no use for some of the textures.
+    spare: u32,
 }
 
 impl Luts {
@@ -356,7 +363,8 @@ impl Luts {
         let medium = MediumUniform { irradiance: [0.0; 3], ..MediumUniform::new(params) };
         let key = MediumTables { medium, tables };
         let rounds = plan.rounds as usize;
-        if self.medium != Some((key, rounds)) {
+        let fresh = self.medium.is_some_and(|(made_for, made)| made_for == key && (rounds == 0 || made == rounds));
+        if !fresh {
             self.forget();
             self.medium_passes(backend, &plan.settings, key, rounds, &t, passes)?;
             self.medium = Some((key, rounds));
@@ -377,22 +385,24 @@ impl Luts {
         let (settings, constituents, rounds) = (&plan.settings, plan.air, plan.rounds as usize);
         let (t, tables) = self.of_medium(backend, params, plan, with_air, passes)?;
         // Columns, and with light that was scattered before its moments.
-        let inputs = t.scattered.map_or(reads([t.columns]), |s| reads([t.columns, s[1 + rounds % 2]]));
-        let diffuse = t.scattered.is_some();
-        let view = ([frame.altitude, frame.sun[0], frame.sun[1], frame.sun[2]], constituents);
+        let scattered = t.scattered.filter(|_| rounds > 0);
+        let inputs = scattered.map_or(reads([t.columns]), |s| reads([t.columns, s[1 + rounds % 2]]));
+        let (diffuse, haze) = (scattered.is_some(), t.haze.filter(|_| plan.haze));
+        let view =
+            ([frame.altitude, frame.sun[0], frame.sun[1], frame.sun[2]], constituents, [diffuse, haze.is_some()]);
         let block = |tables: TablesUniform| Uniform::new(&FrameTables { frame: *frame, tables });
         if self.sky != Some(view) {
             let uniform = block(TablesUniform { size: settings.sky, steps: settings.sky_steps, ..tables });
             let even = (t.sky, false, diffuse, inputs);
-            let haze = t.haze.map(|haze| (haze, true, false, reads([t.columns])));
-            for (target, aerosol, diffuse, textures) in [Some(even), haze].into_iter().flatten() {
+            let straight = haze.map(|haze| (haze, true, false, reads([t.columns])));
+            for (target, aerosol, diffuse, textures) in [Some(even), straight].into_iter().flatten() {
                 let program = Some(backend.create_program(Program::LutSky { air: constituents, aerosol, diffuse })?);
                 let (label, target, depth) = ("sky table", Target::color(target), DepthUse::Always);
                 passes.push(Pass { label, program, textures, uniform, target, depth });
             }
             self.sky = Some(view);
         }
-        let mut ready = Ready { columns: t.columns, sky: t.sky, haze: t.haze, air: t.columns };
+        let mut ready = Ready { columns: t.columns, sky: t.sky, haze, air: t.columns };
         if let (true, Some(air)) = (with_air, t.air) {
             let scans = settings.air[2].next_power_of_two().trailing_zeros();
             let at = |step: u32| air[(step % 2) as usize];
@@ -447,7 +457,7 @@ impl Luts {
         let columns = uniform(settings.columns, COLUMN_STEPS);
         let [columns_label, moments_label] = MEDIUM_LABELS;
         pass(columns_label, Some(Program::LutColumns), reads([]), columns, Target::color(t.columns))?;
-        let Some([radiance, moments @ ..]) = t.scattered else { return Ok(()) };
+        let Some([radiance, moments @ ..]) = t.scattered.filter(|_| rounds > 0) else { return Ok(()) };
         // Darkness: logarithms of next to nothing.
         let dark = Target { clear: Some([-100.0; 4]), ..Target::color(moments[0]) };
         pass(moments_label, None, reads([]), Uniform::NONE, dark)?;
@@ -464,7 +474,7 @@ impl Luts {
     /// The table of moments once its passes were given out, what it was made for, and its nodes.
     pub fn moments(&self) -> Option<(TextureId, MediumTables, [u32; 2])> {
         let (settings, t) = self.textures.as_ref()?;
-        let (made_for, rounds) = self.medium?;
+        let (made_for, rounds) = self.medium.filter(|(_, rounds)| *rounds > 0)?;
         let [_, moments @ ..] = t.scattered?;
         Some((moments[rounds % 2], made_for, settings.moments))
     }
@@ -501,12 +511,16 @@ impl Luts {
                 Textures { columns, sky, scattered: None, haze: None, air: None }
             }
         };
-        // What this plan has no use for goes.
-        if let Some(haze) = t.haze.take_if(|_| !plan.haze) {
-            backend.destroy_texture(haze);
-        }
-        for id in t.scattered.take_if(|_| plan.rounds == 0).into_iter().flatten() {
-            backend.destroy_texture(id);
+        let (haze, scattered) = (t.haze.is_some() && !plan.haze, t.scattered.is_some() && plan.rounds == 0);
+        self.spare = if haze || scattered { self.spare.saturating_add(1) } else { 0 };
+        if self.spare >= IDLE {
+            if let Some(haze) = t.haze.take_if(|_| haze) {
+                backend.destroy_texture(haze);
+            }
+            if let Some(ids) = t.scattered.take_if(|_| scattered) {
+                ids.into_iter().for_each(|id| backend.destroy_texture(id));
+                self.medium = self.medium.map(|(made_for, _)| (made_for, 0));
+            }
         }
         let more = t.add(backend, plan, with_air);
         self.textures = Some((*settings, t));

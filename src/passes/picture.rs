@@ -6,6 +6,7 @@ use super::tone::{ToneMap, tone_pass};
 use crate::atmosphere::AtmosphereParams;
 use crate::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
 use crate::error::Result;
+use crate::plan::{Bound, EffectPlan};
 use crate::view::Scene;
 
 /// What a [`PictureRenderer`] draws with.
@@ -140,10 +141,12 @@ impl PictureRenderer {
     ) -> Result<(&[Pass], Drawn)> {
         scene.validate()?;
         let foreground = settings.sky.foreground && settings.terrain.is_some();
-        self.sky.set_settings(SkySettings { foreground, ..settings.sky })?;
+        settings.sky.validate()?;
         crate::error::in_range("exposure", settings.exposure, 0.0, 1e9, "")?;
         let sun_intensity = scene.atmosphere.sun_intensity;
         let scale = scale(settings.exposure, sun_intensity);
+        let bound = settings.sky.bound.map(|b| Bound { absolute: (b.absolute * scale).min(1e6), ..b });
+        self.sky.set_settings(SkySettings { foreground, bound, ..settings.sky })?;
         let atmosphere = AtmosphereParams { sun_intensity: sun_intensity * scale, ..scene.atmosphere.clone() };
         let scene = &Scene { atmosphere, ..scene.clone() };
         let t = self.textures(backend, size, settings.radiance)?;
@@ -183,6 +186,11 @@ impl PictureRenderer {
         self.passes.push(tone_pass(backend, tone_map, exposure / scale, dither, radiance, display)?);
         self.empty_depth = settings.terrain.is_none().then_some(background);
         Ok((&self.passes, Drawn { radiance, scale, depth: t.depth, display }))
+    }
+
+    /// The plan of the passes that were handed out last.
+    pub fn plan(&self) -> Option<&EffectPlan> {
+        self.sky.last_plan()
     }
 
     /// Makes the passes and runs them.

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::frame::{FrameOptions, FrameUniform};
-use super::lut::{FrameTables, LutSettings, Luts, TablesUniform};
+use super::lut::{FrameTables, IDLE, LutSettings, Luts, TablesUniform};
 use super::sun::disk_pass;
 use crate::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
 use crate::error::{Error, Result, in_range};
@@ -212,6 +212,8 @@ pub struct SkyRenderer {
     luts: Luts,
     /// Frames' passes in a row that called for no tables.
     idle: u32,
+    /// What the last passes were made for.
+    plan: Option<EffectPlan>,
 }
 
 impl SkyRenderer {
@@ -221,7 +223,7 @@ impl SkyRenderer {
     /// [`Error::Invalid`] from [`SkySettings::validate`].
     pub fn new(settings: SkySettings) -> Result<Self> {
         settings.validate()?;
-        Ok(Self { settings, passes: Vec::with_capacity(4), low: None, luts: Luts::default(), idle: 0 })
+        Ok(Self { settings, passes: Vec::with_capacity(4), low: None, luts: Luts::default(), idle: 0, plan: None })
     }
 
     /// The settings in use.
@@ -236,12 +238,26 @@ impl SkyRenderer {
         Ok(())
     }
 
-    /// What a scene calls for, with the settings in use, in a picture of a size in pixels.
+    /// What a scene calls for, with the settings in use, in a picture of a size in pixels, after what was drawn last: see
+    /// [`EffectPlan::after`].
     ///
     /// # Errors
     /// [`Error::Invalid`] from [`Scene::validate`].
     pub fn plan(&self, scene: &Scene, size: [u32; 2]) -> Result<EffectPlan> {
-        EffectPlan::new(scene, &self.settings, size)
+        let view = scene.validate()?;
+        Ok(EffectPlan::of(scene, &view, &self.settings, size, self.plan.as_ref()))
+    }
+
+    /// The plan of the passes that were handed out last.
+    pub fn last_plan(&self) -> Option<&EffectPlan> {
+        self.plan.as_ref()
+    }
+
+    /// The plan of the passes that are asked for now.
+    fn next_plan(&mut self, scene: &Scene, view: &ZenithView, size: [u32; 2]) -> EffectPlan {
+        let plan = EffectPlan::of(scene, view, &self.settings, size, self.plan.as_ref());
+        self.plan = Some(plan.clone());
+        plan
     }
 
     fn options(desc: &TextureDesc, plan: &EffectPlan) -> FrameOptions {
@@ -267,7 +283,7 @@ impl SkyRenderer {
     pub fn background(&mut self, backend: &mut dyn Backend, scene: &Scene, target: Target) -> Result<&[Pass]> {
         let view = scene.validate()?;
         let desc = texture(backend, target.color)?;
-        let plan = EffectPlan::of(scene, &view, &self.settings, [desc.width, desc.height]);
+        let plan = self.next_plan(scene, &view, [desc.width, desc.height]);
         self.passes.clear();
         self.free_tables_unless(backend, plan.tables.is_some());
         let mut options = Self::options(&desc, &plan);
@@ -390,7 +406,7 @@ impl SkyRenderer {
         depth: TextureId,
         target: Target,
     ) -> Result<()> {
-        let plan = EffectPlan::of(scene, view, &self.settings, [desc.width, desc.height]);
+        let plan = self.next_plan(scene, view, [desc.width, desc.height]);
         self.free_tables_unless(backend, plan.tables.is_some());
         if let Some(program) = plan.before {
             let frame = FrameUniform::new(scene, view, &Self::options(desc, &plan));
@@ -430,7 +446,7 @@ impl SkyRenderer {
         size: [u32; 2],
     ) -> Result<(&[Pass], Option<GroundLight>)> {
         let view = scene.validate()?;
-        let plan = EffectPlan::of(scene, &view, &self.settings, size);
+        let plan = self.next_plan(scene, &view, size);
         self.passes.clear();
         let mut light = None;
         if let Some(wanted) = plan.tables.filter(|t| t.rounds > 0) {
@@ -486,9 +502,6 @@ impl SkyRenderer {
         Ok(low)
     }
 }
-
-/// How often passes without tables are asked for before their textures go: about five seconds of frames.
-const IDLE: u32 = 600;
 
 /// Where a pass finds the sky's light on the ground; see [`SkyRenderer::ground_light`].
 #[derive(Clone, Copy, Debug)]

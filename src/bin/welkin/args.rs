@@ -11,8 +11,10 @@ use welkin::eclipse::{MOON_RADIUS, Moon};
 use welkin::{AtmosphereParams, Bound, Mode, Quality, SkySettings, ToneMap};
 
 use crate::choose::Wish;
+use crate::costs::CostsArgs;
 use crate::draw::{BackendChoice, Shot};
 use crate::ephemeris;
+use crate::flight::FlightArgs;
 use crate::sun;
 use crate::views::{self, Place, View};
 
@@ -70,6 +72,10 @@ pub enum Command {
     Plan(Box<PlanArgs>),
     /// Draw a climb to a million kilometres, or a day, as a strip of frames; measure how smoothly they follow
     Film(Box<FilmArgs>),
+    /// Fly from the ground to the moon's distance and around to the night side: what is drawn, why, and what it costs
+    Flight(FlightArgs),
+    /// Say what each effect costs: bytes, pipelines and milliseconds
+    Costs(CostsArgs),
     /// Draw every view by every backend: how far apart the pictures are, and what each pass costs
     Compare(CompareArgs),
     /// Compute the sky's radiance in given directions, from a table to a table
@@ -142,6 +148,8 @@ impl Command {
             Self::Render(_) => "render",
             Self::Plan(_) => "plan",
             Self::Film(_) => "film",
+            Self::Flight(_) => "flight",
+            Self::Costs(_) => "costs",
             Self::Radiance(_) => "radiance",
             Self::Accuracy(_) => "accuracy",
             Self::Compare(_) => "compare",
@@ -1032,7 +1040,7 @@ fn parse_time(text: &str) -> Result<jiff::Timestamp, String> {
     if (0..=2999).contains(&year) { Ok(time) } else { Err(allowed.to_owned()) }
 }
 
-fn parse_size(text: &str) -> Result<[u32; 2], String> {
+pub fn parse_size(text: &str) -> Result<[u32; 2], String> {
     let side = |s: &str| s.trim().parse().ok().filter(|n| (1..=MAX_SIDE).contains(n));
     let size = text.split_once(['x', 'X', '×']).and_then(|(w, h)| Some([side(w)?, side(h)?]));
     let size = size.filter(|[w, h]| u64::from(*w) * u64::from(*h) <= MAX_PIXELS);
@@ -1043,7 +1051,7 @@ fn parse_size(text: &str) -> Result<[u32; 2], String> {
     })
 }
 
-fn parse_frame(text: &str) -> Result<[u32; 2], String> {
+pub fn parse_frame(text: &str) -> Result<[u32; 2], String> {
     let size = parse_size(text).ok().filter(|size| size.iter().all(|side| (8..=1000).contains(side)));
     size.ok_or_else(|| "must be WIDTHxHEIGHT, each from 8 to 1000, as in 80x120".to_owned())
 }

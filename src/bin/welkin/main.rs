@@ -5,10 +5,12 @@ mod args;
 mod cache;
 mod choose;
 mod compare;
+mod costs;
 mod draw;
 mod eclipse;
 mod ephemeris;
 mod film;
+mod flight;
 mod info;
 mod output;
 mod plan;
@@ -51,6 +53,8 @@ fn run(cli: Cli) -> anyhow::Result<()> {
     match cli.command {
         Command::Render(args) => render::run(&args),
         Command::Film(args) => film::run(&args),
+        Command::Flight(args) => flight::run(&args),
+        Command::Costs(args) => costs::run(&args),
         Command::Plan(args) => plan::run(&args),
         Command::Compare(args) => compare::run(&args),
         Command::Accuracy(args) => accuracy::run(&args),
