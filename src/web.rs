@@ -471,6 +471,7 @@ impl Viewer {
             atmosphere: self.params.clone(),
             sun_direction,
             depth: DepthConvention::default(),
+            moon: None,
         })
     }
 }
