@@ -38,6 +38,7 @@ use crate::atmosphere::{AtmosphereParams, MiePhase};
 use crate::eclipse::{Disks, Phase};
 use crate::error::{Result, in_range, short};
 use crate::passes::lut::LutSettings;
+use crate::passes::shadow::misses;
 use crate::passes::sky::{Composition, Method, SkySettings, background_weight};
 use crate::passes::sun::{DiskPlan, rectangle};
 use crate::shaders::{Constituents, Program};
@@ -171,6 +172,8 @@ pub(crate) struct TablePlan {
     pub rounds: u32,
     /// Whether the air before the scene is drawn.
     pub slices: bool,
+    /// Whether pixels read the sky from tables; otherwise passes march, with the medium's tables alone.
+    pub sky: bool,
 }
 
 /// The effects, in the order of [`EffectPlan::effects`].
@@ -187,12 +190,13 @@ enum Name {
     Aerial,
     Tables,
     Slices,
+    Eclipse,
     SunDisk,
     MoonDisk,
     Reduced,
 }
 
-const NAMES: [&str; 14] = [
+const NAMES: [&str; 15] = [
     "atmosphere",
     "rayleigh",
     "mie",
@@ -204,6 +208,7 @@ const NAMES: [&str; 14] = [
     "aerial perspective",
     "sky tables",
     "air table",
+    "eclipse",
     "sun disk",
     "moon disk",
     "reduced resolution",
@@ -224,6 +229,8 @@ pub struct EffectPlan {
     /// Draws the air before the scene.
     pub(crate) before: Option<Program>,
     pub(crate) tables: Option<TablePlan>,
+    /// Whether the moon's shadow falls on what is seen.
+    pub(crate) eclipse: bool,
     /// Share of the background pass in the sky's light.
     pub(crate) sky_weight: f64,
     /// Along a view ray and from each step towards the sun, for passes that march.
@@ -289,6 +296,7 @@ impl EffectPlan {
             moon: None,
             before: None,
             tables: None,
+            eclipse: false,
             sky_weight: match settings.composition {
                 Composition::Full => background_weight(view.altitude),
                 Composition::SkyDome => 1.0,
@@ -317,6 +325,7 @@ impl EffectPlan {
             None => plan.constituents(p, settings, &sight, all, sun.is_some(), previous),
         };
         if settings.enabled {
+            plan.eclipse(p, view, settings, &sight, air);
             plan.passes_for(p, view, settings, &sight, air, [sun, moon]);
         }
         plan
@@ -480,6 +489,36 @@ impl EffectPlan {
         if lit || sun { air } else { air.in_the_dark() }
     }
 
+    /// Whether the moon's shadow falls on air that is seen.
+    fn eclipse(
+        &mut self,
+        p: &AtmosphereParams,
+        view: &ZenithView,
+        settings: &SkySettings,
+        sight: &Sight,
+        air: Constituents,
+    ) {
+        let down = -glam::DVec3::Z * sight.r;
+        // The whole planet with its air; and what a camera within the air can see of it.
+        let apart = misses(view, p, down, sight.top).max(misses(view, p, glam::DVec3::ZERO, sight.farthest()));
+        let (on, reason) = if view.moon.is_none() {
+            (false, Reason::of("the scene has no moon"))
+        } else if !air.any() {
+            (false, Reason::of("no air to see"))
+        } else if !self.is_on(Name::Sunlight) {
+            (false, Reason::of("there is no light to hide"))
+        } else if settings.bound.is_some() && apart > 0.0 {
+            (false, Reason::number("the moon's shadow misses the air in sight by", apart / 1e3, " km"))
+        } else {
+            (true, Reason::of("the moon's shadow falls on air in sight"))
+        };
+        self.set(Name::Eclipse, on, reason);
+        self.eclipse = on;
+        if on && matches!(settings.method, Method::Lut(_)) && !self.is_on(Name::Multiple) {
+            self.set(Name::Multiple, true, Reason::of("under the moon's shadow it is most of the light"));
+        }
+    }
+
     /// Which passes draw that air.
     fn passes_for(
         &mut self,
@@ -548,9 +587,11 @@ impl EffectPlan {
         let behind_air = if behind { air } else { Constituents::default() };
         let haze = air.mie.filter(|_| air.has_haze());
         if behind {
-            let program =
-                if tables.is_some() { Program::SkyLut { mie: haze, only: false } } else { Program::Sky { air } };
-            self.background = Some(program);
+            self.background = Some(match tables {
+                _ if self.eclipse => Program::EclipseSky { phase: p.mie_phase, tables: tables.is_some() },
+                Some(_) => Program::SkyLut { mie: haze, only: false },
+                None => Program::Sky { air },
+            });
         }
         let dims = Constituents { dark: false, ..behind_air.without_phase() };
         let disks = disks(p, view);
@@ -561,29 +602,35 @@ impl EffectPlan {
         self.moon = moon.map(|rect| DiskPlan { label: "moon", program: Program::Moon { air: dims }, rect, share });
         if shell || aerial {
             let blend = composition == Composition::Planet;
-            let lut = Program::AerialLut { mie: haze, blend };
-            self.before = Some(if tables.is_some() { lut } else { Program::Aerial { air, blend } });
+            self.before = Some(match tables {
+                _ if self.eclipse => Program::EclipseAerial { phase: p.mie_phase, tables: tables.is_some(), blend },
+                Some(_) => Program::AerialLut { mie: haze, blend },
+                None => Program::Aerial { air, blend },
+            });
         }
         let needed = behind || self.before.is_some();
         self.tables = tables.filter(|_| needed).map(|settings| TablePlan {
             settings,
             air: Constituents { dark: false, ..air.without_phase() },
-            haze: air.has_haze(),
+            haze: air.has_haze() && !self.eclipse,
             rounds: if self.is_on(Name::Multiple) { settings.rounds(p) } else { 0 },
-            slices: self.before.is_some(),
+            slices: self.before.is_some() && !self.eclipse,
+            sky: !self.eclipse,
         });
         if air.any() {
             let reason = match (tables, needed) {
+                (Some(_), true) if self.eclipse => "the sky is marched: a moon's shadow is not as its tables are",
                 (Some(_), true) if air.dark => "hold the transmittance of every direction",
                 (Some(_), true) => "hold the light of every direction",
                 (Some(_), false) => "no pass reads them",
                 (None, _) => "the method marches along each ray",
             };
-            self.set(Name::Tables, self.tables.is_some(), Reason::of(reason));
+            self.set(Name::Tables, self.tables.is_some_and(|t| t.sky), Reason::of(reason));
             let slices = self.tables.is_some_and(|t| t.slices);
             let reason = match (self.tables.is_some(), slices) {
                 (_, true) if air.dark => "holds the transmittance up to the scene",
                 (_, true) => "holds the light up to the scene",
+                (true, false) if self.eclipse => "the air is marched under the moon's shadow",
                 (true, false) => "no pass reads it",
                 (false, _) => "no tables",
             };
@@ -609,7 +656,9 @@ impl EffectPlan {
                 add("moments table", Some(Program::LutRadiance), Runs::PerMedium, t.rounds);
                 add("moments table", Some(Program::LutMoments), Runs::PerMedium, t.rounds);
             }
-            add("sky table", Some(Program::LutSky { air, aerosol: false, diffuse }), Runs::PerAltitude, 1);
+            if t.sky {
+                add("sky table", Some(Program::LutSky { air, aerosol: false, diffuse }), Runs::PerAltitude, 1);
+            }
             if t.haze {
                 add("sky table", Some(Program::LutSky { air, aerosol: true, diffuse: false }), Runs::PerAltitude, 1);
             }
@@ -635,7 +684,7 @@ impl EffectPlan {
         let mut add =
             |label, program, runs, times| passes.push(PlannedPass { label, program, runs, times, share: 1.0 });
         if let Some(program) = self.before {
-            let blend = matches!(program, Program::Aerial { blend: true, .. } | Program::AerialLut { blend: true, .. });
+            let blend = program.blends();
             add(if blend { "planet shell" } else { "aerial perspective" }, Some(program), Runs::PerFrame, 1);
         }
         passes
@@ -717,6 +766,12 @@ impl Sight {
     /// Whether the planet hides all of a disk. radius: radians.
     fn hides(&self, towards: glam::DVec3, radius: f64) -> bool {
         angle(towards, -glam::DVec3::Z) + radius + MARGIN < self.planet
+    }
+
+    /// Distance to the farthest air that a straight line from the camera reaches before the ground or space, metres.
+    fn farthest(&self) -> f64 {
+        let to = |r: f64| ((r - self.radius) * (r + self.radius)).max(0.0).sqrt();
+        to(self.r) + to(self.top)
     }
 
     /// Angle at the planet's centre from the camera to the farthest air above an altitude that it sees.

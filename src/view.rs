@@ -247,7 +247,7 @@ pub struct Scene {
     /// How the scene's depth is stored.
     pub depth: DepthConvention,
     /// A moon that may hide the sun; the camera is outside of it. It is drawn, and hides the sun's disk; light in the air
-    /// under its shadow is what [`crate::reference`] computes and the GPU passes do not.
+    /// under its shadow is marched for each pixel.
     pub moon: Option<Moon>,
 }
 

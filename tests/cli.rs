@@ -513,7 +513,8 @@ fn every_effect_costs_nothing_when_it_is_off() {
     for row in &rows {
         assert_eq!(row[6], "0, 0, 0", "{row:?}");
         let bytes: i64 = row[2].parse().unwrap();
-        assert!(bytes >= 0, "{row:?}");
+        // Under a moon's shadow passes march: no tables of the sky.
+        assert!(bytes >= 0 || row[0] == "eclipse", "{row:?}");
     }
     let bytes = |effect| rows.iter().find(|row| row[0] == effect).unwrap()[2].parse::<i64>().unwrap();
     assert!(bytes("atmosphere") > 100_000 && bytes("multiple scattering") > 0 && bytes("sun disk") == 0);

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use welkin::passes::frame::{DepthUniform, FrameUniform, MediumUniform};
 use welkin::passes::lut::TablesUniform;
+use welkin::passes::shadow::ShadowUniform;
 use welkin::passes::terrain::TerrainUniform;
 use welkin::passes::tone::ToneUniform;
 use welkin::shaders::{Program, translate};
@@ -50,9 +51,11 @@ fn rust_layout(name: &str) -> (Vec<(String, u32)>, u32) {
     match name {
         "Frame" => (frame, size_of::<FrameUniform>() as u32),
         "Tables" => (own(TablesUniform::offsets()), size_of::<TablesUniform>() as u32),
+        "MoonShadow" => (own(ShadowUniform::offsets()), size_of::<ShadowUniform>() as u32),
         "Terrain" => {
             let terrain = nest(own(TerrainUniform::offsets()), "frame", frame);
-            (nest(terrain, "tables", own(TablesUniform::offsets())), size_of::<TerrainUniform>() as u32)
+            let terrain = nest(terrain, "tables", own(TablesUniform::offsets()));
+            (nest(terrain, "eclipse", own(ShadowUniform::offsets())), size_of::<TerrainUniform>() as u32)
         }
         _ => (own(ToneUniform::offsets()), size_of::<ToneUniform>() as u32),
     }
@@ -62,7 +65,7 @@ fn rust_layout(name: &str) -> (Vec<(String, u32)>, u32) {
 fn uniform_blocks_have_the_layout_that_naga_gives_them() {
     let mut checked = 0;
     for program in Program::all() {
-        for name in ["Frame", "Tables", "Terrain", "Tone"] {
+        for name in ["Frame", "Tables", "MoonShadow", "Terrain", "Tone"] {
             let Some((mut members, size)) = translate::struct_layout(program, name).unwrap() else { continue };
             let (mut ours, our_size) = rust_layout(name);
             // Padding is one array in Rust and three scalars in WGSL.

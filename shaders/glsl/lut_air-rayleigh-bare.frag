@@ -398,6 +398,7 @@ Gathered gather_direct(highp sampler2D columns, Medium medium, Tables t_2, AirRa
     Gathered out_ = Gathered(vec3(0.0), vec3(1.0), vec3(0.0));
     float t0_1 = 0.0;
     uint i = 0u;
+    vec3 source = vec3(0.0);
     float radius_11 = medium.radius;
     float thickness_4 = medium.thickness;
     vec4 _e11 = layers_of(medium);
@@ -410,8 +411,8 @@ Gathered gather_direct(highp sampler2D columns, Medium medium, Tables t_2, AirRa
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e109 = i;
-            i = (_e109 + 1u);
+            uint _e111 = i;
+            i = (_e111 + 1u);
         }
         loop_init = false;
         uint _e34 = i;
@@ -442,19 +443,20 @@ Gathered gather_direct(highp sampler2D columns, Medium medium, Tables t_2, AirRa
                 vec3 _e77 = densities(_e11, _e76);
                 vec3 _e83 = columns_to_top(columns, radius_11, thickness_4, lit_x, _e76, (ray_2.sun_b + (ray_2.nu * _e61.y)));
                 vec3 _e89 = extinction(coefficients_1, _e83);
-                vec3 source = (((gas_1 * _e77.x) + (aerosol_1 * _e77.y)) * exp(-(_e89)));
-                vec3 _e94 = out_.radiance;
-                out_.radiance = (_e94 + ((share_2 * source) * _e61.x));
+                source = (((gas_1 * _e77.x) + (aerosol_1 * _e77.y)) * exp(-(_e89)));
+                vec3 _e95 = out_.radiance;
+                vec3 _e96 = source;
+                out_.radiance = (_e95 + ((share_2 * _e96) * _e61.x));
             }
-            vec3 _e100 = out_.transmittance;
-            out_.transmittance = (_e100 * exp(-(tau_1)));
-            vec3 _e105 = out_.columns;
-            out_.columns = (_e105 + (_e53 * step_));
+            vec3 _e102 = out_.transmittance;
+            out_.transmittance = (_e102 * exp(-(tau_1)));
+            vec3 _e107 = out_.columns;
+            out_.columns = (_e107 + (_e53 * step_));
             t0_1 = _e42;
         }
     }
-    Gathered _e111 = out_;
-    return _e111;
+    Gathered _e113 = out_;
+    return _e113;
 }
 
 vec2 share_azimuth(float share) {

@@ -474,6 +474,8 @@ Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium,
     Gathered out_ = Gathered(vec3(0.0), vec3(1.0), vec3(0.0));
     float t0_1 = 0.0;
     uint i = 0u;
+    vec3 source_1 = vec3(0.0);
+    Source before = Source(vec3(0.0), vec3(0.0));
     float radius_11 = medium.radius;
     float thickness_5 = medium.thickness;
     vec4 _e13 = layers_of(medium);
@@ -490,8 +492,8 @@ Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium,
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e174 = i;
-            i = (_e174 + 1u);
+            uint _e179 = i;
+            i = (_e179 + 1u);
         }
         loop_init = false;
         uint _e61 = i;
@@ -522,27 +524,31 @@ Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium,
                 vec3 _e104 = densities(_e13, _e103);
                 vec3 _e110 = columns_to_top(columns, radius_11, thickness_5, lit_x, _e103, (ray_2.sun_b + (ray_2.nu * _e88.y)));
                 vec3 _e116 = extinction(coefficients_1, _e110);
-                vec3 source_1 = (((gas_1 * _e104.x) + (aerosol_1 * _e104.y)) * exp(-(_e116)));
-                vec3 _e121 = out_.radiance;
-                out_.radiance = (_e121 + ((share_2 * source_1) * _e88.x));
+                source_1 = (((gas_1 * _e104.x) + (aerosol_1 * _e104.y)) * exp(-(_e116)));
+                vec3 _e122 = out_.radiance;
+                vec3 _e123 = source_1;
+                out_.radiance = (_e122 + ((share_2 * _e123) * _e88.x));
             }
             float r_4 = (radius_11 + _e79);
             float mu_5 = clamp((((lowest_1.b + _e75) - low_5) / r_4), -1.0, 1.0);
             float mu_sun_1 = clamp(((ray_2.sun_b + (ray_2.nu * _e75)) / r_4), -1.0, 1.0);
-            float _e144 = altitude_share(t_3.altitude_steepness, t_3.altitude_growth, _e79, thickness_5);
-            float _e145 = sun_share(_e27, mu_sun_1);
-            Source _e150 = diffuse_source(moments, (vec2(_e145, _e144) * nodes), medium.rayleigh, scattered, mu_5, mu_sun_1, ray_2.nu);
-            vec3 _e152 = out_.radiance;
-            out_.radiance = (_e152 + ((share_2 * (step_ * diffuse)) * ((_e150.gas * _e80.x) + (_e150.aerosol * _e80.y))));
-            vec3 _e165 = out_.transmittance;
-            out_.transmittance = (_e165 * exp(-(tau_1)));
-            vec3 _e170 = out_.columns;
-            out_.columns = (_e170 + (_e80 * step_));
+            float _e146 = altitude_share(t_3.altitude_steepness, t_3.altitude_growth, _e79, thickness_5);
+            float _e147 = sun_share(_e27, mu_sun_1);
+            Source _e152 = diffuse_source(moments, (vec2(_e147, _e146) * nodes), medium.rayleigh, scattered, mu_5, mu_sun_1, ray_2.nu);
+            before = _e152;
+            vec3 _e155 = out_.radiance;
+            vec3 _e159 = before.gas;
+            vec3 _e163 = before.aerosol;
+            out_.radiance = (_e155 + ((share_2 * (step_ * diffuse)) * ((_e159 * _e80.x) + (_e163 * _e80.y))));
+            vec3 _e170 = out_.transmittance;
+            out_.transmittance = (_e170 * exp(-(tau_1)));
+            vec3 _e175 = out_.columns;
+            out_.columns = (_e175 + (_e80 * step_));
             t0_1 = _e69;
         }
     }
-    Gathered _e176 = out_;
-    return _e176;
+    Gathered _e181 = out_;
+    return _e181;
 }
 
 vec2 share_azimuth(float share) {

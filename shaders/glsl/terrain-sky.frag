@@ -69,6 +69,18 @@ struct Corner {
     ivec2 high;
     vec2 part;
 };
+struct MoonShadow {
+    vec3 across;
+    float along;
+    float radius;
+    float tangent;
+    float least;
+    float rate;
+    float limb;
+    float pad0_;
+    float pad1_;
+    float pad2_;
+};
 struct Terrain {
     Frame frame;
     vec3 axis;
@@ -90,6 +102,7 @@ struct Terrain {
     vec3 sky_share;
     float pad;
     Tables tables;
+    MoonShadow eclipse;
 };
 struct Varyings {
     vec4 clip;
@@ -173,6 +186,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, _vs2fs_location0, _vs2fs_location1, _vs2fs_location2, _vs2fs_location3);
     vec3 albedo = vec3(0.0);
     vec3 light = vec3(0.0);
+    vec3 sky = vec3(0.0);
     Shaded out_ = Shaded(vec4(0.0), 0.0);
     float h = in_.surface.x;
     vec3 _e5 = _group_0_binding_0_fs.low_albedo;
@@ -190,22 +204,24 @@ void main() {
     float _e48 = _group_0_binding_0_fs.sea;
     albedo = mix(_e41, vec3(0.02, 0.04, 0.06), (_e48 * (1.0 - smoothstep(0.0, 0.004, h))));
     light = in_.light;
-    vec3 _e58 = light;
-    Tables _e62 = _group_0_binding_0_fs.tables;
-    vec3 _e64 = ground_irradiance(_group_0_binding_1_fs, _e62, in_.sun);
-    light = (_e58 + (_e64 * (0.5 + (0.5 * in_.surface.y))));
-    vec3 _e74 = albedo;
-    vec3 _e75 = light;
-    vec3 _e81 = _group_0_binding_0_fs.frame.medium.irradiance;
-    vec3 reflected = (((_e74 * _e75) * _e81) * 0.31830987);
+    Tables _e61 = _group_0_binding_0_fs.tables;
+    vec3 _e63 = ground_irradiance(_group_0_binding_1_fs, _e61, in_.sun);
+    sky = (_e63 * (0.5 + (0.5 * in_.surface.y)));
+    vec3 _e72 = light;
+    vec3 _e73 = sky;
+    light = (_e72 + _e73);
+    vec3 _e76 = albedo;
+    vec3 _e77 = light;
+    vec3 _e83 = _group_0_binding_0_fs.frame.medium.irradiance;
+    vec3 reflected = (((_e76 * _e77) * _e83) * 0.31830987);
     out_.color = vec4(min(reflected, vec3(32000.0)), 1.0);
-    DepthCode _e95 = _group_0_binding_0_fs.frame.depth;
-    vec3 _e99 = _group_0_binding_0_fs.axis;
-    float _e103 = depth_of(_e95, max(dot(in_.position, _e99), 1e-9));
-    out_.depth = clamp(_e103, 0.0, 1.0);
-    Shaded _e107 = out_;
-    _fs2p_location0 = _e107.color;
-    gl_FragDepth = _e107.depth;
+    DepthCode _e97 = _group_0_binding_0_fs.frame.depth;
+    vec3 _e101 = _group_0_binding_0_fs.axis;
+    float _e105 = depth_of(_e97, max(dot(in_.position, _e101), 1e-9));
+    out_.depth = clamp(_e105, 0.0, 1.0);
+    Shaded _e109 = out_;
+    _fs2p_location0 = _e109.color;
+    gl_FragDepth = _e109.depth;
     return;
 }
 

@@ -64,6 +64,18 @@ struct Tables {
     uint slices;
     float air_ground_rows;
 };
+struct MoonShadow {
+    vec3 across;
+    float along;
+    float radius;
+    float tangent;
+    float least;
+    float rate;
+    float limb;
+    float pad0_;
+    float pad1_;
+    float pad2_;
+};
 struct Terrain {
     Frame frame;
     vec3 axis;
@@ -85,6 +97,7 @@ struct Terrain {
     vec3 sky_share;
     float pad;
     Tables tables;
+    MoonShadow eclipse;
 };
 struct Varyings {
     vec4 clip;

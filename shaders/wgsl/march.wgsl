@@ -1,5 +1,8 @@
 //#include tables
 //#include path
+//#if ECLIPSE
+//#include moon_shadow
+//#endif
 // All orders of scattering along a ray, with the tables. Per unit of the sun's irradiance: 1/sr.
 
 struct Gathered {
@@ -28,6 +31,9 @@ fn lit_part(shadow: vec2f, low: f32, t0: f32, t1: f32, mid: f32) -> vec2f {
 // All light: the sun's and, times `diffuse`, what was scattered before.
 fn gather(
     columns: texture_2d<f32>, moments: texture_2d<f32>, medium: Medium, t: Tables, ray: AirRay,
+    //#if ECLIPSE
+    dir: vec3f, sun: vec3f, eclipse: MoonShadow, shade: texture_2d<f32>,
+    //#endif
     lowest: Low, u_from: f32, u_to: f32, gas: vec3f, aerosol: vec3f, diffuse: f32,
 ) -> Gathered {
 //#endif
@@ -70,7 +76,10 @@ fn gather_direct(
             let lit_h = altitude_of(lit_x, radius);
             let lit_d = densities(layers, lit_h);
             let path = columns_to_top(columns, radius, thickness, lit_x, lit_h, ray.sun_b + ray.nu * lit.y);
-            let source = (gas * lit_d.x + aerosol * lit_d.y) * exp(-extinction(coefficients, path));
+            var source = (gas * lit_d.x + aerosol * lit_d.y) * exp(-extinction(coefficients, path));
+            //#if ECLIPSE
+            source *= sun_left(eclipse, dir * (ray.start + lit.y), sun);
+            //#endif
             out.radiance += share * source * lit.x;
         }
         //#if DIFFUSE
@@ -78,8 +87,12 @@ fn gather_direct(
         let mu = clamp((lowest.b + mid - low) / r, -1.0, 1.0);
         let mu_sun = clamp((ray.sun_b + ray.nu * mid) / r, -1.0, 1.0);
         let row = altitude_share(t.altitude_steepness, t.altitude_growth, h, thickness);
-        let before = diffuse_source(
+        var before = diffuse_source(
             moments, vec2f(sun_share(axis, mu_sun), row) * nodes, medium.rayleigh, scattered, mu, mu_sun, ray.nu);
+        //#if ECLIPSE
+        let around = sun_left_around(shade, eclipse, dir * (ray.start + mid), sun);
+        before = Source(before.gas * around, before.aerosol * around);
+        //#endif
         out.radiance += share * (step * diffuse) * (before.gas * d.x + before.aerosol * d.y);
         //#endif
         out.transmittance *= exp(-tau);

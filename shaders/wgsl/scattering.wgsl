@@ -1,6 +1,9 @@
 //#include frame
 //#include path
 //#include phase
+//#if ECLIPSE
+//#include moon_shadow
+//#endif
 // Single scattering along a ray through a spherical atmosphere (Nishita et al. 1993, eq. 3 to 9), with the
 // planet's own shadow. Per unit of the sun's irradiance: radiance in 1/sr.
 
@@ -19,7 +22,12 @@ struct Scattered {
 
 // Light scattered into a ray over its first `length` km, and what the ray lets through.
 // away: 1 - cos of the angle between ray and sun.
-fn single_scattering(m: Medium, ray: AirRay, length: f32, away: f32, view_samples: u32, light_samples: u32) -> Scattered {
+fn single_scattering(
+    m: Medium, ray: AirRay, length: f32, away: f32, view_samples: u32, light_samples: u32,
+    //#if ECLIPSE
+    dir: vec3f, sun: vec3f, eclipse: MoonShadow,
+    //#endif
+) -> Scattered {
     var out: Scattered;
     out.radiance = vec3f(0.0);
     out.transmittance = vec3f(1.0);
@@ -79,6 +87,9 @@ fn single_scattering(m: Medium, ray: AirRay, length: f32, away: f32, view_sample
             //#endif
             source *= sun_transmittance(
                 coefficients, layers, m.radius, m.thickness, x, ray.sun_b + ray.nu * lit_t, light_samples);
+            //#if ECLIPSE
+            source *= sun_left(eclipse, dir * (ray.start + lit_t), sun);
+            //#endif
             out.radiance += out.transmittance * mean_transmittance(tau) * source * (step - dark);
         }
         //#endif

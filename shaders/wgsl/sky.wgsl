@@ -1,13 +1,40 @@
 //#include view
+//#if MARCH
 //#include scattering
+//#endif
+//#if TABLES
+//#include all_orders
+//#endif
+//#if ECLIPSE
+//#include tables
+//#endif
 //#include disk
-// The background sky: what a ray sees that meets no ground. Drawn first, depth ALWAYS, no depth write.
+// The background sky, marched along each ray (ECLIPSE: under a moon's shadow; TABLES: all orders): what a ray sees that meets no ground. Drawn first, depth ALWAYS, no depth write.
 // Out: premultiplied radiance, and in alpha the grey share of what lies behind that the air takes away.
 
+//#if OPEN
 @group(0) @binding(0) var<uniform> frame: Frame;
+//#endif
+//#if ECLIPSE
+struct Uniforms {
+    frame: Frame,
+    tables: Tables,
+    eclipse: MoonShadow,
+}
+
+@group(0) @binding(0) var<uniform> uniforms: Uniforms;
+//#endif
+//#if TABLES
+@group(0) @binding(1) var columns: texture_2d<f32>;
+@group(0) @binding(2) var moments: texture_2d<f32>;
+@group(0) @binding(3) var shade: texture_2d<f32>;
+//#endif
 
 @fragment
 fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
+    //#if ECLIPSE
+    let frame = uniforms.frame;
+    //#endif
     let dir = normalize(pixel_ray(position.xy, frame.size, frame.ray_forward, frame.ray_right, frame.ray_up));
     let m = frame.medium;
     if hits_planet(dir, frame.altitude, m.radius) {
@@ -21,7 +48,18 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     var through = vec3f(1.0);
     let ray = air_ray(dir, frame.altitude, m.radius, m.thickness, frame.sun);
     if ray.length > 0.0 {
-        let s = single_scattering(m, ray, ray.length, 0.5 * dot(offset, offset), frame.view_samples, frame.light_samples);
+        //#if MARCH
+        let s = single_scattering(
+            m, ray, ray.length, 0.5 * dot(offset, offset), frame.view_samples, frame.light_samples,
+            //#if ECLIPSE
+            dir, frame.sun, uniforms.eclipse,
+            //#endif
+        );
+        //#endif
+        //#if TABLES
+        let s = all_orders(
+            columns, moments, shade, m, uniforms.tables, ray, dir, frame.sun, uniforms.eclipse, ray.length);
+        //#endif
         light = s.radiance * frame.sky_weight;
         // What lies behind is dimmed in full: while this pass fades, the depth-aware one only adds light.
         through = s.transmittance;

@@ -1,4 +1,6 @@
+//#if SAMPLED
 //#include skyview
+//#endif
 //#include phase
 // The sky tables as a pixel reads them.
 

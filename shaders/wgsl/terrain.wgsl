@@ -2,9 +2,14 @@
 //#include scattering
 //#include noise
 //#include tables
+//#include moon_block
+//#if MOON
+//#include moon_shadow
+//#endif
 // The demonstration's ground: a planet-scale height field as a grid of rings around the point below the
 // camera, so that it reaches from the camera's feet to the horizon at any altitude. No vertex buffer.
-// It stands in for a user's own terrain. SKYLIGHT: lit by the sky's tables; ROUGH: by an estimate where there are none.
+// It stands in for a user's own terrain. SKYLIGHT: lit by the sky's tables; ROUGH: by an estimate where there are none. MOON: under
+// a moon's shadow.
 
 const RINGS: u32 = 256u;    // rings from the camera's foot to beyond the horizon
 const SEGMENTS: u32 = 384u; // around
@@ -31,11 +36,15 @@ struct Terrain {
     sky_share: vec3f,     // sky light on the ground per unit of irradiance with the sun in the zenith
     pad: f32,
     tables: Tables,
+    eclipse: MoonShadow,
 }
 
 @group(0) @binding(0) var<uniform> terrain: Terrain;
 //#if SKYLIGHT
 @group(0) @binding(1) var moments: texture_2d<f32>;
+//#if MOON
+@group(0) @binding(2) var shade: texture_2d<f32>;
+//#endif
 //#endif
 
 // Height above the surface (km, >= 0) in w and its gradient per radian in xyz, at a unit direction in the
@@ -138,6 +147,10 @@ fn vertex_main(@builtin(vertex_index) index: u32) -> Varyings {
         light += sun_transmittance(coefficients_of(m), layers_of(m), m.radius, m.thickness, x, sun_b, 8u) * (visible * max(dot(normal, f.sun), 0.0));
     }
 
+    //#if MOON
+    light *= sun_left(terrain.eclipse, position, f.sun);
+    //#endif
+
     var out: Varyings;
     let z = dot(position, terrain.axis);
     let right = dot(position, f.ray_right) / dot(f.ray_right, f.ray_right) - terrain.offset_x * z;
@@ -169,7 +182,11 @@ fn fragment_main(in: Varyings) -> Shaded {
     var light = in.light;
     //#if SKYLIGHT
     // On level ground; a slope sees less of the sky.
-    light += ground_irradiance(moments, terrain.tables, in.sun) * (0.5 + 0.5 * in.surface.y);
+    var sky = ground_irradiance(moments, terrain.tables, in.sun) * (0.5 + 0.5 * in.surface.y);
+    //#if MOON
+    sky *= sun_left_around(shade, terrain.eclipse, in.position, terrain.frame.sun);
+    //#endif
+    light += sky;
     //#endif
     var out: Shaded;
     let reflected = albedo * light * terrain.frame.medium.irradiance * (1.0 / 3.14159265); // Lambert

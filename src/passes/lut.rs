@@ -264,7 +264,7 @@ impl TablesUniform {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Textures {
     columns: TextureId,
-    sky: TextureId,
+    sky: Option<TextureId>,
     /// Gathered radiance, and two tables of moments.
     scattered: Option<[TextureId; 3]>,
     haze: Option<TextureId>,
@@ -272,6 +272,11 @@ pub(crate) struct Textures {
 }
 
 impl Textures {
+    /// Densities integrated towards the top.
+    pub fn columns(&self) -> TextureId {
+        self.columns
+    }
+
     /// What only some scenes call for.
     fn add(&mut self, backend: &mut dyn Backend, plan: &TablePlan, with_air: bool) -> Result<()> {
         let settings = &plan.settings;
@@ -283,6 +288,10 @@ impl Textures {
             let full = Format::Rgba32Float;
             let sizes = [("gathered radiance", radiance), ("moments table", moments), ("moments table", moments)];
             self.scattered = Some(create(backend, sizes.map(|(label, size)| (label, size, full)))?);
+        }
+        if plan.sky && self.sky.is_none() {
+            let [sky] = create(backend, [("sky table", settings.sky, format)])?;
+            self.sky = Some(sky);
         }
         if plan.haze && self.haze.is_none() {
             let [haze] = create(backend, [("sky table", settings.sky, format)])?;
@@ -301,10 +310,9 @@ impl Textures {
         let air = self.air.into_iter().flatten().map(|id| (id, AIR));
         let scattered = self.scattered.into_iter().flatten();
         let scattered = scattered.zip(["gathered radiance", "moments table", "moments table"]);
-        [(self.columns, "columns table"), (self.sky, "sky table")]
-            .into_iter()
+        std::iter::once((self.columns, "columns table"))
             .chain(scattered)
-            .chain(self.haze.map(|id| (id, "sky table")))
+            .chain(self.sky.into_iter().chain(self.haze).map(|id| (id, "sky table")))
             .chain(air)
     }
 }
@@ -384,6 +392,7 @@ impl Luts {
     ) -> Result<(Ready, TablesUniform)> {
         let (settings, constituents, rounds) = (&plan.settings, plan.air, plan.rounds as usize);
         let (t, tables) = self.of_medium(backend, params, plan, with_air, passes)?;
+        let sky = t.sky.ok_or_else(|| crate::backend::unknown(backend.info().backend, "sky table"))?;
         // Columns, and with light that was scattered before its moments.
         let scattered = t.scattered.filter(|_| rounds > 0);
         let inputs = scattered.map_or(reads([t.columns]), |s| reads([t.columns, s[1 + rounds % 2]]));
@@ -393,7 +402,7 @@ impl Luts {
         let block = |tables: TablesUniform| Uniform::new(&FrameTables { frame: *frame, tables });
         if self.sky != Some(view) {
             let uniform = block(TablesUniform { size: settings.sky, steps: settings.sky_steps, ..tables });
-            let even = (t.sky, false, diffuse, inputs);
+            let even = (sky, false, diffuse, inputs);
             let straight = haze.map(|haze| (haze, true, false, reads([t.columns])));
             for (target, aerosol, diffuse, textures) in [Some(even), straight].into_iter().flatten() {
                 let program = Some(backend.create_program(Program::LutSky { air: constituents, aerosol, diffuse })?);
@@ -402,7 +411,7 @@ impl Luts {
             }
             self.sky = Some(view);
         }
-        let mut ready = Ready { columns: t.columns, sky: t.sky, haze, air: t.columns };
+        let mut ready = Ready { columns: t.columns, sky, haze, air: t.columns };
         if let (true, Some(air)) = (with_air, t.air) {
             let scans = settings.air[2].next_power_of_two().trailing_zeros();
             let at = |step: u32| air[(step % 2) as usize];
@@ -505,15 +514,22 @@ impl Luts {
             Some((_, t)) => t,
             None => {
                 self.destroy(backend);
-                let (full, sky) = (Format::Rgba32Float, sampled(backend));
-                let sizes = [("columns table", settings.columns, full), ("sky table", settings.sky, sky)];
-                let [columns, sky] = create(backend, sizes)?;
-                Textures { columns, sky, scattered: None, haze: None, air: None }
+                let [columns] = create(backend, [("columns table", settings.columns, Format::Rgba32Float)])?;
+                Textures { columns, sky: None, scattered: None, haze: None, air: None }
             }
         };
         let (haze, scattered) = (t.haze.is_some() && !plan.haze, t.scattered.is_some() && plan.rounds == 0);
-        self.spare = if haze || scattered { self.spare.saturating_add(1) } else { 0 };
+        let sky = t.sky.is_some() && !plan.sky;
+        self.spare = if haze || scattered || sky { self.spare.saturating_add(1) } else { 0 };
         if self.spare >= IDLE {
+            if let Some(id) = t.sky.take_if(|_| sky) {
+                backend.destroy_texture(id);
+                self.sky = None;
+            }
+            for id in t.air.take_if(|_| sky).into_iter().flatten() {
+                backend.destroy_texture(id);
+                self.air = None;
+            }
             if let Some(haze) = t.haze.take_if(|_| haze) {
                 backend.destroy_texture(haze);
             }

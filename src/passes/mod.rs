@@ -3,6 +3,7 @@
 pub mod frame;
 pub mod lut;
 pub mod picture;
+pub mod shadow;
 pub mod sky;
 pub mod sun;
 pub mod terrain;

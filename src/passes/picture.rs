@@ -1,6 +1,6 @@
 //! A whole picture in the right order: sky, terrain, air, tone mapping.
 
-use super::sky::{SkyRenderer, SkySettings};
+use super::sky::{GroundLight, SkyRenderer, SkySettings};
 use super::terrain::TerrainStyle;
 use super::tone::{ToneMap, tone_pass};
 use crate::atmosphere::AtmosphereParams;
@@ -163,7 +163,7 @@ impl PictureRenderer {
             // Only terrain writes depth: an empty one stays so.
             clear_depth: (self.empty_depth != Some(background)).then_some(background),
         };
-        let mut light = None;
+        let mut light = GroundLight::default();
         if settings.terrain.is_some() {
             let (passes, found) = self.sky.ground_light(backend, scene, size)?;
             self.passes.extend_from_slice(passes);
@@ -173,7 +173,7 @@ impl PictureRenderer {
         let drawn = self.passes.iter().any(|p| p.target.color == t.scene);
         let after = if drawn { Target { clear: None, clear_depth: None, ..target } } else { target };
         if let Some(terrain) = &settings.terrain {
-            self.passes.push(terrain.pass(backend, scene, after, light)?);
+            self.passes.push(terrain.pass(backend, scene, after, &light)?);
         } else if !drawn {
             let (textures, uniform, depth) = (reads([]), Uniform::NONE, DepthUse::Always);
             self.passes.push(Pass { label: "clear", program: None, textures, uniform, target, depth });

@@ -4,11 +4,13 @@ use std::fmt;
 
 use super::frame::{FrameOptions, FrameUniform};
 use super::lut::{FrameTables, IDLE, LutSettings, Luts, TablesUniform};
+use super::shadow::{EclipseUniform, ShadowUniform, TEXELS, shadow};
 use super::sun::disk_pass;
+use crate::atmosphere::AtmosphereParams;
 use crate::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
 use crate::error::{Error, Result, in_range};
 use crate::lighting::SkyLightRead;
-use crate::plan::{Bound, EffectPlan};
+use crate::plan::{Bound, EffectPlan, TablePlan};
 use crate::shaders::Program;
 use crate::view::{Scene, ZenithView};
 
@@ -212,6 +214,8 @@ pub struct SkyRenderer {
     luts: Luts,
     /// Frames' passes in a row that called for no tables.
     idle: u32,
+    /// See `shadow`.
+    shade: Option<TextureId>,
     /// What the last passes were made for.
     plan: Option<EffectPlan>,
 }
@@ -223,7 +227,15 @@ impl SkyRenderer {
     /// [`Error::Invalid`] from [`SkySettings::validate`].
     pub fn new(settings: SkySettings) -> Result<Self> {
         settings.validate()?;
-        Ok(Self { settings, passes: Vec::with_capacity(4), low: None, luts: Luts::default(), idle: 0, plan: None })
+        Ok(Self {
+            settings,
+            passes: Vec::with_capacity(4),
+            low: None,
+            luts: Luts::default(),
+            idle: 0,
+            shade: None,
+            plan: None,
+        })
     }
 
     /// The settings in use.
@@ -254,9 +266,12 @@ impl SkyRenderer {
     }
 
     /// The plan of the passes that are asked for now.
-    fn next_plan(&mut self, scene: &Scene, view: &ZenithView, size: [u32; 2]) -> EffectPlan {
+    fn next_plan(&mut self, backend: &mut dyn Backend, scene: &Scene, view: &ZenithView, size: [u32; 2]) -> EffectPlan {
         let plan = EffectPlan::of(scene, view, &self.settings, size, self.plan.as_ref());
         self.plan = Some(plan.clone());
+        if !plan.eclipse {
+            self.free_shade(backend);
+        }
         plan
     }
 
@@ -283,7 +298,7 @@ impl SkyRenderer {
     pub fn background(&mut self, backend: &mut dyn Backend, scene: &Scene, target: Target) -> Result<&[Pass]> {
         let view = scene.validate()?;
         let desc = texture(backend, target.color)?;
-        let plan = self.next_plan(scene, &view, [desc.width, desc.height]);
+        let plan = self.next_plan(backend, scene, &view, [desc.width, desc.height]);
         self.passes.clear();
         self.free_tables_unless(backend, plan.tables.is_some());
         let mut options = Self::options(&desc, &plan);
@@ -302,6 +317,14 @@ impl SkyRenderer {
             let only = full && target.clear == Some([0.0, 0.0, 0.0, 1.0]);
             let mut target = target;
             let (program, textures, uniform) = match (&plan.tables, program) {
+                (wanted, Program::EclipseSky { .. }) => {
+                    let (uniform, [columns, moments, shade]) =
+                        match self.eclipse(backend, scene, &view, drawn, wanted.as_ref())? {
+                            (uniform, Some(textures)) => (uniform, textures.map(Some)),
+                            (uniform, None) => (uniform, [None; 3]),
+                        };
+                    (program, [columns, moments, shade, None, None, None], uniform)
+                }
                 (Some(wanted), Program::SkyLut { mie, .. }) => {
                     let passes = &mut self.passes;
                     let (t, tables) = self.luts.update(backend, &scene.atmosphere, wanted, &frame, false, passes)?;
@@ -406,11 +429,20 @@ impl SkyRenderer {
         depth: TextureId,
         target: Target,
     ) -> Result<()> {
-        let plan = self.next_plan(scene, view, [desc.width, desc.height]);
+        let plan = self.next_plan(backend, scene, view, [desc.width, desc.height]);
         self.free_tables_unless(backend, plan.tables.is_some());
         if let Some(program) = plan.before {
             let frame = FrameUniform::new(scene, view, &Self::options(desc, &plan));
             let (textures, uniform) = match &plan.tables {
+                wanted if plan.eclipse => {
+                    let (uniform, tables) = self.eclipse(backend, scene, view, frame, wanted.as_ref())?;
+                    let scene = color.into_iter().chain([depth]);
+                    let mut textures = reads([]);
+                    for (slot, id) in textures.iter_mut().zip(scene.chain(tables.into_iter().flatten())) {
+                        *slot = Some(id);
+                    }
+                    (textures, uniform)
+                }
                 Some(wanted) => {
                     let passes = &mut self.passes;
                     let (t, tables) = self.luts.update(backend, &scene.atmosphere, wanted, &frame, true, passes)?;
@@ -434,8 +466,53 @@ impl SkyRenderer {
         Ok(())
     }
 
+    /// The block of a pass under the moon's shadow, and the tables that it reads: columns, moments, shade. The passes that
+    /// fill them are appended.
+    fn eclipse(
+        &mut self,
+        backend: &mut dyn Backend,
+        scene: &Scene,
+        view: &ZenithView,
+        frame: FrameUniform,
+        wanted: Option<&TablePlan>,
+    ) -> Result<(Uniform, Option<[TextureId; 3]>)> {
+        let mut tables = TablesUniform::default();
+        let mut textures = None;
+        if let Some(wanted) = wanted {
+            let (columns, made) = self.luts.of_medium(backend, &scene.atmosphere, wanted, false, &mut self.passes)?;
+            tables = TablesUniform { steps: wanted.settings.sky_steps, ..made };
+            textures = self.luts.moments().map(|(moments, ..)| [columns.columns(), moments]);
+        }
+        let (eclipse, shade) = self.moon_shadow(backend, view, &scene.atmosphere, textures.is_some())?;
+        let textures = textures.zip(shade).map(|([columns, moments], shade)| [columns, moments, shade]);
+        Ok((Uniform::new(&EclipseUniform { frame, tables, eclipse }), textures))
+    }
+
+    /// The moon's shadow as passes are told of it, and its shade where `diffuse` light is drawn.
+    fn moon_shadow(
+        &mut self,
+        backend: &mut dyn Backend,
+        view: &ZenithView,
+        params: &AtmosphereParams,
+        diffuse: bool,
+    ) -> Result<(ShadowUniform, Option<TextureId>)> {
+        let Some(moon) = &view.moon else { return Ok((ShadowUniform::default(), None)) };
+        let (uniform, texels) = shadow(view, params, moon);
+        if !diffuse {
+            return Ok((uniform, None));
+        }
+        let desc = TextureDesc::new(SHADE, TEXELS as u32, 1, Format::Rgba32Float);
+        let shade = match self.shade.filter(|&id| backend.texture(id) == Some(desc)) {
+            Some(shade) => shade,
+            None => backend.create_texture(&desc)?,
+        };
+        self.shade = Some(shade);
+        backend.write_texture(shade, &texels)?;
+        Ok((uniform, Some(shade)))
+    }
+
     /// Light of the sky for ground that is drawn before the air: the passes that fill its table, to be run first, and
-    /// how a pass reads it. `None` where the method or the plan has no such table. `size`: of the picture, pixels.
+    /// how a pass reads it; and the moon's shadow. `size`: of the picture, pixels.
     ///
     /// # Errors
     /// As [`Self::background`].
@@ -444,14 +521,18 @@ impl SkyRenderer {
         backend: &mut dyn Backend,
         scene: &Scene,
         size: [u32; 2],
-    ) -> Result<(&[Pass], Option<GroundLight>)> {
+    ) -> Result<(&[Pass], GroundLight)> {
         let view = scene.validate()?;
-        let plan = self.next_plan(scene, &view, size);
+        let plan = self.next_plan(backend, scene, &view, size);
         self.passes.clear();
-        let mut light = None;
+        let mut light = GroundLight::default();
         if let Some(wanted) = plan.tables.filter(|t| t.rounds > 0) {
-            let tables = self.luts.of_medium(backend, &scene.atmosphere, &wanted, false, &mut self.passes)?.1;
-            light = self.luts.moments().map(|(moments, ..)| GroundLight { moments, tables });
+            light.tables = self.luts.of_medium(backend, &scene.atmosphere, &wanted, false, &mut self.passes)?.1;
+            light.moments = self.luts.moments().map(|(moments, ..)| moments);
+        }
+        if plan.eclipse {
+            let shadow = self.moon_shadow(backend, &view, &scene.atmosphere, light.moments.is_some())?;
+            light.shadow = Some(shadow);
         }
         Ok((&self.passes, light))
     }
@@ -472,6 +553,7 @@ impl SkyRenderer {
     /// Frees what this renderer made on a backend.
     pub fn destroy(&mut self, backend: &mut dyn Backend) {
         self.free_low(backend);
+        self.free_shade(backend);
         self.luts.destroy(backend);
     }
 
@@ -480,6 +562,14 @@ impl SkyRenderer {
         self.idle = if needed { 0 } else { self.idle.saturating_add(1) };
         if self.idle == IDLE {
             self.luts.destroy(backend);
+        }
+    }
+
+    fn free_shade(&mut self, backend: &mut dyn Backend) {
+        if let Some(shade) = self.shade.take()
+            && backend.texture(shade).is_some_and(|d| d.label == SHADE)
+        {
+            backend.destroy_texture(shade);
         }
     }
 
@@ -503,12 +593,18 @@ impl SkyRenderer {
     }
 }
 
-/// Where a pass finds the sky's light on the ground; see [`SkyRenderer::ground_light`].
-#[derive(Clone, Copy, Debug)]
+/// What a pass needs for the light on the ground; see [`SkyRenderer::ground_light`].
+#[derive(Clone, Copy, Debug, Default)]
 pub struct GroundLight {
-    pub(crate) moments: TextureId,
+    /// The sky's light, where the method or the plan has a table of it.
+    pub(crate) moments: Option<TextureId>,
     pub(crate) tables: TablesUniform,
+    /// The moon's shadow, where one falls on what is seen; with the shade where there are moments.
+    pub(crate) shadow: Option<(ShadowUniform, Option<TextureId>)>,
 }
+
+/// Label of the shade.
+const SHADE: &str = "moon's shade";
 
 /// Label of the sky in low resolution.
 const LOW: &str = "low-resolution sky";

@@ -7,6 +7,7 @@ use glam::{DVec3, IVec3};
 
 use super::frame::{FrameOptions, FrameUniform, block};
 use super::lut::TablesUniform;
+use super::shadow::ShadowUniform;
 use super::sky::{GroundLight, texture};
 use crate::atmosphere::AtmosphereParams;
 use crate::backend::{Backend, DepthUse, Pass, Target, Uniform, reads};
@@ -38,6 +39,7 @@ block! {
         sky_share: [f32; 3],
         pad: f32,
         tables: TablesUniform,
+        eclipse: ShadowUniform,
     }
 }
 
@@ -162,14 +164,8 @@ impl TerrainStyle {
     }
 
     /// The pass that draws the ground with depth, after the sky. `target.depth` must be there and cleared to
-    /// [`crate::DepthConvention::background`]. `light`: of the sky, from [`crate::SkyRenderer::ground_light`].
-    pub fn pass(
-        &self,
-        backend: &mut dyn Backend,
-        scene: &Scene,
-        target: Target,
-        light: Option<GroundLight>,
-    ) -> Result<Pass> {
+    /// [`crate::DepthConvention::background`]. `light`: what [`crate::SkyRenderer::ground_light`] says.
+    pub fn pass(&self, backend: &mut dyn Backend, scene: &Scene, target: Target, light: &GroundLight) -> Result<Pass> {
         let view = scene.validate()?;
         let desc = texture(backend, target.color)?;
         let options = FrameOptions {
@@ -220,12 +216,20 @@ impl TerrainStyle {
             snow_line: (self.snow_line / 1000.0).min(1e6) as f32,
             sky_share: color(Self::sky_share(&scene.atmosphere)),
             pad: 0.0,
-            tables: light.map(|light| light.tables).unwrap_or_default(),
+            tables: light.tables,
+            eclipse: light.shadow.map(|(block, _)| block).unwrap_or_default(),
         };
+        let shade = light.shadow.and_then(|(_, shade)| shade);
+        let textures = match (light.moments, shade) {
+            (Some(moments), Some(shade)) => reads([moments, shade]),
+            (Some(moments), None) => reads([moments]),
+            (None, _) => reads([]),
+        };
+        let program = Program::Terrain { sky: light.moments.is_some(), moon: light.shadow.is_some() };
         Ok(Pass {
             label: "terrain",
-            program: Some(backend.create_program(Program::Terrain { sky: light.is_some() })?),
-            textures: light.map_or(reads([]), |light| reads([light.moments])),
+            program: Some(backend.create_program(program)?),
+            textures,
             uniform: Uniform::new(&uniform),
             target,
             depth: DepthUse::Nearer { reversed: scene.depth.is_reversed() },

@@ -165,7 +165,9 @@ impl Drawer {
         if let Self::Picture(_, settings) = self {
             programs.push(Program::ToneMap { map: settings.tone_map, dither: settings.dither });
             if settings.terrain.is_some() {
-                programs.push(Program::Terrain { sky: programs.contains(&Program::LutMoments) });
+                let under = |p: &Program| matches!(p, Program::EclipseSky { .. } | Program::EclipseAerial { .. });
+                let (sky, moon) = (programs.contains(&Program::LutMoments), programs.iter().any(under));
+                programs.push(Program::Terrain { sky, moon });
             }
         }
     }

@@ -89,6 +89,12 @@ impl Constituents {
     }
 }
 
+/// Flags of air under a moon's shadow.
+fn eclipse(phase: MiePhase, tables: bool, flags: &mut Vec<&'static str>) {
+    Constituents { rayleigh: true, mie: Some(phase), ozone: true, dark: false }.flags(flags);
+    flags.extend(if tables { &["ECLIPSE", "TABLES", "DIFFUSE"][..] } else { &["ECLIPSE", "MARCH"] });
+}
+
 /// Flags of an aerosol that scatters light.
 fn haze(mie: Option<MiePhase>, flags: &mut Vec<&'static str>) {
     match mie {
@@ -154,6 +160,22 @@ pub enum Program {
         /// What dims it.
         air: Constituents,
     },
+    /// The background sky under a moon's shadow, `sky.wgsl`; it holds every constituent.
+    EclipseSky {
+        /// Of the aerosol.
+        phase: MiePhase,
+        /// Light of all orders, from the medium's tables; otherwise light scattered once.
+        tables: bool,
+    },
+    /// Air before the scene under a moon's shadow, `aerial.wgsl`; it holds every constituent.
+    EclipseAerial {
+        /// Of the aerosol.
+        phase: MiePhase,
+        /// As of [`Self::EclipseSky`].
+        tables: bool,
+        /// Laid over the scene instead of reading its colour.
+        blend: bool,
+    },
     /// Air before the scene, `aerial.wgsl`.
     Aerial {
         /// What the air holds.
@@ -215,6 +237,8 @@ pub enum Program {
     Terrain {
         /// With the light of the simulated sky, from the table of moments; otherwise a rough estimate of it.
         sky: bool,
+        /// Under a moon's shadow.
+        moon: bool,
     },
     /// A plain copy, `copy.wgsl`.
     Copy,
@@ -230,7 +254,16 @@ const TERRAIN_SEGMENTS: u32 = 384;
 impl Program {
     /// Every program that can be asked for.
     pub fn all() -> Vec<Self> {
-        let mut all = vec![Self::Copy, Self::Upsample, Self::Terrain { sky: false }, Self::Terrain { sky: true }];
+        let mut all = vec![Self::Copy, Self::Upsample];
+        for sky in [false, true] {
+            all.extend([false, true].map(|moon| Self::Terrain { sky, moon }));
+        }
+        for phase in [MiePhase::HenyeyGreenstein, MiePhase::CornetteShanks] {
+            for tables in [false, true] {
+                all.push(Self::EclipseSky { phase, tables });
+                all.extend([false, true].map(|blend| Self::EclipseAerial { phase, tables, blend }));
+            }
+        }
         all.extend([Self::LutColumns, Self::LutRadiance, Self::LutMoments]);
         all.extend([false, true].map(|finish| Self::LutScan { finish }));
         all.extend([false, true].into_iter().flat_map(|d| ToneMap::ALL.map(|map| Self::ToneMap { map, dither: d })));
@@ -274,7 +307,16 @@ impl Program {
             Self::Copy | Self::Upsample | Self::LutColumns | Self::LutRadiance | Self::LutMoments => {
                 self.module().to_owned()
             }
-            Self::Terrain { sky } => if sky { "terrain-sky" } else { "terrain" }.to_owned(),
+            Self::Terrain { .. } => [self.module(), part("SKYLIGHT", "-sky"), part("MOON", "-moon")].concat(),
+            Self::EclipseSky { .. } | Self::EclipseAerial { .. } => [
+                self.module(),
+                "-eclipse",
+                part("TABLES", "-lut"),
+                part("MIE_HG", "-mie_hg"),
+                part("MIE_CS", "-mie_cs"),
+                part("BLEND", "-blend"),
+            ]
+            .concat(),
             Self::LutScan { finish } => format!("lut_scan-{}", if finish { "finish" } else { "add" }),
             Self::ToneMap { map, dither } => {
                 format!("tonemap-{}{}", map.name(), if dither { "-dither" } else { "" })
@@ -317,10 +359,10 @@ impl Program {
     /// The WGSL module that holds the entry points.
     pub fn module(self) -> &'static str {
         match self {
-            Self::Sky { .. } => "sky",
+            Self::Sky { .. } | Self::EclipseSky { .. } => "sky",
             Self::Sun { .. } => "sun",
             Self::Moon { .. } => "moon",
-            Self::Aerial { .. } => "aerial",
+            Self::Aerial { .. } | Self::EclipseAerial { .. } => "aerial",
             Self::SkyLut { .. } => "sky_lut",
             Self::AerialLut { .. } => "aerial_lut",
             Self::LutColumns => "lut_columns",
@@ -343,7 +385,16 @@ impl Program {
     fn flags(self) -> Vec<&'static str> {
         let mut flags = Vec::new();
         match self {
-            Self::Sky { air } | Self::Moon { air } => air.flags(&mut flags),
+            Self::Moon { air } => air.flags(&mut flags),
+            Self::Sky { air } => {
+                air.flags(&mut flags);
+                flags.extend(["OPEN", "MARCH"]);
+            }
+            Self::EclipseSky { phase, tables } => eclipse(phase, tables, &mut flags),
+            Self::EclipseAerial { phase, tables, blend } => {
+                eclipse(phase, tables, &mut flags);
+                flags.push(if blend { "BLEND" } else { "READ" });
+            }
             Self::Sun { air, limb, moon } => {
                 air.flags(&mut flags);
                 flags.extend(limb.then_some("LIMB"));
@@ -351,15 +402,17 @@ impl Program {
             }
             Self::SkyLut { mie, only } => {
                 haze(mie, &mut flags);
+                flags.push("SAMPLED");
                 flags.push(if only { "ONLY" } else { "OVER" });
             }
             Self::Aerial { air, blend } => {
                 air.flags(&mut flags);
+                flags.extend(["OPEN", "MARCH"]);
                 flags.push(if blend { "BLEND" } else { "READ" });
             }
             Self::AerialLut { mie, blend } => {
                 // Gas and absorber are in the tables; what is left of them is a factor each.
-                flags.extend(["AIR", "RAYLEIGH", "MIE", "OZONE"]);
+                flags.extend(["AIR", "RAYLEIGH", "MIE", "OZONE", "SAMPLED"]);
                 haze(mie, &mut flags);
                 flags.push(if blend { "BLEND" } else { "READ" });
             }
@@ -388,8 +441,9 @@ impl Program {
                 Constituents { rayleigh: true, mie: Some(MiePhase::HenyeyGreenstein), ozone: true, dark: false }
                     .flags(&mut flags);
                 flags.push("DIFFUSE");
-                if let Self::Terrain { sky } = self {
+                if let Self::Terrain { sky, moon } = self {
                     flags.push(if sky { "SKYLIGHT" } else { "ROUGH" });
+                    flags.extend(moon.then_some("MOON"));
                 }
             }
             Self::Upsample | Self::Copy => {}
@@ -417,7 +471,9 @@ impl Program {
     pub fn textures(self) -> usize {
         match self {
             Self::Sky { .. } | Self::Sun { .. } | Self::Moon { .. } | Self::LutColumns => 0,
-            Self::Terrain { sky } => usize::from(sky),
+            Self::Terrain { sky, moon } => usize::from(sky) * (1 + usize::from(moon)),
+            Self::EclipseSky { tables, .. } => 3 * usize::from(tables),
+            Self::EclipseAerial { tables, blend, .. } => 2 - usize::from(blend) + 3 * usize::from(tables),
             Self::Upsample | Self::ToneMap { .. } | Self::Copy | Self::LutMoments | Self::LutScan { .. } => 1,
             Self::SkyLut { mie, .. } => 1 + usize::from(mie.is_some()),
             Self::LutRadiance => 2,
@@ -444,6 +500,7 @@ impl Program {
         match self {
             Self::Sky { .. } | Self::Aerial { .. } | Self::Upsample => size_of::<FrameUniform>(),
             Self::Sun { .. } | Self::Moon { .. } => size_of::<crate::passes::sun::DiskUniform>(),
+            Self::EclipseSky { .. } | Self::EclipseAerial { .. } => size_of::<crate::passes::shadow::EclipseUniform>(),
             Self::Terrain { .. } => size_of::<TerrainUniform>(),
             Self::ToneMap { .. } => size_of::<ToneUniform>(),
             Self::LutColumns | Self::LutRadiance | Self::LutMoments => size_of::<lut::MediumTables>(),
@@ -475,9 +532,9 @@ impl Program {
     /// Whether the output is laid over the target by its (premultiplied) alpha.
     pub fn blends(self) -> bool {
         match self {
-            Self::Sky { .. } | Self::Sun { .. } | Self::Moon { .. } | Self::Upsample => true,
+            Self::Sky { .. } | Self::EclipseSky { .. } | Self::Sun { .. } | Self::Moon { .. } | Self::Upsample => true,
             Self::SkyLut { only, .. } => !only,
-            Self::Aerial { blend, .. } | Self::AerialLut { blend, .. } => blend,
+            Self::Aerial { blend, .. } | Self::AerialLut { blend, .. } | Self::EclipseAerial { blend, .. } => blend,
             _ => false,
         }
     }
@@ -591,6 +648,7 @@ pub const MODULES: &[(&str, &str)] = modules![
     "aerial",
     "aerial_lut",
     "air",
+    "all_orders",
     "copy",
     "directions",
     "disk",
@@ -610,6 +668,8 @@ pub const MODULES: &[(&str, &str)] = modules![
     "march",
     "medium",
     "moon",
+    "moon_block",
+    "moon_shadow",
     "noise",
     "path",
     "phase",

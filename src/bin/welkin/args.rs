@@ -357,8 +357,8 @@ pub struct RenderArgs {
 
     /// Put the moon where it stood, too; needs --place and --time, years 1900 to 2099
     ///
-    /// It is drawn with its phase, hides the sun's disk, whose edge is then darker, and with --backend cpu its shadow
-    /// falls through the air, for light scattered once. The other backends do not darken the air.
+    /// It is drawn with its phase, hides the sun's disk, whose edge is then darker, and its shadow falls on the ground and
+    /// through the air. With --backend cpu for light scattered once.
     #[arg(long, help_heading = "Sun (by angles, or by place and time)", requires_all = ["place", "time"])]
     moon: bool,
 

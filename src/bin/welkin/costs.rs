@@ -51,8 +51,16 @@ struct Case {
     view: View,
     params: AtmosphereParams,
     sky: SkySettings,
+    moon: Option<Where>,
+}
+
+/// Where a moon stands.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Where {
     /// In the middle of the picture.
-    moon: bool,
+    Ahead,
+    /// Before half of the sun.
+    BeforeSun,
 }
 
 /// An effect, what a case is like that does not call for it, and both cases.
@@ -119,7 +127,7 @@ fn rows(quality: Quality) -> anyhow::Result<Vec<Row>> {
         view: View { pitch: 10.0, sun_azimuth: 200.0, ..views::DEFAULT },
         params: AtmosphereParams::earth(),
         sky: SkySettings { bound: Some(Bound::eight_bit(1.0)), ..quality.into() },
-        moon: false,
+        moon: None,
     };
     let orbit = Case { view: View { altitude: 4e5, pitch: -18.0, fov: 40.0, ..day.view }, ..day.clone() };
     let dome = Case { sky: SkySettings { composition: Composition::SkyDome, ..day.sky }, ..day.clone() };
@@ -160,8 +168,9 @@ fn rows(quality: Quality) -> anyhow::Result<Vec<Row>> {
         row("aerial perspective", "nothing before the sky", &up, &nothing_before),
         row("sky tables", "marching 16 × 8", &day, &march),
         row("air table", "nothing before the sky", &up, &nothing_before),
+        row("eclipse", "no moon before the sun", &Case { moon: Some(Where::BeforeSun), ..day.clone() }, &day),
         row("sun disk", "switched off", &day, &sky(|s| s.sun_disk = false)),
-        row("moon disk", "the scene has none", &Case { moon: true, ..day.clone() }, &day),
+        row("moon disk", "the scene has none", &Case { moon: Some(Where::Ahead), ..day.clone() }, &day),
         row("reduced resolution", "render scale 1", &half, &full),
     ])
 }
@@ -171,8 +180,16 @@ fn measure(drawer: &mut Drawer, case: &Case, effect: &str, args: &CostsArgs) -> 
     let backend = drawer.backend().context("no GPU backend can be had here ('welkin info' says why)")?;
     let [width, height] = args.size;
     let scene = case.view.scene(Place::DEFAULT, f64::from(width) / f64::from(height), None)?;
-    let ahead = scene.camera.position + scene.camera.forward.normalize_or_zero() * 3.8e8;
-    let moon = case.moon.then(|| Moon::new(ahead, MOON_RADIUS));
+    let moon = case.moon.map(|place| {
+        let towards = match place {
+            Where::Ahead => scene.camera.forward.normalize_or_zero(),
+            Where::BeforeSun => {
+                let sun = scene.sun_direction.normalize_or_zero();
+                sun + sun.any_orthonormal_vector() * case.params.sun_angular_radius
+            }
+        };
+        Moon::new(scene.camera.position + towards * 3.8e8, MOON_RADIUS)
+    });
     let scene = Scene { atmosphere: case.params.clone(), moon, ..scene };
     let mut make = |label, format| backend.create_texture(&TextureDesc::new(label, width, height, format));
     let color = make("color", Format::Rgba16Float)?;

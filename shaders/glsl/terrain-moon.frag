@@ -1,0 +1,177 @@
+#version 300 es
+
+precision highp float;
+precision highp int;
+
+struct Medium {
+    vec3 rayleigh;
+    float rayleigh_inv_height;
+    vec3 mie_scattering;
+    float mie_inv_height;
+    vec3 mie_extinction;
+    float ozone_center;
+    vec3 mie_asymmetry;
+    float ozone_inv_half_width;
+    vec3 ozone;
+    float radius;
+    vec3 irradiance;
+    float thickness;
+};
+struct DepthCode {
+    float scale;
+    float bias;
+    float log_;
+    float background;
+};
+struct Frame {
+    Medium medium;
+    vec3 ray_forward;
+    float altitude;
+    vec3 ray_right;
+    float sky_weight;
+    vec3 ray_up;
+    float shell_weight;
+    vec3 sun;
+    float sun_chord;
+    vec2 size;
+    float sun_disk;
+    float pixel_angle;
+    DepthCode depth;
+    uint view_samples;
+    uint light_samples;
+    uint low_resolution;
+    float camera_altitude;
+    vec4 limb;
+};
+struct Tables {
+    vec3 mie_extinction;
+    float altitude_steepness;
+    vec3 mie_moment0_;
+    float altitude_growth;
+    vec3 mie_moment1_;
+    float sun_middle;
+    vec3 mie_moment2_;
+    float sun_width;
+    vec3 mie_asymmetry;
+    float pad;
+    vec3 albedo;
+    float sun_first;
+    float sun_span;
+    float ground_rows;
+    uvec2 size;
+    uint steps;
+    uint shift;
+    uint slices;
+    float air_ground_rows;
+};
+struct MoonShadow {
+    vec3 across;
+    float along;
+    float radius;
+    float tangent;
+    float least;
+    float rate;
+    float limb;
+    float pad0_;
+    float pad1_;
+    float pad2_;
+};
+struct Terrain {
+    Frame frame;
+    vec3 axis;
+    float amplitude;
+    vec3 grid_x;
+    float arc_scale;
+    vec3 grid_y;
+    float arc_rate;
+    vec3 planet_x;
+    float sea;
+    vec3 planet_y;
+    float offset_x;
+    vec3 planet_z;
+    float offset_y;
+    vec3 low_albedo;
+    float mountain_rate;
+    vec3 high_albedo;
+    float snow_line;
+    vec3 sky_share;
+    float pad;
+    Tables tables;
+    MoonShadow eclipse;
+};
+struct Varyings {
+    vec4 clip;
+    vec3 position;
+    vec3 light;
+    vec2 surface;
+};
+struct Shaded {
+    vec4 color;
+    float depth;
+};
+const float HALF_MAX = 32000.0;
+const float INV_4PI = 0.07957747;
+const float LOG_FLOOR = -100.0;
+const int MOMENTS = 6;
+const float SH0_ = 0.2820948;
+const float SH1_ = 0.48860252;
+const float SH20_ = 0.31539157;
+const float SH21_ = 1.0925485;
+const float SH22_ = 0.54627424;
+const float HALF_TURN = 3.1415927;
+const uint LIMB_NODES = 4u;
+const vec2 LIMB_RULE[4] = vec2[4](vec2(0.9980552, 0.004956014), vec2(0.9494254, 0.054841235), vec2(0.7348899, 0.1670947), vec2(0.28416792, 0.27310807));
+const uint RINGS = 256u;
+const uint SEGMENTS = 384u;
+const float TAU = 6.2831855;
+
+layout(std140) uniform Terrain_block_0Fragment { Terrain _group_0_binding_0_fs; };
+
+smooth in vec3 _vs2fs_location0;
+smooth in vec3 _vs2fs_location1;
+smooth in vec2 _vs2fs_location2;
+layout(location = 0) out vec4 _fs2p_location0;
+
+float depth_of(DepthCode c, float z) {
+    if ((c.log_ > 0.0)) {
+        return (log2((1.0 + (z * 1000.0))) / c.log_);
+    }
+    return (((1.0 / z) - c.bias) / c.scale);
+}
+
+void main() {
+    Varyings in_ = Varyings(gl_FragCoord, _vs2fs_location0, _vs2fs_location1, _vs2fs_location2);
+    vec3 albedo = vec3(0.0);
+    vec3 light = vec3(0.0);
+    Shaded out_ = Shaded(vec4(0.0), 0.0);
+    float h = in_.surface.x;
+    vec3 _e5 = _group_0_binding_0_fs.low_albedo;
+    vec3 _e8 = _group_0_binding_0_fs.high_albedo;
+    float _e11 = _group_0_binding_0_fs.amplitude;
+    albedo = mix(_e5, _e8, smoothstep(0.05, 0.6, (h / _e11)));
+    vec3 _e20 = _group_0_binding_0_fs.high_albedo;
+    vec3 _e21 = albedo;
+    albedo = mix(_e20, _e21, smoothstep(0.8, 0.95, in_.surface.y));
+    vec3 _e28 = albedo;
+    float _e33 = _group_0_binding_0_fs.snow_line;
+    float _e36 = _group_0_binding_0_fs.snow_line;
+    albedo = mix(_e28, vec3(0.8), smoothstep(_e33, (_e36 * 1.15), h));
+    vec3 _e41 = albedo;
+    float _e48 = _group_0_binding_0_fs.sea;
+    albedo = mix(_e41, vec3(0.02, 0.04, 0.06), (_e48 * (1.0 - smoothstep(0.0, 0.004, h))));
+    light = in_.light;
+    vec3 _e59 = albedo;
+    vec3 _e60 = light;
+    vec3 _e66 = _group_0_binding_0_fs.frame.medium.irradiance;
+    vec3 reflected = (((_e59 * _e60) * _e66) * 0.31830987);
+    out_.color = vec4(min(reflected, vec3(32000.0)), 1.0);
+    DepthCode _e80 = _group_0_binding_0_fs.frame.depth;
+    vec3 _e84 = _group_0_binding_0_fs.axis;
+    float _e88 = depth_of(_e80, max(dot(in_.position, _e84), 1e-9));
+    out_.depth = clamp(_e88, 0.0, 1.0);
+    Shaded _e92 = out_;
+    _fs2p_location0 = _e92.color;
+    gl_FragDepth = _e92.depth;
+    return;
+}
+

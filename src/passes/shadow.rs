@@ -1,0 +1,122 @@
+//! The moon's shadow in the air and on the ground.
+
+use std::f64::consts::PI;
+
+use super::frame::{FrameUniform, block};
+use super::lut::TablesUniform;
+use crate::atmosphere::AtmosphereParams;
+use crate::eclipse::{Disks, Moon};
+use crate::view::ZenithView;
+
+block! {
+    /// `struct MoonShadow` in `moon_block.wgsl`.
+    #[allow(missing_docs)]
+    ShadowUniform {
+        across: [f32; 3],
+        along: f32,
+        radius: f32,
+        tangent: f32,
+        least: f32,
+        rate: f32,
+        limb: f32,
+        pad: [f32; 3],
+    }
+}
+
+block! {
+    /// `struct Uniforms` in `sky.wgsl` and `aerial.wgsl` under a moon's shadow.
+    #[allow(missing_docs)]
+    EclipseUniform {
+        frame: FrameUniform,
+        tables: TablesUniform,
+        eclipse: ShadowUniform,
+    }
+}
+
+/// Texels of the shade.
+pub(crate) const TEXELS: usize = 256;
+
+/// Where the moon stands as seen from the camera: across the sun's direction and along it, metres.
+fn offset(view: &ZenithView, moon: &Moon) -> (glam::DVec3, f64) {
+    let along = moon.position.dot(view.sun);
+    (moon.position - view.sun * along, along)
+}
+
+/// Radius of the penumbra (metres) at a distance behind the moon (metres).
+fn penumbra(moon: &Moon, sun_radius: f64, behind: f64) -> f64 {
+    moon.radius / sun_radius.cos() + behind.max(0.0) * sun_radius.tan()
+}
+
+/// How far from a ball (metres; centre from the camera) the penumbra passes; 0 where it touches it.
+pub(crate) fn misses(view: &ZenithView, p: &AtmosphereParams, center: glam::DVec3, radius: f64) -> f64 {
+    let Some(moon) = &view.moon else { return f64::INFINITY };
+    let (across, along) = offset(view, moon);
+    let beside = center.dot(view.sun);
+    let behind = along - beside + radius;
+    if behind <= 0.0 {
+        return -behind;
+    }
+    let apart = (across - (center - view.sun * beside)).length();
+    (apart - radius - penumbra(moon, p.sun_angular_radius, behind)).max(0.0)
+}
+
+/// How far around a point the sunlight counts that is scattered there again: mean distance in scale heights of the gas.
+/// Chosen for the Earth by path tracing under a total eclipse, see docs/eclipse.md: much the same for red and blue, so
+/// that it is the air's depth that decides and not how far light goes in it.
+const AROUND: f64 = 5.0;
+
+/// The block, and the shade: share of sunlight by the distance from the shadow's axis, as a mean over points all around
+/// whose distances are distributed like `exp(-x / length)`. Red, green, blue, unused; per texel.
+pub(crate) fn shadow(view: &ZenithView, p: &AtmosphereParams, moon: &Moon) -> (ShadowUniform, [f32; 4 * TEXELS]) {
+    let (across, along) = offset(view, moon);
+    // At the planet's middle: over the planet the cones change by a percent.
+    let middle = -(p.planet_radius + view.altitude) * view.sun.z;
+    let behind = (along - middle).max(moon.radius);
+    let widest = penumbra(moon, p.sun_angular_radius, behind);
+    let length = AROUND * p.rayleigh_scale_height;
+    let reach = widest + 4.0 * length;
+    let step = reach / (TEXELS - 1) as f64;
+    // Of the point itself.
+    let sharp: [[f64; 3]; TEXELS] = std::array::from_fn(|i| {
+        let seen = Disks {
+            sun: p.sun_angular_radius,
+            moon: (moon.radius / behind).min(1.0).asin(),
+            apart: (i as f64 * step).atan2(behind),
+        };
+        if moon.limb_darkening { seen.visible_limb_darkened() } else { [seen.visible(); 3] }
+    });
+    let share = |distance: f64, c: usize| {
+        let at = distance / step;
+        let low = (at as usize).min(TEXELS - 2);
+        let part = (at - low as f64).min(1.0);
+        sharp[low][c] * (1.0 - part) + sharp[low + 1][c] * part
+    };
+    // Midpoints of equal weights: in the distance, and around half of a turn.
+    const RINGS: usize = 12;
+    const TURNS: usize = 8;
+    let rings: [f64; RINGS] = std::array::from_fn(|i| -length * (1.0 - (i as f64 + 0.5) / RINGS as f64).ln());
+    let turns: [f64; TURNS] = std::array::from_fn(|i| ((i as f64 + 0.5) / TURNS as f64 * PI).cos());
+    let mut shade = [1.0; 4 * TEXELS];
+    for (i, texel) in shade.chunks_exact_mut(4).enumerate() {
+        let d = i as f64 * step;
+        let mut sum = [0.0; 3];
+        for x in rings {
+            for turn in turns {
+                let apart = (d * d + x * x + 2.0 * d * x * turn).max(0.0).sqrt();
+                (0..3).for_each(|c| sum[c] += share(apart, c));
+            }
+        }
+        (0..3).for_each(|c| texel[c] = (sum[c] / (RINGS * TURNS) as f64) as f32);
+    }
+    let uniform = ShadowUniform {
+        across: (across * 1e-3).as_vec3().to_array(),
+        along: (along * 1e-3) as f32,
+        radius: (moon.radius * 1e-3) as f32,
+        tangent: p.sun_angular_radius.tan() as f32,
+        least: moon.floor as f32,
+        rate: (1e3 / step) as f32,
+        limb: if moon.limb_darkening { 1.0 } else { 0.0 },
+        pad: [0.0; 3],
+    };
+    (uniform, shade)
+}
