@@ -64,7 +64,7 @@ pub(crate) fn in_range(field: impl fmt::Display, value: f64, lo: f64, hi: f64, u
 }
 
 /// A number as people write it: 0.3, 6360000, 1e15.
-fn short(v: f64) -> String {
+pub(crate) fn short(v: f64) -> String {
     if v == 0.0 || !v.is_finite() || (1e-3..1e7).contains(&v.abs()) { v.to_string() } else { format!("{v:e}") }
 }
 

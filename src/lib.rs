@@ -76,8 +76,10 @@
 pub mod atmosphere;
 pub mod backend;
 pub mod error;
+pub mod lighting;
 pub mod passes;
 pub mod phase;
+pub mod plan;
 #[cfg(feature = "probe")]
 pub mod probe;
 pub mod quality;
@@ -87,11 +89,14 @@ pub mod view;
 
 pub use atmosphere::{AtmosphereParams, MiePhase};
 pub use error::{Error, Result};
+pub use lighting::{AtmosphereConfig, LightingContext, LightingContextUniform, SkyLight};
 pub use passes::lut::LutSettings;
 pub use passes::picture::{PictureRenderer, PictureSettings};
 pub use passes::sky::{Composition, Method, Mode, SkyRenderer, SkySettings};
 pub use passes::terrain::TerrainStyle;
 pub use passes::tone::ToneMap;
+pub use passes::warm::{SkyTargets, WarmUp};
+pub use plan::{Bound, EffectPlan};
 pub use quality::Quality;
 pub use reference::{clip_segment, compute_single_scatter, ray_sphere_intersect, ray_sphere_intersect_f32};
 pub use view::{Camera, DepthConvention, Pose, Scene};

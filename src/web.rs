@@ -16,8 +16,8 @@ use crate::backend::{Backend, Format, RowOrder, TextureDesc, TextureId};
 use crate::passes::picture::{Drawn, PictureRenderer, PictureSettings};
 use crate::shaders::ToneMap;
 use crate::{
-    AtmosphereParams, Camera, DepthConvention, Error, Method, Mode, Pose, Quality, Result, Scene, SkySettings,
-    TerrainStyle,
+    AtmosphereParams, Bound, Camera, DepthConvention, EffectPlan, Error, Method, Mode, Pose, Quality, Result, Scene,
+    SkySettings, TerrainStyle, WarmUp,
 };
 
 impl From<Error> for JsValue {
@@ -181,6 +181,8 @@ pub struct Viewer {
     canvas: Rc<RefCell<Canvas>>,
     picture: PictureRenderer,
     drawn: Option<Drawn>,
+    /// What makes programs ahead, and for which air and settings.
+    warm_up: Option<(AtmosphereParams, PictureSettings, WarmUp)>,
     settings: PictureSettings,
     params: AtmosphereParams,
     dry: bool,
@@ -225,6 +227,7 @@ impl Viewer {
             canvas: Rc::new(RefCell::new(canvas)),
             picture: PictureRenderer::default(),
             drawn: None,
+            warm_up: None,
             settings: PictureSettings::default(),
             params: AtmosphereParams::earth(),
             dry: false,
@@ -367,16 +370,45 @@ impl Viewer {
         Ok(())
     }
 
+    /// What the view calls for: for each effect its name, `on` or `off`, and why.
+    pub fn plan(&self) -> std::result::Result<Vec<String>, JsValue> {
+        let bound = Some(Bound::eight_bit(self.settings.exposure));
+        let sky = SkySettings { foreground: self.terrain, bound, ..self.settings.sky };
+        let plan = EffectPlan::new(&self.scene()?, &sky, self.size)?;
+        let state = |on| if on { "on" } else { "off" };
+        Ok(plan.effects().iter().flat_map(|e| [e.name.into(), state(e.on).into(), e.reason.to_string()]).collect())
+    }
+
     /// Draws a frame and shows it.
     pub fn render(&mut self) -> std::result::Result<(), JsValue> {
         let scene = self.scene()?;
         self.settings.terrain = self.style();
+        self.settings.sky.bound = Some(Bound::eight_bit(self.settings.exposure));
         let mut canvas = self.canvas.borrow_mut();
         if let Some(reason) = canvas.lost() {
             return Err(Error::Lost { backend: canvas.info().backend, reason }.into());
         }
         self.drawn = Some(canvas.draw(&mut self.picture, &scene, &self.settings, self.size)?);
         Ok(())
+    }
+
+    /// Makes one more program that other views of this planet call for, so that no frame waits for it; `false` once all
+    /// are there. For moments in which the page has nothing else to do.
+    pub fn warm_up(&mut self) -> std::result::Result<bool, JsValue> {
+        // Exposure changes no program.
+        let settings = PictureSettings { exposure: 1.0, terrain: self.style(), ..self.settings };
+        let mut canvas = self.canvas.borrow_mut();
+        let current = self.warm_up.take_if(|(params, made_for, _)| *params == self.params && *made_for == settings);
+        if let Some((.., mut stale)) = self.warm_up.take() {
+            stale.destroy(canvas.backend());
+        }
+        let (params, made_for, mut warm_up) = match current {
+            Some(current) => current,
+            None => (self.params.clone(), settings, WarmUp::picture(&self.scene()?, &settings)?),
+        };
+        let more = warm_up.step(canvas.backend())?;
+        self.warm_up = Some((params, made_for, warm_up));
+        Ok(more)
     }
 
     /// A promise of the last frame's radiance, RGBA, row 0 on top. The viewer may be used meanwhile.

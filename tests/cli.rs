@@ -409,3 +409,95 @@ fn a_film_that_cannot_be_is_rejected() {
         rejected_by("film", args, &[part]);
     }
 }
+
+#[test]
+fn plans_are_printed() {
+    let folder = folder("plan");
+    // The options of `render`, and as JSON.
+    let away = ["plan", "--altitude", "400km", "--pitch", "60", "--heading", "0"];
+    let out = welkin(&folder, &away);
+    assert!(out.status.success(), "{}", text(&out.stderr));
+    let printed = text(&out.stdout);
+    assert!(printed.contains("no passes") && printed.contains("outside the picture"), "{printed}");
+    let out = welkin(&folder, &["plan", "--sun-elevation", "-30", "--quality", "low", "--json"]);
+    assert!(out.status.success(), "{}", text(&out.stderr));
+    let plan: serde_json::Value = serde_json::from_slice(&out.stdout).unwrap();
+    let effects = plan["effects"].as_array().unwrap();
+    let on = |name: &str| effects.iter().find(|e| e["name"] == name).unwrap()["on"].as_bool().unwrap();
+    assert!(on("rayleigh") && on("background sky") && !on("sunlight") && !on("multiple scattering"), "{effects:?}");
+    assert!(effects.iter().all(|e| !e["reason"].as_str().unwrap().is_empty()));
+    let passes = plan["passes"].as_array().unwrap();
+    assert!(passes.iter().any(|p| p["program"] == "lut_sky-rayleigh-mie-ozone-bare"), "{passes:?}");
+    assert!(passes.iter().all(|p| p["label"] != "moments table"), "{passes:?}");
+    // Linear radiance has another bound than a picture of 8 bits.
+    let bound = |file| {
+        let out = welkin(&folder, &["plan", "-o", file, "--json"]);
+        serde_json::from_slice::<serde_json::Value>(&out.stdout).unwrap()["bound"]["absolute"].as_f64().unwrap()
+    };
+    assert!(bound("a.exr") < 0.01 * bound("a.png"));
+    assert_eq!(files(&folder), [""; 0], "something was written");
+    // What `render` refuses is refused.
+    let refused = welkin(&folder, &["plan", "--fov", "0"]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(text(&refused.stderr).contains("from 0.01 to 179.0 degrees"));
+}
+
+#[test]
+fn a_flight_is_planned_timed_and_plotted() {
+    let folder = folder("flight");
+    let args =
+        ["flight", "--frames", "24", "--size", "32x18", "--compare-size", "16x9", "--repeat", "1", "--quality", "low"];
+    let out = welkin(&folder, &[&args[..], &["--no-terrain", "-o", "f.svg", "--csv", "f.csv"]].concat());
+    assert!(out.status.success(), "{}", text(&out.stderr));
+    let printed = text(&out.stdout);
+    for part in ["| background sky | off |", "| sunlight | off |", "night", "pipelines made ahead", "of the bound"] {
+        assert!(printed.contains(part), "no '{part}' in {printed}");
+    }
+    let rows: Vec<Vec<f64>> = csv::Reader::from_path(folder.join("f.csv"))
+        .unwrap()
+        .records()
+        .map(|row| row.unwrap().iter().take(14).map(|v| v.parse().unwrap()).collect())
+        .collect();
+    assert_eq!(rows.len(), 24);
+    let mut nothing = 0;
+    for row in &rows {
+        let [_, _, _, passes, passes_all, pixels, pixels_all, .., share, display, _] = row[..] else {
+            panic!("{row:?}")
+        };
+        assert!(passes <= passes_all && pixels <= pixels_all, "{row:?}");
+        nothing += usize::from(passes == 0.0 && passes_all > 0.0);
+        assert!(share <= 1.0 && display <= 1.0, "what is left out shows: {row:?}");
+    }
+    assert!(nothing > 0, "no passes where the planet is out of sight");
+    // Up by day, around, and down by night.
+    let column = |i: usize| rows.iter().map(|row| row[i]).collect::<Vec<_>>();
+    let (altitudes, suns) = (column(1), column(2));
+    assert!(altitudes[0] < 3.0 && altitudes[23] < 3.0 && altitudes[12] > 3e8 && suns[0] == 20.0 && suns[23] == -60.0);
+    // Something is saved at the end: night.
+    assert!(rows[23][3] < rows[23][4] && rows[23][5] < rows[23][6], "{:?}", rows[23]);
+    let svg = std::fs::read_to_string(folder.join("f.svg")).unwrap();
+    assert!(svg.contains("everything on") && svg.contains("planned") && svg.contains(" km, sun -60°"));
+}
+
+#[test]
+fn every_effect_costs_nothing_when_it_is_off() {
+    let out = welkin(&folder("costs"), &["costs", "--size", "24x16", "--repeat", "1", "--quality", "low"]);
+    assert!(out.status.success(), "{}", text(&out.stderr));
+    let printed = text(&out.stdout);
+    let rows: Vec<Vec<&str>> = printed
+        .lines()
+        .filter(|line| line.starts_with("| ") && !line.starts_with("| effect"))
+        .map(|line| line.trim_matches('|').split('|').map(str::trim).collect())
+        .collect();
+    let effects: Vec<_> = rows.iter().map(|row| row[0]).collect();
+    for effect in welkin::EffectPlan::NAMES {
+        assert!(effects.contains(&effect), "{effect} is missing in {printed}");
+    }
+    for row in &rows {
+        assert_eq!(row[6], "0, 0, 0", "{row:?}");
+        let bytes: i64 = row[2].parse().unwrap();
+        assert!(bytes >= 0, "{row:?}");
+    }
+    let bytes = |effect| rows.iter().find(|row| row[0] == effect).unwrap()[2].parse::<i64>().unwrap();
+    assert!(bytes("atmosphere") > 100_000 && bytes("multiple scattering") > 0 && bytes("sun disk") == 0);
+}

@@ -50,7 +50,10 @@ fn rust_layout(name: &str) -> (Vec<(String, u32)>, u32) {
     match name {
         "Frame" => (frame, size_of::<FrameUniform>() as u32),
         "Tables" => (own(TablesUniform::offsets()), size_of::<TablesUniform>() as u32),
-        "Terrain" => (nest(own(TerrainUniform::offsets()), "frame", frame), size_of::<TerrainUniform>() as u32),
+        "Terrain" => {
+            let terrain = nest(own(TerrainUniform::offsets()), "frame", frame);
+            (nest(terrain, "tables", own(TablesUniform::offsets())), size_of::<TerrainUniform>() as u32)
+        }
         _ => (own(ToneUniform::offsets()), size_of::<ToneUniform>() as u32),
     }
 }

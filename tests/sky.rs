@@ -12,8 +12,8 @@ use welkin::passes::sky::background_weight;
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering, transmittance};
 use welkin::shaders::Program;
 use welkin::{
-    AtmosphereParams, Composition, DepthConvention, LutSettings, Method, MiePhase, PictureRenderer, PictureSettings,
-    Scene, SkyRenderer, SkySettings,
+    AtmosphereParams, Bound, Composition, DepthConvention, LutSettings, Method, MiePhase, PictureRenderer,
+    PictureSettings, Scene, SkyRenderer, SkySettings,
 };
 
 const FINE: SkySettings = SkySettings {
@@ -22,6 +22,8 @@ const FINE: SkySettings = SkySettings {
     method: Method::Single { view_samples: 256, light_samples: 64 },
     render_scale: 1.0,
     sun_disk: false,
+    foreground: true,
+    bound: Some(Bound::LINEAR),
 };
 
 /// Light scattered once, and of all orders: what holds of any sky holds of both. No sun's disk.
@@ -293,7 +295,8 @@ fn air_before(b: &mut dyn Backend, settings: SkySettings, scene: &Scene, z: f64,
     let mut sky = SkyRenderer::new(settings).unwrap();
     let passes = sky.aerial(b, scene, color, depth, out).unwrap().to_vec();
     b.run(&passes).unwrap();
-    let pixels = b.read(out).unwrap();
+    // Where no air is in the picture the scene stays as it is.
+    let pixels = b.read(if passes.is_empty() { color } else { out }).unwrap();
     sky.destroy(b);
     [color, depth, out].into_iter().for_each(|t| b.destroy_texture(t));
     pixels

@@ -121,6 +121,23 @@ function fit() {
   applied.height = h;
 }
 
+let asked = false;
+/** What other views call for is made while there is nothing else to do, so that flying there does not stutter. */
+function makeAhead() {
+  if (asked || !viewer) return;
+  asked = true;
+  (window.requestIdleCallback ?? setTimeout)(() => exclusive(() => {
+    asked = false;
+    try {
+      if (viewer?.warm_up()) makeAhead();
+    } catch (error) {
+      const lost = viewer.lost();
+      if (lost === undefined) console.warn(`Nothing is made ahead: ${text(error)}`);
+      else recover(lost);
+    }
+  }));
+}
+
 let lastFrame = -Infinity;
 function draw() {
   if (!viewer) return;
@@ -147,6 +164,7 @@ function draw() {
     announced = true;
     console.log('Sky renderer initialized');
   }
+  makeAhead();
 }
 
 // ---------------------------------------------------------------- the renderer's life
@@ -269,8 +287,26 @@ function showState() {
     `${altitudeText(state.alt)}, pitch ${state.pitch.toFixed(1)}°, heading ${state.heading.toFixed(1)}°`;
   $('read-sky').textContent =
     `${state.mode}, ${state.quality || 'by samples'} (${viewer.method}${state.half ? ', half resolution' : ''})${state.sky ? '' : ', off'}`;
+  showPlan();
   rememberSoon();
 }
+
+/** What the view calls for, while somebody looks at the list. */
+function showPlan() {
+  if (!$('effects').open || !viewer) return;
+  const words = viewer.plan();
+  const rows = [];
+  for (let i = 0; i < words.length; i += 3) {
+    const [name, state, reason] = words.slice(i, i + 3);
+    const row = document.createElement('div');
+    row.className = state;
+    row.append(Object.assign(document.createElement('dt'), { textContent: `${name}: ${state}` }),
+      Object.assign(document.createElement('dd'), { textContent: reason }));
+    rows.push(row);
+  }
+  $('plan').replaceChildren(...rows);
+}
+$('effects').addEventListener('toggle', showPlan);
 
 controls.addEventListener('submit', (event) => event.preventDefault());
 controls.addEventListener('input', ({ target }) => {

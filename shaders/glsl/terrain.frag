@@ -43,6 +43,27 @@ struct Frame {
     float camera_altitude;
     vec4 limb;
 };
+struct Tables {
+    vec3 mie_extinction;
+    float altitude_steepness;
+    vec3 mie_moment0_;
+    float altitude_growth;
+    vec3 mie_moment1_;
+    float sun_middle;
+    vec3 mie_moment2_;
+    float sun_width;
+    vec3 mie_asymmetry;
+    float pad;
+    vec3 albedo;
+    float sun_first;
+    float sun_span;
+    float ground_rows;
+    uvec2 size;
+    uint steps;
+    uint shift;
+    uint slices;
+    float air_ground_rows;
+};
 struct Terrain {
     Frame frame;
     vec3 axis;
@@ -63,6 +84,7 @@ struct Terrain {
     float snow_line;
     vec3 sky_share;
     float pad;
+    Tables tables;
 };
 struct Varyings {
     vec4 clip;
@@ -76,6 +98,13 @@ struct Shaded {
 };
 const float HALF_MAX = 32000.0;
 const float INV_4PI = 0.07957747;
+const float LOG_FLOOR = -100.0;
+const int MOMENTS = 6;
+const float SH0_ = 0.2820948;
+const float SH1_ = 0.48860252;
+const float SH20_ = 0.31539157;
+const float SH21_ = 1.0925485;
+const float SH22_ = 0.54627424;
 const uint RINGS = 256u;
 const uint SEGMENTS = 384u;
 const float TAU = 6.2831855;
@@ -97,6 +126,7 @@ float depth_of(DepthCode c, float z) {
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, _vs2fs_location0, _vs2fs_location1, _vs2fs_location2);
     vec3 albedo = vec3(0.0);
+    vec3 light = vec3(0.0);
     Shaded out_ = Shaded(vec4(0.0), 0.0);
     float h = in_.surface.x;
     vec3 _e5 = _group_0_binding_0_fs.low_albedo;
@@ -113,17 +143,19 @@ void main() {
     vec3 _e41 = albedo;
     float _e48 = _group_0_binding_0_fs.sea;
     albedo = mix(_e41, vec3(0.02, 0.04, 0.06), (_e48 * (1.0 - smoothstep(0.0, 0.004, h))));
-    vec3 _e57 = albedo;
-    vec3 _e64 = _group_0_binding_0_fs.frame.medium.irradiance;
-    vec3 reflected = (((_e57 * in_.light) * _e64) * 0.31830987);
+    light = in_.light;
+    vec3 _e59 = albedo;
+    vec3 _e60 = light;
+    vec3 _e66 = _group_0_binding_0_fs.frame.medium.irradiance;
+    vec3 reflected = (((_e59 * _e60) * _e66) * 0.31830987);
     out_.color = vec4(min(reflected, vec3(32000.0)), 1.0);
-    DepthCode _e78 = _group_0_binding_0_fs.frame.depth;
-    vec3 _e82 = _group_0_binding_0_fs.axis;
-    float _e86 = depth_of(_e78, max(dot(in_.position, _e82), 1e-9));
-    out_.depth = clamp(_e86, 0.0, 1.0);
-    Shaded _e90 = out_;
-    _fs2p_location0 = _e90.color;
-    gl_FragDepth = _e90.depth;
+    DepthCode _e80 = _group_0_binding_0_fs.frame.depth;
+    vec3 _e84 = _group_0_binding_0_fs.axis;
+    float _e88 = depth_of(_e80, max(dot(in_.position, _e84), 1e-9));
+    out_.depth = clamp(_e88, 0.0, 1.0);
+    Shaded _e92 = out_;
+    _fs2p_location0 = _e92.color;
+    gl_FragDepth = _e92.depth;
     return;
 }
 

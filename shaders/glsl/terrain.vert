@@ -43,6 +43,27 @@ struct Frame {
     float camera_altitude;
     vec4 limb;
 };
+struct Tables {
+    vec3 mie_extinction;
+    float altitude_steepness;
+    vec3 mie_moment0_;
+    float altitude_growth;
+    vec3 mie_moment1_;
+    float sun_middle;
+    vec3 mie_moment2_;
+    float sun_width;
+    vec3 mie_asymmetry;
+    float pad;
+    vec3 albedo;
+    float sun_first;
+    float sun_span;
+    float ground_rows;
+    uvec2 size;
+    uint steps;
+    uint shift;
+    uint slices;
+    float air_ground_rows;
+};
 struct Terrain {
     Frame frame;
     vec3 axis;
@@ -63,6 +84,7 @@ struct Terrain {
     float snow_line;
     vec3 sky_share;
     float pad;
+    Tables tables;
 };
 struct Varyings {
     vec4 clip;
@@ -72,6 +94,13 @@ struct Varyings {
 };
 const float HALF_MAX = 32000.0;
 const float INV_4PI = 0.07957747;
+const float LOG_FLOOR = -100.0;
+const int MOMENTS = 6;
+const float SH0_ = 0.2820948;
+const float SH1_ = 0.48860252;
+const float SH20_ = 0.31539157;
+const float SH21_ = 1.0925485;
+const float SH22_ = 0.54627424;
 const uint RINGS = 256u;
 const uint SEGMENTS = 384u;
 const float TAU = 6.2831855;
@@ -104,12 +133,12 @@ float distance_to_top(float x_2, float b_1, float x_top) {
     return (root - b_1);
 }
 
-vec4 layers_of(Medium m) {
-    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+vec4 layers_of(Medium m_1) {
+    return vec4(m_1.rayleigh_inv_height, m_1.mie_inv_height, m_1.ozone_center, m_1.ozone_inv_half_width);
 }
 
-mat3x3 coefficients_of(Medium m_1) {
-    return mat3x3(m_1.rayleigh, m_1.mie_extinction, m_1.ozone);
+mat3x3 coefficients_of(Medium m_2) {
+    return mat3x3(m_2.rayleigh, m_2.mie_extinction, m_2.ozone);
 }
 
 vec3 densities(vec4 layers, float h_1) {
@@ -297,75 +326,86 @@ vec4 height_field(vec3 n, float amplitude, float rate, float sea, float spacing)
 
 void main() {
     uint index = uint(gl_VertexID);
+    Medium m = Medium(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
     vec3 light = vec3(0.0);
     Varyings out_ = Varyings(vec4(0.0), vec3(0.0), vec3(0.0), vec2(0.0));
     Frame f_1 = _group_0_binding_0_vs.frame;
-    Medium m_2 = f_1.medium;
+    m = f_1.medium;
     uint k = min((max((index % 772u), 1u) - 1u), (772u - 3u));
     uint ring = ((index / 772u) + (k & 1u));
     float azimuth = ((TAU * float(((k / 2u) % SEGMENTS))) / 384.0);
-    float _e29 = _group_0_binding_0_vs.arc_rate;
-    float s_1 = (_e29 * float(ring));
-    float _e34 = _group_0_binding_0_vs.arc_scale;
-    float t_2 = ((_e34 * 0.5) * (exp(s_1) - exp(-(s_1))));
-    vec3 _e44 = _group_0_binding_0_vs.grid_x;
-    vec3 _e49 = _group_0_binding_0_vs.grid_y;
-    vec3 flat_ = normalize(((_e44 * cos(azimuth)) + (_e49 * sin(azimuth))));
+    float _e30 = _group_0_binding_0_vs.arc_rate;
+    float s_1 = (_e30 * float(ring));
+    float _e35 = _group_0_binding_0_vs.arc_scale;
+    float t_2 = ((_e35 * 0.5) * (exp(s_1) - exp(-(s_1))));
+    vec3 _e45 = _group_0_binding_0_vs.grid_x;
+    vec3 _e50 = _group_0_binding_0_vs.grid_y;
+    vec3 flat_ = normalize(((_e45 * cos(azimuth)) + (_e50 * sin(azimuth))));
     vec3 up = vec3(0.0, 0.0, 1.0);
     float sin_arc = ((2.0 * t_2) / (1.0 + (t_2 * t_2)));
     float drop = (((2.0 * t_2) * t_2) / (1.0 + (t_2 * t_2)));
     vec3 n_1 = ((flat_ * sin_arc) + (up * (1.0 - drop)));
-    vec3 _e78 = _group_0_binding_0_vs.planet_x;
-    vec3 _e82 = _group_0_binding_0_vs.planet_y;
-    vec3 _e86 = _group_0_binding_0_vs.planet_z;
-    vec3 planet_n = vec3(dot(_e78, n_1), dot(_e82, n_1), dot(_e86, n_1));
-    float _e91 = _group_0_binding_0_vs.arc_rate;
-    float _e96 = _group_0_binding_0_vs.arc_scale;
-    float _e99 = _group_0_binding_0_vs.arc_scale;
-    float along = (((2.0 * _e91) * sqrt(((_e96 * _e99) + (t_2 * t_2)))) / (1.0 + (t_2 * t_2)));
+    vec3 _e79 = _group_0_binding_0_vs.planet_x;
+    vec3 _e83 = _group_0_binding_0_vs.planet_y;
+    vec3 _e87 = _group_0_binding_0_vs.planet_z;
+    vec3 planet_n = vec3(dot(_e79, n_1), dot(_e83, n_1), dot(_e87, n_1));
+    float _e92 = _group_0_binding_0_vs.arc_rate;
+    float _e97 = _group_0_binding_0_vs.arc_scale;
+    float _e100 = _group_0_binding_0_vs.arc_scale;
+    float along = (((2.0 * _e92) * sqrt(((_e97 * _e100) + (t_2 * t_2)))) / (1.0 + (t_2 * t_2)));
     float spacing_1 = max(along, (sin_arc * 0.016362462));
-    float _e114 = _group_0_binding_0_vs.amplitude;
-    float _e117 = _group_0_binding_0_vs.mountain_rate;
-    float _e120 = _group_0_binding_0_vs.sea;
-    vec4 _e121 = height_field(planet_n, _e114, _e117, _e120, spacing_1);
-    float h_3 = _e121.w;
-    vec3 position = ((flat_ * ((m_2.radius + h_3) * sin_arc)) + (up * ((h_3 - f_1.camera_altitude) - ((m_2.radius + h_3) * drop))));
-    vec3 _e137 = _group_0_binding_0_vs.planet_x;
-    vec3 _e142 = _group_0_binding_0_vs.planet_y;
-    vec3 _e148 = _group_0_binding_0_vs.planet_z;
-    vec3 g = (((_e137 * _e121.x) + (_e142 * _e121.y)) + (_e148 * _e121.z));
-    vec3 tangential = ((g - (n_1 * dot(g, n_1))) / vec3(m_2.radius));
+    float _e115 = _group_0_binding_0_vs.amplitude;
+    float _e118 = _group_0_binding_0_vs.mountain_rate;
+    float _e121 = _group_0_binding_0_vs.sea;
+    vec4 _e122 = height_field(planet_n, _e115, _e118, _e121, spacing_1);
+    float h_3 = _e122.w;
+    float _e125 = m.radius;
+    float _e132 = m.radius;
+    vec3 position = ((flat_ * ((_e125 + h_3) * sin_arc)) + (up * ((h_3 - f_1.camera_altitude) - ((_e132 + h_3) * drop))));
+    vec3 _e140 = _group_0_binding_0_vs.planet_x;
+    vec3 _e145 = _group_0_binding_0_vs.planet_y;
+    vec3 _e151 = _group_0_binding_0_vs.planet_z;
+    vec3 g = (((_e140 * _e122.x) + (_e145 * _e122.y)) + (_e151 * _e122.z));
+    float _e159 = m.radius;
+    vec3 tangential = ((g - (n_1 * dot(g, n_1))) / vec3(_e159));
     vec3 normal = normalize((n_1 - tangential));
-    float _e161 = excess_of(h_3, m_2.radius);
-    float sun_b_1 = ((m_2.radius + h_3) * dot(n_1, f_1.sun));
-    float dip = (sqrt(_e161) / (m_2.radius + h_3));
+    float _e165 = m.radius;
+    float _e166 = excess_of(h_3, _e165);
+    float _e168 = m.radius;
+    float sun_b_1 = ((_e168 + h_3) * dot(n_1, f_1.sun));
+    float _e175 = m.radius;
+    float dip = (sqrt(_e166) / (_e175 + h_3));
     float above_1 = ((dot(n_1, f_1.sun) + dip) / f_1.sun_chord);
     float visible = smoothstep(-1.0, 1.0, above_1);
-    vec3 _e181 = _group_0_binding_0_vs.sky_share;
-    light = ((_e181 * clamp(((dot(n_1, f_1.sun) + 0.1) / 1.1), 0.0, 1.0)) * (0.5 + (0.5 * dot(normal, n_1))));
+    vec3 _e191 = _group_0_binding_0_vs.sky_share;
+    light = ((_e191 * clamp(((dot(n_1, f_1.sun) + 0.1) / 1.1), 0.0, 1.0)) * (0.5 + (0.5 * dot(normal, n_1))));
     if ((visible > 0.0)) {
-        vec3 _e201 = light;
-        mat3x3 _e202 = coefficients_of(m_2);
-        vec4 _e203 = layers_of(m_2);
-        vec3 _e207 = sun_transmittance(_e202, _e203, m_2.radius, m_2.thickness, _e161, sun_b_1, 8u);
-        light = (_e201 + (_e207 * (visible * max(dot(normal, f_1.sun), 0.0))));
+        vec3 _e210 = light;
+        Medium _e211 = m;
+        mat3x3 _e212 = coefficients_of(_e211);
+        Medium _e213 = m;
+        vec4 _e214 = layers_of(_e213);
+        float _e216 = m.radius;
+        float _e218 = m.thickness;
+        vec3 _e220 = sun_transmittance(_e212, _e214, _e216, _e218, _e166, sun_b_1, 8u);
+        light = (_e210 + (_e220 * (visible * max(dot(normal, f_1.sun), 0.0))));
     }
-    vec3 _e218 = _group_0_binding_0_vs.axis;
-    float z = dot(position, _e218);
-    float _e228 = _group_0_binding_0_vs.offset_x;
-    float right = ((dot(position, f_1.ray_right) / dot(f_1.ray_right, f_1.ray_right)) - (_e228 * z));
-    float _e239 = _group_0_binding_0_vs.offset_y;
-    float top = ((dot(position, f_1.ray_up) / dot(f_1.ray_up, f_1.ray_up)) - (_e239 * z));
+    vec3 _e231 = _group_0_binding_0_vs.axis;
+    float z = dot(position, _e231);
+    float _e241 = _group_0_binding_0_vs.offset_x;
+    float right = ((dot(position, f_1.ray_right) / dot(f_1.ray_right, f_1.ray_right)) - (_e241 * z));
+    float _e252 = _group_0_binding_0_vs.offset_y;
+    float top = ((dot(position, f_1.ray_up) / dot(f_1.ray_up, f_1.ray_up)) - (_e252 * z));
     out_.clip = vec4(right, top, (0.5 * z), z);
     out_.position = position;
-    vec3 _e248 = light;
-    out_.light = _e248;
+    vec3 _e261 = light;
+    out_.light = _e261;
     out_.surface = vec2(h_3, dot(normal, n_1));
-    Varyings _e252 = out_;
-    gl_Position = _e252.clip;
-    _vs2fs_location0 = _e252.position;
-    _vs2fs_location1 = _e252.light;
-    _vs2fs_location2 = _e252.surface;
+    Varyings _e265 = out_;
+    gl_Position = _e265.clip;
+    _vs2fs_location0 = _e265.position;
+    _vs2fs_location1 = _e265.light;
+    _vs2fs_location2 = _e265.surface;
     gl_Position.yz = vec2(-gl_Position.y, gl_Position.z * 2.0 - gl_Position.w);
     return;
 }

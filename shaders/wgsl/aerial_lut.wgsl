@@ -16,7 +16,7 @@ struct Uniforms {
 @group(0) @binding(2) var sky: texture_2d<f32>;
 @group(0) @binding(3) var table_air: texture_2d<f32>;
 @group(0) @binding(4) var columns: texture_2d<f32>;
-//#if MIE
+//#if HAZE
 @group(0) @binding(5) var haze: texture_2d<f32>;
 //#endif
 //#endif
@@ -26,7 +26,7 @@ struct Uniforms {
 @group(0) @binding(3) var sky: texture_2d<f32>;
 @group(0) @binding(4) var table_air: texture_2d<f32>;
 @group(0) @binding(5) var columns: texture_2d<f32>;
-//#if MIE
+//#if HAZE
 @group(0) @binding(6) var haze: texture_2d<f32>;
 //#endif
 //#endif
@@ -84,7 +84,7 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     // Over its whole length; where it ends on the ground the tables hold the mean over that.
     let scale = select(1.0, path.length, ground);
     var light = fourth(textureSampleLevel(sky, linear, at_sky, 0.0).rgb) * scale;
-    //#if MIE
+    //#if HAZE
     var aerosol = fourth(textureSampleLevel(haze, linear, at_sky, 0.0).rgb) * scale
         * aerosol_phase(dir, uniforms.frame.sun, uniforms.frame.medium.mie_asymmetry);
     //#endif
@@ -105,13 +105,13 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
         let at = (unwarp(low, end) - u0) / (unwarp(low, path.length) - u0) * slices - 1.0;
         if end < path.length {
             light *= air_between(table_air, linear, texel, at, slices - 1.0, AIR_SMOOTH, table, 0.0);
-            //#if MIE
+            //#if HAZE
             aerosol *= air_between(table_air, linear, texel, at, slices - 1.0, AIR_AEROSOL, table, 0.0);
             //#endif
         }
         through = air_between(table_air, linear, texel, at, slices - 1.0, AIR_THROUGH, table, 1.0);
     }
-    //#if MIE
+    //#if HAZE
     light += aerosol;
     //#endif
     light *= uniforms.frame.medium.irradiance * weight;

@@ -10,7 +10,9 @@ struct Uniforms {
 
 @group(0) @binding(0) var<uniform> uniforms: Uniforms;
 @group(0) @binding(1) var columns: texture_2d<f32>;
+//#if DIFFUSE
 @group(0) @binding(2) var moments: texture_2d<f32>;
+//#endif
 
 @fragment
 fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
@@ -38,7 +40,12 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     } else {
         aerosol = m.mie_scattering;
     }
+    //#if DIFFUSE
     let g = gather(columns, moments, m, t, ray, low, from_, from_ + du, gas, aerosol, select(0.0, 1.0, a.kind == AIR_SMOOTH));
+    //#endif
+    //#if BARE
+    let g = gather_direct(columns, m, t, ray, low, from_, from_ + du, gas, aerosol);
+    //#endif
     switch a.kind {
         case AIR_BEAM: { return vec4f(g.transmittance, 0.0); }
         case AIR_THROUGH: { return vec4f(exp(-extinction(coefficients_of(m), g.columns)), 0.0); }

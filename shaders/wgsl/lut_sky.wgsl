@@ -2,7 +2,7 @@
 //#include skyview
 //#include phase
 // The light of the whole sky around the camera, see `skyview` for the layout. SMOOTH: light scattered by the gas, and
-// all that was scattered before; alpha: grey transmittance. AEROSOL: sunlight scattered once by the aerosol, without its
+// all that was scattered before (BARE: without that); alpha: grey transmittance. AEROSOL: sunlight scattered once by the aerosol, without its
 // phase function, which changes too fast near the sun for any table. Over the ray's length where it ends on the ground.
 // Fourth roots: between texels light then changes almost exponentially, as it does with altitude.
 
@@ -13,7 +13,7 @@ struct Uniforms {
 
 @group(0) @binding(0) var<uniform> uniforms: Uniforms;
 @group(0) @binding(1) var columns: texture_2d<f32>;
-//#if SMOOTH
+//#if DIFFUSE
 @group(0) @binding(2) var moments: texture_2d<f32>;
 //#endif
 
@@ -40,7 +40,12 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let u_to = unwarp(low.t, ray.length);
     //#if SMOOTH
     let gas = m.rayleigh * rayleigh_phase(ray.nu);
+    //#endif
+    //#if DIFFUSE
     let g = gather(columns, moments, m, t, ray, low, u_from, u_to, gas, vec3f(0.0), 1.0);
+    //#endif
+    //#if BARE
+    let g = gather_direct(columns, m, t, ray, low, u_from, u_to, gas, vec3f(0.0));
     //#endif
     //#if AEROSOL
     let g = gather_direct(columns, m, t, ray, low, u_from, u_to, vec3f(0.0), m.mie_scattering);

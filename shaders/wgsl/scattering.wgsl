@@ -23,6 +23,7 @@ fn single_scattering(m: Medium, ray: AirRay, length: f32, away: f32, view_sample
     var out: Scattered;
     out.radiance = vec3f(0.0);
     out.transmittance = vec3f(1.0);
+    //#if SCATTER
     //#if RAYLEIGH
     let rayleigh = m.rayleigh * rayleigh_phase(1.0 - away);
     //#endif
@@ -35,6 +36,7 @@ fn single_scattering(m: Medium, ray: AirRay, length: f32, away: f32, view_sample
     //#endif
     //#if MIE_CS
     let mie = m.mie_scattering * cornette_shanks_phase(away, toward, m.mie_asymmetry);
+    //#endif
     //#endif
     let layers = layers_of(m);
     let coefficients = coefficients_of(m);

@@ -11,7 +11,7 @@ struct Uniforms {
 
 @group(0) @binding(0) var<uniform> uniforms: Uniforms;
 @group(0) @binding(1) var sky: texture_2d<f32>;
-//#if MIE
+//#if HAZE
 @group(0) @binding(2) var haze: texture_2d<f32>;
 //#endif
 @group(0) @binding(7) var linear: sampler;
@@ -43,7 +43,7 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     // Rays that miss the air fall on the last row, which is empty.
     let texel = textureSampleLevel(sky, linear, at, 0.0);
     var light = fourth(texel.rgb);
-    //#if MIE
+    //#if HAZE
     light += fourth(textureSampleLevel(haze, linear, at, 0.0).rgb)
         * aerosol_phase(dir, uniforms.frame.sun, uniforms.frame.medium.mie_asymmetry);
     //#endif

@@ -8,7 +8,7 @@ fn fourth(v: vec3f) -> vec3f {
     return square * square;
 }
 
-//#if MIE
+//#if HAZE
 // The aerosol's phase function between two unit directions.
 fn aerosol_phase(dir: vec3f, sun: vec3f, asymmetry: vec3f) -> vec3f {
     // 1 - cos and 1 + cos of the angle between ray and sun, without cancellation.

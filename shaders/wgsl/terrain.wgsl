@@ -1,9 +1,10 @@
 //#include view
 //#include scattering
 //#include noise
+//#include tables
 // The demonstration's ground: a planet-scale height field as a grid of rings around the point below the
 // camera, so that it reaches from the camera's feet to the horizon at any altitude. No vertex buffer.
-// It stands in for a user's own terrain; its sky light is a rough estimate, not part of the library's physics.
+// It stands in for a user's own terrain. SKYLIGHT: lit by the sky's tables; ROUGH: by an estimate where there are none.
 
 const RINGS: u32 = 256u;    // rings from the camera's foot to beyond the horizon
 const SEGMENTS: u32 = 384u; // around
@@ -29,9 +30,13 @@ struct Terrain {
     snow_line: f32,       // km; above the highest mountains where there is none
     sky_share: vec3f,     // sky light on the ground per unit of irradiance with the sun in the zenith
     pad: f32,
+    tables: Tables,
 }
 
 @group(0) @binding(0) var<uniform> terrain: Terrain;
+//#if SKYLIGHT
+@group(0) @binding(1) var moments: texture_2d<f32>;
+//#endif
 
 // Height above the surface (km, >= 0) in w and its gradient per radian in xyz, at a unit direction in the
 // planet's own axes. Ridges narrower than a few `spacing` (of the mesh, rad) count with their mean.
@@ -78,12 +83,19 @@ struct Varyings {
     @location(0) position: vec3f, // from the camera, zenith frame, km
     @location(1) light: vec3f,    // irradiance per unit of the sun's
     @location(2) surface: vec2f,  // height (km), cosine of the slope
+    //#if SKYLIGHT
+    @location(3) sun: f32,        // cosine of the sun's zenith angle
+    //#endif
 }
 
 @vertex
 fn vertex_main(@builtin(vertex_index) index: u32) -> Varyings {
     let f = terrain.frame;
-    let m = f.medium;
+    var m = f.medium;
+    //#if SKYLIGHT
+    // What the aerosol turns by small angles counts as going straight on: the table holds the rest.
+    m.mie_extinction = terrain.tables.mie_extinction;
+    //#endif
     // One triangle strip: a row of quads per ring, rows joined by doubled vertices.
     let row = 2u * (SEGMENTS + 1u) + 2u;
     let k = min(max(index % row, 1u) - 1u, row - 3u);
@@ -118,7 +130,10 @@ fn vertex_main(@builtin(vertex_index) index: u32) -> Varyings {
     let dip = sqrt(x) / (m.radius + h);
     let above = (dot(n, f.sun) + dip) / f.sun_chord;
     let visible = smoothstep(-1.0, 1.0, above);
-    var light = terrain.sky_share * clamp((dot(n, f.sun) + 0.1) / 1.1, 0.0, 1.0) * (0.5 + 0.5 * dot(normal, n));
+    var light = vec3f(0.0);
+    //#if ROUGH
+    light = terrain.sky_share * clamp((dot(n, f.sun) + 0.1) / 1.1, 0.0, 1.0) * (0.5 + 0.5 * dot(normal, n));
+    //#endif
     if visible > 0.0 {
         light += sun_transmittance(coefficients_of(m), layers_of(m), m.radius, m.thickness, x, sun_b, 8u) * (visible * max(dot(normal, f.sun), 0.0));
     }
@@ -132,6 +147,9 @@ fn vertex_main(@builtin(vertex_index) index: u32) -> Varyings {
     out.position = position;
     out.light = light;
     out.surface = vec2f(h, dot(normal, n));
+    //#if SKYLIGHT
+    out.sun = dot(n, f.sun);
+    //#endif
     return out;
 }
 
@@ -148,8 +166,13 @@ fn fragment_main(in: Varyings) -> Shaded {
     albedo = mix(albedo, vec3f(0.8), smoothstep(terrain.snow_line, terrain.snow_line * 1.15, h));
     // Open water: dark, slightly blue (albedo of clear water away from the glint, about 0.03 to 0.06).
     albedo = mix(albedo, vec3f(0.02, 0.04, 0.06), terrain.sea * (1.0 - smoothstep(0.0, 0.004, h)));
+    var light = in.light;
+    //#if SKYLIGHT
+    // On level ground; a slope sees less of the sky.
+    light += ground_irradiance(moments, terrain.tables, in.sun) * (0.5 + 0.5 * in.surface.y);
+    //#endif
     var out: Shaded;
-    let reflected = albedo * in.light * terrain.frame.medium.irradiance * (1.0 / 3.14159265); // Lambert
+    let reflected = albedo * light * terrain.frame.medium.irradiance * (1.0 / 3.14159265); // Lambert
     out.color = vec4f(min(reflected, vec3f(HALF_MAX)), 1.0);
     out.depth = clamp(depth_of(terrain.frame.depth, max(dot(in.position, terrain.axis), 1e-9)), 0.0, 1.0);
     return out;

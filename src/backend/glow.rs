@@ -666,6 +666,7 @@ impl Backend for GlowBackend {
     fn live(&self) -> Live {
         Live {
             textures: self.textures.len(),
+            texture_bytes: self.textures.values().map(|t| t.desc.texels() * t.desc.format.bytes()).sum(),
             programs: self.programs.len(),
             framebuffers: self.framebuffers.len(),
             pipelines: 0,

@@ -50,6 +50,15 @@ impl Format {
             _ => 4,
         }
     }
+
+    /// Bytes per texel.
+    pub fn bytes(self) -> usize {
+        match self {
+            Self::Rgba8 | Self::Bgra8 | Self::R32Float | Self::Depth32Float => 4,
+            Self::Rgba16Float => 8,
+            Self::Rgba32Float => 16,
+        }
+    }
 }
 
 /// Which end of a picture its first row is. Passes draw [`RowOrder::TopDown`] textures; the framebuffer
@@ -267,6 +276,8 @@ pub struct PassTime {
 #[allow(missing_docs)]
 pub struct Live {
     pub textures: usize,
+    /// Of all textures, without what a driver adds.
+    pub texture_bytes: usize,
     pub programs: usize,
     pub framebuffers: usize,
     pub pipelines: usize,

@@ -88,14 +88,6 @@ fn format(format: Format) -> wgpu::TextureFormat {
     }
 }
 
-fn bytes_per_texel(format: Format) -> u32 {
-    match format {
-        Format::Rgba8 | Format::Bgra8 | Format::R32Float | Format::Depth32Float => 4,
-        Format::Rgba16Float => 8,
-        Format::Rgba32Float => 16,
-    }
-}
-
 impl WgpuBackend {
     /// An instance with the APIs that this crate was built for.
     pub fn instance() -> wgpu::Instance {
@@ -529,7 +521,7 @@ impl Backend for WgpuBackend {
             &encode_texels(t.desc.format, texels),
             wgpu::TexelCopyBufferLayout {
                 offset: 0,
-                bytes_per_row: Some(t.desc.width * bytes_per_texel(t.desc.format)),
+                bytes_per_row: Some(t.desc.width * t.desc.format.bytes() as u32),
                 rows_per_image: None,
             },
             texture.size(),
@@ -615,7 +607,7 @@ impl Backend for WgpuBackend {
         let t = self.textures.get(id).ok_or_else(|| unknown(NAME, "texture"))?;
         let texture = t.texture.as_ref().ok_or_else(|| unknown(NAME, "an imported view"))?;
         let row_bytes =
-            (t.desc.width * bytes_per_texel(t.desc.format)).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+            (t.desc.width * t.desc.format.bytes() as u32).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
         let size = u64::from(row_bytes) * u64::from(t.desc.height);
         let buffer = self.read_buffer("welkin read back", size, wgpu::BufferUsages::MAP_READ);
         let mut encoder = self.encoder();
@@ -638,7 +630,7 @@ impl Backend for WgpuBackend {
         let Some(ready) = ready else { return Ok(None) };
         let Some(read) = self.reads.remove(id) else { return Ok(None) };
         ready.map_err(|e| Error::Driver { backend: NAME, what: "read back".into(), reason: e.to_string() })?;
-        let row = (read.desc.width * bytes_per_texel(read.desc.format)) as usize;
+        let row = (read.desc.width * read.desc.format.bytes() as u32) as usize;
         Self::mapped(&read.buffer, |bytes| {
             let mut out = Vec::with_capacity(read.desc.texels() * read.desc.format.channels());
             for line in bytes.chunks_exact(read.row_bytes as usize) {
@@ -714,6 +706,7 @@ impl Backend for WgpuBackend {
     fn live(&self) -> Live {
         Live {
             textures: self.textures.len(),
+            texture_bytes: self.textures.values().map(|t| t.desc.texels() * t.desc.format.bytes()).sum(),
             programs: self.programs.len(),
             framebuffers: 0,
             pipelines: self.pipelines.len(),

@@ -18,6 +18,7 @@ use super::frame::{FrameUniform, MediumUniform, block};
 use crate::atmosphere::{AtmosphereParams, MiePhase};
 use crate::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
 use crate::error::{Error, Result};
+use crate::plan::TablePlan;
 use crate::shaders::{Constituents, Program};
 
 block! {
@@ -95,7 +96,7 @@ impl Default for LutSettings {
 
 impl LutSettings {
     /// Rounds of scattering for a medium: thick ones need more than `orders`.
-    fn rounds(&self, p: &AtmosphereParams) -> u32 {
+    pub(crate) fn rounds(&self, p: &AtmosphereParams) -> u32 {
         let depth = scattering_depths(p).iter().sum::<f64>();
         (f64::from(self.orders) * (1.0 + depth)).round().clamp(1.0, f64::from(self.orders.max(24))) as u32
     }
@@ -261,20 +262,29 @@ impl TablesUniform {
 
 /// Textures of the tables.
 #[derive(Clone, Copy, Debug)]
-struct Textures {
+pub(crate) struct Textures {
     columns: TextureId,
-    radiance: TextureId,
-    moments: [TextureId; 2],
     sky: TextureId,
+    /// Gathered radiance, and two tables of moments.
+    scattered: Option<[TextureId; 3]>,
     haze: Option<TextureId>,
     air: Option<[TextureId; 2]>,
 }
 
 impl Textures {
     /// What only some scenes call for.
-    fn add(&mut self, backend: &mut dyn Backend, settings: &LutSettings, mie: bool, with_air: bool) -> Result<()> {
+    fn add(&mut self, backend: &mut dyn Backend, plan: &TablePlan, with_air: bool) -> Result<()> {
+        let settings = &plan.settings;
         let format = sampled(backend);
-        if mie && self.haze.is_none() {
+        if plan.rounds > 0 && self.scattered.is_none() {
+            let [suns, altitudes] = settings.moments;
+            let moments = [suns, altitudes * MOMENTS + 1];
+            let radiance = [suns * NODE_DIRECTIONS[0], altitudes * NODE_DIRECTIONS[1]];
+            let full = Format::Rgba32Float;
+            let sizes = [("gathered radiance", radiance), ("moments table", moments), ("moments table", moments)];
+            self.scattered = Some(create(backend, sizes.map(|(label, size)| (label, size, full)))?);
+        }
+        if plan.haze && self.haze.is_none() {
             let [haze] = create(backend, [("sky table", settings.sky, format)])?;
             self.haze = Some(haze);
         }
@@ -289,10 +299,11 @@ impl Textures {
     /// All of them, with their labels.
     fn named(&self) -> impl Iterator<Item = (TextureId, &'static str)> {
         let air = self.air.into_iter().flatten().map(|id| (id, AIR));
-        let moments = self.moments.map(|id| (id, "moments table"));
-        [(self.columns, "columns table"), (self.radiance, "gathered radiance"), (self.sky, "sky table")]
+        let scattered = self.scattered.into_iter().flatten();
+        let scattered = scattered.zip(["gathered radiance", "moments table", "moments table"]);
+        [(self.columns, "columns table"), (self.sky, "sky table")]
             .into_iter()
-            .chain(moments)
+            .chain(scattered)
             .chain(self.haze.map(|id| (id, "sky table")))
             .chain(air)
     }
@@ -316,57 +327,82 @@ pub(crate) struct Ready {
     pub air: TextureId,
 }
 
-/// What a table that is up to date was made for.
-type ViewKey = [f32; 4];
+/// What a table that is up to date was made for: camera, sun, what of the air it holds, whether with light that was
+/// scattered before, and whether there is one for the aerosol's.
+type ViewKey = ([f32; 4], Constituents, [bool; 2]);
+
+/// How often in a row something is not called for before its textures go: about five seconds of frames. Not at once, for
+/// the camera may turn back.
+pub(crate) const IDLE: u32 = 600;
 
 /// The tables of one medium and one view.
 #[derive(Debug, Default)]
 pub(crate) struct Luts {
-    textures: Option<(LutSettings, bool, Textures)>,
+    textures: Option<(LutSettings, Textures)>,
     /// With the rounds of scattering, which may change where the block's 32-bit numbers do not.
     medium: Option<(MediumTables, usize)>,
     sky: Option<ViewKey>,
     air: Option<ViewKey>,
+    /// Plans in a row that had no use for some of the textures.
+    spare: u32,
 }
 
 impl Luts {
+    /// Appends the passes that bring the tables of the medium up to date.
+    pub fn of_medium(
+        &mut self,
+        backend: &mut dyn Backend,
+        params: &AtmosphereParams,
+        plan: &TablePlan,
+        with_air: bool,
+        passes: &mut Vec<Pass>,
+    ) -> Result<(Textures, TablesUniform)> {
+        let t = self.textures(backend, plan, with_air)?;
+        let tables = TablesUniform::new(params, &plan.settings);
+        // Tables hold light per unit of irradiance.
+        let medium = MediumUniform { irradiance: [0.0; 3], ..MediumUniform::new(params) };
+        let key = MediumTables { medium, tables };
+        let rounds = plan.rounds as usize;
+        let fresh = self.medium.is_some_and(|(made_for, made)| made_for == key && (rounds == 0 || made == rounds));
+        if !fresh {
+            self.forget();
+            self.medium_passes(backend, &plan.settings, key, rounds, &t, passes)?;
+            self.medium = Some((key, rounds));
+        }
+        Ok((t, tables))
+    }
+
     /// Appends the passes that bring stale tables up to date. `frame`: the camera's block.
     pub fn update(
         &mut self,
         backend: &mut dyn Backend,
         params: &AtmosphereParams,
-        settings: &LutSettings,
+        plan: &TablePlan,
         frame: &FrameUniform,
         with_air: bool,
         passes: &mut Vec<Pass>,
     ) -> Result<(Ready, TablesUniform)> {
-        let constituents = Constituents::of(params).without_phase();
-        let t = self.textures(backend, settings, constituents.mie.is_some(), with_air)?;
-        let tables = TablesUniform::new(params, settings);
-        // Tables hold light per unit of irradiance.
-        let medium = MediumUniform { irradiance: [0.0; 3], ..frame.medium };
-        let key = MediumTables { medium, tables };
-        let rounds = settings.rounds(params) as usize;
-        let last_moments = t.moments[rounds % 2];
-        if self.medium != Some((key, rounds)) {
-            self.forget();
-            self.medium_passes(backend, settings, key, rounds, &t, passes)?;
-            self.medium = Some((key, rounds));
-        }
-        let view = [frame.altitude, frame.sun[0], frame.sun[1], frame.sun[2]];
+        let (settings, constituents, rounds) = (&plan.settings, plan.air, plan.rounds as usize);
+        let (t, tables) = self.of_medium(backend, params, plan, with_air, passes)?;
+        // Columns, and with light that was scattered before its moments.
+        let scattered = t.scattered.filter(|_| rounds > 0);
+        let inputs = scattered.map_or(reads([t.columns]), |s| reads([t.columns, s[1 + rounds % 2]]));
+        let (diffuse, haze) = (scattered.is_some(), t.haze.filter(|_| plan.haze));
+        let view =
+            ([frame.altitude, frame.sun[0], frame.sun[1], frame.sun[2]], constituents, [diffuse, haze.is_some()]);
         let block = |tables: TablesUniform| Uniform::new(&FrameTables { frame: *frame, tables });
         if self.sky != Some(view) {
             let uniform = block(TablesUniform { size: settings.sky, steps: settings.sky_steps, ..tables });
-            let even = (t.sky, false, reads([t.columns, last_moments]));
-            let haze = t.haze.map(|haze| (haze, true, reads([t.columns])));
-            for (target, aerosol, textures) in [Some(even), haze].into_iter().flatten() {
-                let program = Some(backend.create_program(Program::LutSky { air: constituents, aerosol })?);
+            let even = (t.sky, false, diffuse, inputs);
+            let straight = haze.map(|haze| (haze, true, false, reads([t.columns])));
+            for (target, aerosol, diffuse, textures) in [Some(even), straight].into_iter().flatten() {
+                let program = Some(backend.create_program(Program::LutSky { air: constituents, aerosol, diffuse })?);
                 let (label, target, depth) = ("sky table", Target::color(target), DepthUse::Always);
                 passes.push(Pass { label, program, textures, uniform, target, depth });
             }
             self.sky = Some(view);
         }
-        let mut ready = Ready { columns: t.columns, sky: t.sky, haze: t.haze, air: t.columns };
+        let mut ready = Ready { columns: t.columns, sky: t.sky, haze, air: t.columns };
         if let (true, Some(air)) = (with_air, t.air) {
             let scans = settings.air[2].next_power_of_two().trailing_zeros();
             let at = |step: u32| air[(step % 2) as usize];
@@ -377,8 +413,8 @@ impl Luts {
                 let own = TablesUniform { size, steps: settings.air_steps, ground_rows: ground_rows as f32, ..tables };
                 passes.push(Pass {
                     label: "air table",
-                    program: Some(backend.create_program(Program::LutAir { air: constituents })?),
-                    textures: reads([t.columns, last_moments]),
+                    program: Some(backend.create_program(Program::LutAir { air: constituents, diffuse })?),
+                    textures: inputs,
                     uniform: block(own),
                     target: Target::color(at(0)),
                     depth: DepthUse::Always,
@@ -421,17 +457,26 @@ impl Luts {
         let columns = uniform(settings.columns, COLUMN_STEPS);
         let [columns_label, moments_label] = MEDIUM_LABELS;
         pass(columns_label, Some(Program::LutColumns), reads([]), columns, Target::color(t.columns))?;
+        let Some([radiance, moments @ ..]) = t.scattered.filter(|_| rounds > 0) else { return Ok(()) };
         // Darkness: logarithms of next to nothing.
-        let dark = Target { clear: Some([-100.0; 4]), ..Target::color(t.moments[0]) };
+        let dark = Target { clear: Some([-100.0; 4]), ..Target::color(moments[0]) };
         pass(moments_label, None, reads([]), Uniform::NONE, dark)?;
         for order in 0..rounds {
-            let (from, to) = (t.moments[order % 2], t.moments[(order + 1) % 2]);
+            let (from, to) = (moments[order % 2], moments[(order + 1) % 2]);
             let block = uniform(settings.moments, settings.moment_steps);
             let gather = Some(Program::LutRadiance);
-            pass(moments_label, gather, reads([t.columns, from]), block, Target::color(t.radiance))?;
-            pass(moments_label, Some(Program::LutMoments), reads([t.radiance]), block, Target::color(to))?;
+            pass(moments_label, gather, reads([t.columns, from]), block, Target::color(radiance))?;
+            pass(moments_label, Some(Program::LutMoments), reads([radiance]), block, Target::color(to))?;
         }
         Ok(())
+    }
+
+    /// The table of moments once its passes were given out, what it was made for, and its nodes.
+    pub fn moments(&self) -> Option<(TextureId, MediumTables, [u32; 2])> {
+        let (settings, t) = self.textures.as_ref()?;
+        let (made_for, rounds) = self.medium.filter(|(_, rounds)| *rounds > 0)?;
+        let [_, moments @ ..] = t.scattered?;
+        Some((moments[rounds % 2], made_for, settings.moments))
     }
 
     /// Nothing is up to date any more.
@@ -444,44 +489,41 @@ impl Luts {
     /// Frees all textures.
     pub fn destroy(&mut self, backend: &mut dyn Backend) {
         self.forget();
-        if let Some((.., t)) = self.textures.take() {
+        if let Some((_, t)) = self.textures.take() {
             for (id, _) in t.named().filter(|&(id, label)| is_ours(backend, id, label)).collect::<Vec<_>>() {
                 backend.destroy_texture(id);
             }
         }
     }
 
-    fn textures(
-        &mut self,
-        backend: &mut dyn Backend,
-        settings: &LutSettings,
-        mie: bool,
-        with_air: bool,
-    ) -> Result<Textures> {
-        let known = self.textures.filter(|(made_for, made_mie, t)| {
-            (made_for, *made_mie) == (settings, mie) && t.named().all(|(id, label)| is_ours(backend, id, label))
-        });
+    fn textures(&mut self, backend: &mut dyn Backend, plan: &TablePlan, with_air: bool) -> Result<Textures> {
+        let settings = &plan.settings;
+        let known = self
+            .textures
+            .filter(|(made_for, t)| made_for == settings && t.named().all(|(id, label)| is_ours(backend, id, label)));
         let mut t = match known {
-            Some((.., t)) => t,
+            Some((_, t)) => t,
             None => {
                 self.destroy(backend);
-                let [suns, altitudes] = settings.moments;
-                let moments = [suns, altitudes * MOMENTS + 1];
-                let radiance = [suns * NODE_DIRECTIONS[0], altitudes * NODE_DIRECTIONS[1]];
-                let full = Format::Rgba32Float;
-                let sizes = [
-                    ("columns table", settings.columns, full),
-                    ("gathered radiance", radiance, full),
-                    ("moments table", moments, full),
-                    ("moments table", moments, full),
-                    ("sky table", settings.sky, sampled(backend)),
-                ];
-                let [columns, radiance, even, odd, sky] = create(backend, sizes)?;
-                Textures { columns, radiance, moments: [even, odd], sky, haze: None, air: None }
+                let (full, sky) = (Format::Rgba32Float, sampled(backend));
+                let sizes = [("columns table", settings.columns, full), ("sky table", settings.sky, sky)];
+                let [columns, sky] = create(backend, sizes)?;
+                Textures { columns, sky, scattered: None, haze: None, air: None }
             }
         };
-        let more = t.add(backend, settings, mie, with_air);
-        self.textures = Some((*settings, mie, t));
+        let (haze, scattered) = (t.haze.is_some() && !plan.haze, t.scattered.is_some() && plan.rounds == 0);
+        self.spare = if haze || scattered { self.spare.saturating_add(1) } else { 0 };
+        if self.spare >= IDLE {
+            if let Some(haze) = t.haze.take_if(|_| haze) {
+                backend.destroy_texture(haze);
+            }
+            if let Some(ids) = t.scattered.take_if(|_| scattered) {
+                ids.into_iter().for_each(|id| backend.destroy_texture(id));
+                self.medium = self.medium.map(|(made_for, _)| (made_for, 0));
+            }
+        }
+        let more = t.add(backend, plan, with_air);
+        self.textures = Some((*settings, t));
         more.map(|()| t)
     }
 }

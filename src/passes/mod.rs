@@ -7,3 +7,4 @@ pub mod sky;
 pub mod sun;
 pub mod terrain;
 pub mod tone;
+pub mod warm;

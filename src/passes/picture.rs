@@ -6,6 +6,7 @@ use super::tone::{ToneMap, tone_pass};
 use crate::atmosphere::AtmosphereParams;
 use crate::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
 use crate::error::Result;
+use crate::plan::{Bound, EffectPlan};
 use crate::view::Scene;
 
 /// What a [`PictureRenderer`] draws with.
@@ -139,10 +140,13 @@ impl PictureRenderer {
         display: Option<TextureId>,
     ) -> Result<(&[Pass], Drawn)> {
         scene.validate()?;
-        self.sky.set_settings(settings.sky)?;
+        let foreground = settings.sky.foreground && settings.terrain.is_some();
+        settings.sky.validate()?;
         crate::error::in_range("exposure", settings.exposure, 0.0, 1e9, "")?;
         let sun_intensity = scene.atmosphere.sun_intensity;
         let scale = scale(settings.exposure, sun_intensity);
+        let bound = settings.sky.bound.map(|b| Bound { absolute: (b.absolute * scale).min(1e6), ..b });
+        self.sky.set_settings(SkySettings { foreground, bound, ..settings.sky })?;
         let atmosphere = AtmosphereParams { sun_intensity: sun_intensity * scale, ..scene.atmosphere.clone() };
         let scene = &Scene { atmosphere, ..scene.clone() };
         let t = self.textures(backend, size, settings.radiance)?;
@@ -159,11 +163,17 @@ impl PictureRenderer {
             // Only terrain writes depth: an empty one stays so.
             clear_depth: (self.empty_depth != Some(background)).then_some(background),
         };
+        let mut light = None;
+        if settings.terrain.is_some() {
+            let (passes, found) = self.sky.ground_light(backend, scene, size)?;
+            self.passes.extend_from_slice(passes);
+            light = found;
+        }
         self.passes.extend_from_slice(self.sky.background(backend, scene, target)?);
         let drawn = self.passes.iter().any(|p| p.target.color == t.scene);
         let after = if drawn { Target { clear: None, clear_depth: None, ..target } } else { target };
         if let Some(terrain) = &settings.terrain {
-            self.passes.push(terrain.pass(backend, scene, after)?);
+            self.passes.push(terrain.pass(backend, scene, after, light)?);
         } else if !drawn {
             let (textures, uniform, depth) = (reads([]), Uniform::NONE, DepthUse::Always);
             self.passes.push(Pass { label: "clear", program: None, textures, uniform, target, depth });
@@ -176,6 +186,11 @@ impl PictureRenderer {
         self.passes.push(tone_pass(backend, tone_map, exposure / scale, dither, radiance, display)?);
         self.empty_depth = settings.terrain.is_none().then_some(background);
         Ok((&self.passes, Drawn { radiance, scale, depth: t.depth, display }))
+    }
+
+    /// The plan of the passes that were handed out last.
+    pub fn plan(&self) -> Option<&EffectPlan> {
+        self.sky.last_plan()
     }
 
     /// Makes the passes and runs them.

@@ -3,11 +3,13 @@
 use std::fmt;
 
 use super::frame::{FrameOptions, FrameUniform};
-use super::lut::{FrameTables, LutSettings, Luts};
+use super::lut::{FrameTables, IDLE, LutSettings, Luts, TablesUniform};
 use super::sun::sun_pass;
 use crate::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
 use crate::error::{Error, Result, in_range};
-use crate::shaders::{Constituents, Program};
+use crate::lighting::SkyLightRead;
+use crate::plan::{Bound, EffectPlan};
+use crate::shaders::Program;
 use crate::view::{Scene, ZenithView};
 
 /// How the sky's light is computed, and how finely.
@@ -65,14 +67,6 @@ impl Method {
                 whole("light_samples", light_samples, 256)
             }
             Self::Lut(settings) => settings.validate(),
-        }
-    }
-
-    /// Steps along a view ray and from each towards the sun, for passes that march both.
-    fn samples(&self) -> [u32; 2] {
-        match *self {
-            Self::Single { view_samples, light_samples } => [view_samples, light_samples],
-            Self::Lut(_) => [0; 2],
         }
     }
 }
@@ -162,13 +156,25 @@ pub struct SkySettings {
     pub render_scale: f64,
     /// Whether the background holds the sun's disk.
     pub sun_disk: bool,
+    /// Whether something may stand before the sky: `false` promises a depth buffer that holds the background alone.
+    pub foreground: bool,
+    /// How much pixels may change by what the plan leaves out; `None` leaves nothing out that the settings ask for.
+    pub bound: Option<Bound>,
 }
 
 impl Default for SkySettings {
     /// From the ground to orbit, all orders of scattering from tables, full resolution, with the sun.
     fn default() -> Self {
         let method = Method::Lut(LutSettings::default());
-        Self { enabled: true, composition: Composition::Full, method, render_scale: 1.0, sun_disk: true }
+        Self {
+            enabled: true,
+            composition: Composition::Full,
+            method,
+            render_scale: 1.0,
+            sun_disk: true,
+            foreground: true,
+            bound: Some(Bound::LINEAR),
+        }
     }
 }
 
@@ -177,7 +183,7 @@ impl SkySettings {
     pub fn validate(&self) -> Result<()> {
         self.method.validate()?;
         in_range("render_scale", self.render_scale, 0.125, 1.0, "")?;
-        Ok(())
+        self.bound.map_or(Ok(()), |bound| bound.validate())
     }
 }
 
@@ -201,6 +207,10 @@ pub struct SkyRenderer {
     passes: Vec<Pass>,
     low: Option<TextureId>,
     luts: Luts,
+    /// Frames' passes in a row that called for no tables.
+    idle: u32,
+    /// What the last passes were made for.
+    plan: Option<EffectPlan>,
 }
 
 impl SkyRenderer {
@@ -210,7 +220,7 @@ impl SkyRenderer {
     /// [`Error::Invalid`] from [`SkySettings::validate`].
     pub fn new(settings: SkySettings) -> Result<Self> {
         settings.validate()?;
-        Ok(Self { settings, passes: Vec::with_capacity(4), low: None, luts: Luts::default() })
+        Ok(Self { settings, passes: Vec::with_capacity(4), low: None, luts: Luts::default(), idle: 0, plan: None })
     }
 
     /// The settings in use.
@@ -225,18 +235,36 @@ impl SkyRenderer {
         Ok(())
     }
 
-    fn options(&self, desc: &TextureDesc, view: &ZenithView) -> FrameOptions {
-        let [view_samples, light_samples] = self.settings.method.samples();
+    /// What a scene calls for, with the settings in use, in a picture of a size in pixels, after what was drawn last: see
+    /// [`EffectPlan::after`].
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] from [`Scene::validate`].
+    pub fn plan(&self, scene: &Scene, size: [u32; 2]) -> Result<EffectPlan> {
+        let view = scene.validate()?;
+        Ok(EffectPlan::of(scene, &view, &self.settings, size, self.plan.as_ref()))
+    }
+
+    /// The plan of the passes that were handed out last.
+    pub fn last_plan(&self) -> Option<&EffectPlan> {
+        self.plan.as_ref()
+    }
+
+    /// The plan of the passes that are asked for now.
+    fn next_plan(&mut self, scene: &Scene, view: &ZenithView, size: [u32; 2]) -> EffectPlan {
+        let plan = EffectPlan::of(scene, view, &self.settings, size, self.plan.as_ref());
+        self.plan = Some(plan.clone());
+        plan
+    }
+
+    fn options(desc: &TextureDesc, plan: &EffectPlan) -> FrameOptions {
+        let [view_samples, light_samples] = plan.samples;
         FrameOptions {
             size: [desc.width, desc.height],
             rows: desc.rows,
             view_samples,
             light_samples,
-            sky_weight: match self.settings.composition {
-                Composition::Full => background_weight(view.altitude),
-                Composition::SkyDome => 1.0,
-                Composition::AtmospherePost | Composition::Planet => 0.0,
-            },
+            sky_weight: plan.sky_weight,
             low_resolution: false,
         }
     }
@@ -251,37 +279,36 @@ impl SkyRenderer {
     /// [`Error::Invalid`] from [`Scene::validate`], before anything is created; errors of the backend.
     pub fn background(&mut self, backend: &mut dyn Backend, scene: &Scene, target: Target) -> Result<&[Pass]> {
         let view = scene.validate()?;
-        self.passes.clear();
         let desc = texture(backend, target.color)?;
-        let mut options = self.options(&desc, &view);
-        let air = if options.sky_weight > 0.0 { Constituents::of(&scene.atmosphere) } else { Constituents::default() };
-        let sun = self.settings.enabled && self.settings.sun_disk && scene.atmosphere.sun_intensity > 0.0;
+        let plan = self.next_plan(scene, &view, [desc.width, desc.height]);
+        self.passes.clear();
+        self.free_tables_unless(backend, plan.tables.is_some());
+        let mut options = Self::options(&desc, &plan);
         let frame = FrameUniform::new(scene, &view, &options);
-        let small = self.low_size(&desc);
-        if small == options.size || !(self.settings.enabled && air.any()) {
+        let small = if plan.reduced { self.low_size(&desc) } else { options.size };
+        let full = small == options.size;
+        if full {
             self.free_low(backend);
         }
-        if self.settings.enabled && air.any() {
+        if let Some(program) = plan.background {
             let label = "background sky";
-            let full = small == options.size;
             options.size = small;
             options.low_resolution = !full;
             let drawn = FrameUniform::new(scene, &view, &options);
             // Nothing but black is behind the sky: no need to clear it first, nor to blend.
             let only = full && target.clear == Some([0.0, 0.0, 0.0, 1.0]);
             let mut target = target;
-            let (program, textures, uniform) = match &self.settings.method {
-                Method::Lut(lut) => {
+            let (program, textures, uniform) = match (&plan.tables, program) {
+                (Some(wanted), Program::SkyLut { mie, .. }) => {
                     let passes = &mut self.passes;
-                    let (t, tables) = self.luts.update(backend, &scene.atmosphere, lut, &frame, false, passes)?;
+                    let (t, tables) = self.luts.update(backend, &scene.atmosphere, wanted, &frame, false, passes)?;
                     let textures = t.haze.map_or(reads([t.sky]), |haze| reads([t.sky, haze]));
                     if only {
                         target.clear = None;
                     }
-                    let program = Program::SkyLut { mie: air.mie, only };
-                    (program, textures, Uniform::new(&FrameTables { frame: drawn, tables }))
+                    (Program::SkyLut { mie, only }, textures, Uniform::new(&FrameTables { frame: drawn, tables }))
                 }
-                Method::Single { .. } => (Program::Sky { air }, reads([]), Uniform::new(&drawn)),
+                _ => (program, reads([]), Uniform::new(&drawn)),
             };
             let program = Some(backend.create_program(program)?);
             let depth = DepthUse::Always;
@@ -301,10 +328,10 @@ impl SkyRenderer {
                 });
             }
         }
-        if sun {
+        if let Some(sun) = &plan.sun {
             let drawn = self.passes.iter().any(|p| p.target.color == target.color);
             let target = if drawn { Target { clear: None, clear_depth: None, ..target } } else { target };
-            self.passes.extend(sun_pass(backend, scene, &view, &frame, air, target)?);
+            self.passes.push(sun_pass(backend, &view, &frame, sun, target)?);
         }
         Ok(&self.passes)
     }
@@ -376,38 +403,81 @@ impl SkyRenderer {
         depth: TextureId,
         target: Target,
     ) -> Result<()> {
-        let air = Constituents::of(&scene.atmosphere);
-        if self.settings.enabled && air.any() {
-            let blend = color.is_none();
-            let frame = FrameUniform::new(scene, view, &self.options(desc, view));
-            let (program, textures, uniform) = match &self.settings.method {
-                Method::Lut(lut) => {
+        let plan = self.next_plan(scene, view, [desc.width, desc.height]);
+        self.free_tables_unless(backend, plan.tables.is_some());
+        if let Some(program) = plan.before {
+            let frame = FrameUniform::new(scene, view, &Self::options(desc, &plan));
+            let (textures, uniform) = match &plan.tables {
+                Some(wanted) => {
                     let passes = &mut self.passes;
-                    let (t, tables) = self.luts.update(backend, &scene.atmosphere, lut, &frame, true, passes)?;
+                    let (t, tables) = self.luts.update(backend, &scene.atmosphere, wanted, &frame, true, passes)?;
                     let textures = match (color, t.haze) {
                         (Some(color), Some(haze)) => reads([color, depth, t.sky, t.air, t.columns, haze]),
                         (Some(color), None) => reads([color, depth, t.sky, t.air, t.columns]),
                         (None, Some(haze)) => reads([depth, t.sky, t.air, t.columns, haze]),
                         (None, None) => reads([depth, t.sky, t.air, t.columns]),
                     };
-                    (Program::AerialLut { mie: air.mie, blend }, textures, Uniform::new(&FrameTables { frame, tables }))
+                    (textures, Uniform::new(&FrameTables { frame, tables }))
                 }
                 _ => {
                     let textures = color.map_or(reads([depth]), |color| reads([color, depth]));
-                    (Program::Aerial { air, blend }, textures, Uniform::new(&frame))
+                    (textures, Uniform::new(&frame))
                 }
             };
             let program = Some(backend.create_program(program)?);
-            let label = if blend { "planet shell" } else { "aerial perspective" };
+            let label = if color.is_none() { "planet shell" } else { "aerial perspective" };
             self.passes.push(Pass { label, program, textures, uniform, target, depth: DepthUse::Always });
         }
         Ok(())
+    }
+
+    /// Light of the sky for ground that is drawn before the air: the passes that fill its table, to be run first, and
+    /// how a pass reads it. `None` where the method or the plan has no such table. `size`: of the picture, pixels.
+    ///
+    /// # Errors
+    /// As [`Self::background`].
+    pub fn ground_light(
+        &mut self,
+        backend: &mut dyn Backend,
+        scene: &Scene,
+        size: [u32; 2],
+    ) -> Result<(&[Pass], Option<GroundLight>)> {
+        let view = scene.validate()?;
+        let plan = self.next_plan(scene, &view, size);
+        self.passes.clear();
+        let mut light = None;
+        if let Some(wanted) = plan.tables.filter(|t| t.rounds > 0) {
+            let tables = self.luts.of_medium(backend, &scene.atmosphere, &wanted, false, &mut self.passes)?.1;
+            light = self.luts.moments().map(|(moments, ..)| GroundLight { moments, tables });
+        }
+        Ok((&self.passes, light))
+    }
+
+    /// Asks for the light of the sky that was drawn last, for a scene's own shading: see [`SkyLight`]. The passes that
+    /// fill its tables must have been run. `None` where the method or the plan has no table of it.
+    ///
+    /// [`SkyLight`]: crate::lighting::SkyLight
+    ///
+    /// # Errors
+    /// Those of the backend.
+    pub fn begin_sky_light(&self, backend: &mut dyn Backend, scene: &Scene) -> Result<Option<SkyLightRead>> {
+        let Some((table, made_for, nodes)) = self.luts.moments() else { return Ok(None) };
+        let read = backend.begin_read(table)?;
+        Ok(Some(SkyLightRead { read, params: scene.atmosphere.clone(), made_for, nodes }))
     }
 
     /// Frees what this renderer made on a backend.
     pub fn destroy(&mut self, backend: &mut dyn Backend) {
         self.free_low(backend);
         self.luts.destroy(backend);
+    }
+
+    /// Tables that no scene has called for in a while are freed; not at once, for the camera may turn back.
+    fn free_tables_unless(&mut self, backend: &mut dyn Backend, needed: bool) {
+        self.idle = if needed { 0 } else { self.idle.saturating_add(1) };
+        if self.idle == IDLE {
+            self.luts.destroy(backend);
+        }
     }
 
     fn free_low(&mut self, backend: &mut dyn Backend) {
@@ -428,6 +498,13 @@ impl SkyRenderer {
         self.low = Some(low);
         Ok(low)
     }
+}
+
+/// Where a pass finds the sky's light on the ground; see [`SkyRenderer::ground_light`].
+#[derive(Clone, Copy, Debug)]
+pub struct GroundLight {
+    pub(crate) moments: TextureId,
+    pub(crate) tables: TablesUniform,
 }
 
 /// Label of the sky in low resolution.

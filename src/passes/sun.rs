@@ -5,8 +5,8 @@ use std::f64::consts::FRAC_PI_2;
 use super::frame::{FrameUniform, block};
 use crate::backend::{Backend, DepthUse, Pass, Target, Uniform, reads};
 use crate::error::Result;
-use crate::shaders::{Constituents, Program};
-use crate::view::{RayBasis, Scene, ZenithView};
+use crate::shaders::Program;
+use crate::view::{RayBasis, ZenithView};
 
 block! {
     /// `struct Uniforms` in `sun.wgsl`.
@@ -19,7 +19,7 @@ block! {
 
 /// Where in the picture (left, bottom, right, top, -1 to 1) the disk may touch a pixel; `None` outside of it.
 /// radius: of the disk with its soft edge, radians; size: of the target, pixels.
-fn rectangle(basis: &RayBasis, sun: glam::DVec3, radius: f64, size: [u32; 2]) -> Option<[f64; 4]> {
+pub(crate) fn rectangle(basis: &RayBasis, sun: glam::DVec3, radius: f64, size: [u32; 2]) -> Option<[f64; 4]> {
     let axis = basis.right.cross(basis.up).normalize_or_zero();
     let axis = if axis.dot(basis.forward) < 0.0 { -axis } else { axis };
     let along = axis.dot(sun);
@@ -44,31 +44,33 @@ fn rectangle(basis: &RayBasis, sun: glam::DVec3, radius: f64, size: [u32; 2]) ->
     (!outside).then(|| [left, bottom, right, top].map(|v| v.clamp(-1.0, 1.0)))
 }
 
-/// The pass that draws the disk, dimmed by `air`; `None` where the picture does not show it.
+/// How the disk is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct SunPlan {
+    pub program: Program,
+    /// As `rectangle` gives it.
+    pub rect: [f64; 4],
+}
+
+/// The pass that draws the disk.
 pub(crate) fn sun_pass(
     backend: &mut dyn Backend,
-    scene: &Scene,
     view: &ZenithView,
     frame: &FrameUniform,
-    air: Constituents,
+    plan: &SunPlan,
     target: Target,
-) -> Result<Option<Pass>> {
-    let size = frame.size.map(|s| s as u32);
-    let p = &scene.atmosphere;
-    let radius = p.sun_angular_radius + 0.5 * f64::from(frame.pixel_angle);
-    let Some([left, bottom, right, top]) = rectangle(&view.basis, view.sun, radius, size) else {
-        return Ok(None);
-    };
+) -> Result<Pass> {
+    let [left, bottom, right, top] = plan.rect;
     // The frame's up points to the target's first row.
     let flipped = glam::Vec3::from(frame.ray_up).as_dvec3().dot(view.basis.up) < 0.0;
     let rect = if flipped { [left, -top, right, -bottom] } else { [left, bottom, right, top] };
     let uniform = SunUniform { frame: *frame, rect: rect.map(|v| v as f32) };
-    Ok(Some(Pass {
+    Ok(Pass {
         label: "sun",
-        program: Some(backend.create_program(Program::Sun { air: air.without_phase() })?),
+        program: Some(backend.create_program(plan.program)?),
         textures: reads([]),
         uniform: Uniform::new(&uniform),
         target,
         depth: DepthUse::Always,
-    }))
+    })
 }

@@ -6,7 +6,8 @@
 use glam::{DVec3, IVec3};
 
 use super::frame::{FrameOptions, FrameUniform, block};
-use super::sky::texture;
+use super::lut::TablesUniform;
+use super::sky::{GroundLight, texture};
 use crate::atmosphere::AtmosphereParams;
 use crate::backend::{Backend, DepthUse, Pass, Target, Uniform, reads};
 use crate::error::Result;
@@ -36,6 +37,7 @@ block! {
         snow_line: f32,
         sky_share: [f32; 3],
         pad: f32,
+        tables: TablesUniform,
     }
 }
 
@@ -150,7 +152,7 @@ impl TerrainStyle {
     }
 
     /// Sky light on level ground per unit of the sun's irradiance, sun in the zenith: half of what a
-    /// vertical beam loses to scattering. A rough stand-in until sky irradiance is simulated.
+    /// vertical beam loses to scattering. A rough stand-in where no table holds the sky's irradiance.
     pub fn sky_share(params: &AtmosphereParams) -> [f64; 3] {
         std::array::from_fn(|c| {
             let tau = params.rayleigh_scattering[c] * params.rayleigh_scale_height
@@ -160,8 +162,14 @@ impl TerrainStyle {
     }
 
     /// The pass that draws the ground with depth, after the sky. `target.depth` must be there and cleared to
-    /// [`crate::DepthConvention::background`].
-    pub fn pass(&self, backend: &mut dyn Backend, scene: &Scene, target: Target) -> Result<Pass> {
+    /// [`crate::DepthConvention::background`]. `light`: of the sky, from [`crate::SkyRenderer::ground_light`].
+    pub fn pass(
+        &self,
+        backend: &mut dyn Backend,
+        scene: &Scene,
+        target: Target,
+        light: Option<GroundLight>,
+    ) -> Result<Pass> {
         let view = scene.validate()?;
         let desc = texture(backend, target.color)?;
         let options = FrameOptions {
@@ -212,11 +220,12 @@ impl TerrainStyle {
             snow_line: (self.snow_line / 1000.0).min(1e6) as f32,
             sky_share: color(Self::sky_share(&scene.atmosphere)),
             pad: 0.0,
+            tables: light.map(|light| light.tables).unwrap_or_default(),
         };
         Ok(Pass {
             label: "terrain",
-            program: Some(backend.create_program(Program::Terrain)?),
-            textures: reads([]),
+            program: Some(backend.create_program(Program::Terrain { sky: light.is_some() })?),
+            textures: light.map_or(reads([]), |light| reads([light.moments])),
             uniform: Uniform::new(&uniform),
             target,
             depth: DepthUse::Nearer { reversed: scene.depth.is_reversed() },

@@ -12,6 +12,7 @@ use crate::backend::{Backend, Format, Pass, Target, TextureDesc, TextureId};
 use crate::error::Result;
 use crate::passes::lut::LutSettings;
 use crate::passes::sky::{Composition, Method, SkyRenderer, SkySettings};
+use crate::plan::Bound;
 use crate::view::{Camera, DepthConvention, Pose, Scene};
 
 /// A scene, how it is drawn, and what stands before the camera.
@@ -161,6 +162,8 @@ pub fn frame(seed: u64, number: u64) -> Frame {
             method,
             render_scale: if rng.u8(0..4) == 0 { 0.5 } else { 1.0 },
             sun_disk: rng.bool(),
+            foreground: true,
+            bound: [None, Some(Bound::EXACT), Some(Bound::LINEAR)][rng.usize(0..3)],
         },
         size,
         planes: (0..7).map(|_| planes[rng.usize(0..8)]).collect(),

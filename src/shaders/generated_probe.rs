@@ -52,10 +52,10 @@ pub(super) static PARTS: &[&str] = &[
 ];
 
 pub(super) static GLSL: &[Glsl] = &[
-    Glsl { name: "probe-geometry", vertex: &[165, 0], fragment: &[1, 4, 16, 11, 3, 12, 280, 115, 36, 107, 135, 217, 248, 250, 153, 267, 260, 30, 33, 158, 144, 306, 301, 293, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-medium", vertex: &[165, 0], fragment: &[1, 290, 51, 286, 121, 193, 213, 141, 63, 298, 295, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-path", vertex: &[165, 0], fragment: &[1, 279, 115, 36, 106, 148, 51, 65, 121, 273, 201, 253, 299, 294, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-tables", vertex: &[165, 0], fragment: &[1, 4, 16, 11, 3, 18, 17, 8, 278, 115, 287, 288, 305, 314, 315, 291, 319, 318, 276, 277, 289, 273, 270, 283, 284, 281, 307, 313, 247, 309, 285, 282, 308, 320, 317, 132, 303, 312, 300, 292, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-scatter_hg", vertex: &[165, 0], fragment: &[1, 4, 16, 11, 3, 12, 13, 279, 115, 36, 107, 135, 217, 248, 250, 154, 267, 260, 30, 33, 159, 219, 148, 51, 80, 121, 273, 270, 304, 193, 213, 141, 316, 310, 302, 296, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-scatter_cs", vertex: &[165, 0], fragment: &[1, 4, 16, 11, 3, 12, 13, 279, 115, 36, 107, 135, 217, 248, 250, 154, 267, 260, 30, 33, 159, 219, 148, 51, 80, 121, 273, 270, 304, 193, 213, 141, 63, 316, 311, 302, 297, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-geometry", vertex: &[175, 0], fragment: &[1, 4, 16, 11, 3, 12, 298, 123, 38, 115, 144, 232, 265, 267, 163, 285, 278, 31, 34, 168, 153, 324, 319, 311, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-medium", vertex: &[175, 0], fragment: &[1, 308, 56, 304, 128, 207, 227, 150, 70, 316, 313, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-path", vertex: &[175, 0], fragment: &[1, 297, 123, 38, 114, 157, 56, 72, 128, 291, 215, 270, 317, 312, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-tables", vertex: &[175, 0], fragment: &[1, 4, 16, 11, 3, 18, 17, 8, 296, 123, 305, 306, 323, 332, 333, 309, 337, 336, 294, 295, 307, 291, 288, 301, 302, 299, 325, 331, 264, 327, 303, 300, 326, 338, 335, 140, 321, 330, 318, 310, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-scatter_hg", vertex: &[175, 0], fragment: &[1, 4, 16, 11, 3, 12, 13, 297, 123, 38, 115, 144, 232, 265, 267, 164, 285, 278, 31, 34, 169, 234, 157, 56, 87, 128, 291, 288, 322, 207, 227, 150, 334, 328, 320, 314, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-scatter_cs", vertex: &[175, 0], fragment: &[1, 4, 16, 11, 3, 12, 13, 297, 123, 38, 115, 144, 232, 265, 267, 164, 285, 278, 31, 34, 169, 234, 157, 56, 87, 128, 291, 288, 322, 207, 227, 150, 70, 334, 329, 320, 315, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
 ];

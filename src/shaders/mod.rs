@@ -29,6 +29,8 @@ pub struct Constituents {
     pub mie: Option<MiePhase>,
     /// The absorbing layer.
     pub ozone: bool,
+    /// No sunlight reaches it: it dims what lies behind and sends no light.
+    pub dark: bool,
 }
 
 impl Constituents {
@@ -39,6 +41,7 @@ impl Constituents {
             rayleigh: some(&params.rayleigh_scattering),
             mie: (some(&params.mie_scattering) || some(&params.mie_absorption)).then_some(params.mie_phase),
             ozone: some(&params.ozone_absorption),
+            dark: false,
         }
     }
 
@@ -49,15 +52,25 @@ impl Constituents {
 
     fn each() -> impl Iterator<Item = Self> {
         [false, true].into_iter().flat_map(|rayleigh| {
-            [None, Some(MiePhase::HenyeyGreenstein), Some(MiePhase::CornetteShanks)]
-                .into_iter()
-                .flat_map(move |mie| [false, true].into_iter().map(move |ozone| Self { rayleigh, mie, ozone }))
+            [None, Some(MiePhase::HenyeyGreenstein), Some(MiePhase::CornetteShanks)].into_iter().flat_map(move |mie| {
+                [false, true].into_iter().map(move |ozone| Self { rayleigh, mie, ozone, dark: false })
+            })
         })
     }
 
     /// For tables, which hold no phase function: any aerosol is the same.
     pub fn without_phase(self) -> Self {
         Self { mie: self.mie.map(|_| MiePhase::HenyeyGreenstein), ..self }
+    }
+
+    /// Whether there is an aerosol that scatters light, which has a table of its own.
+    pub fn has_haze(self) -> bool {
+        self.mie.is_some() && !self.dark
+    }
+
+    /// Where no sunlight reaches it. Any aerosol is the same.
+    pub fn in_the_dark(self) -> Self {
+        Self { dark: true, ..self.without_phase() }
     }
 
     fn flags(self, flags: &mut Vec<&'static str>) {
@@ -67,11 +80,21 @@ impl Constituents {
             }
         };
         add(self.any(), &["AIR"]);
-        add(self.rayleigh || self.mie.is_some(), &["SCATTER"]);
+        add(!self.dark && (self.rayleigh || self.mie.is_some()), &["SCATTER"]);
         add(self.rayleigh, &["RAYLEIGH"]);
-        add(self.mie == Some(MiePhase::HenyeyGreenstein), &["MIE", "MIE_HG"]);
-        add(self.mie == Some(MiePhase::CornetteShanks), &["MIE", "MIE_CS"]);
+        add(self.mie.is_some(), &["MIE"]);
         add(self.ozone, &["OZONE"]);
+        add(self.dark, &["DARK"]);
+        haze(self.mie.filter(|_| !self.dark), flags);
+    }
+}
+
+/// Flags of an aerosol that scatters light.
+fn haze(mie: Option<MiePhase>, flags: &mut Vec<&'static str>) {
+    match mie {
+        Some(MiePhase::HenyeyGreenstein) => flags.extend(["HAZE", "MIE_HG"]),
+        Some(MiePhase::CornetteShanks) => flags.extend(["HAZE", "MIE_CS"]),
+        None => {}
     }
 }
 
@@ -131,14 +154,14 @@ pub enum Program {
     },
     /// The background sky from its tables, `sky_lut.wgsl`.
     SkyLut {
-        /// Phase function of the aerosol, if there is one.
+        /// Phase function of the aerosol; `None` where none scatters light.
         mie: Option<MiePhase>,
         /// The target holds nothing: written, instead of laid over it.
         only: bool,
     },
     /// Air before the scene from its tables, `aerial_lut.wgsl`.
     AerialLut {
-        /// Phase function of the aerosol, if there is one.
+        /// Phase function of the aerosol; `None` where none scatters light.
         mie: Option<MiePhase>,
         /// Laid over the scene instead of reading its colour.
         blend: bool,
@@ -155,11 +178,15 @@ pub enum Program {
         air: Constituents,
         /// The table of what the aerosol scatters straight from the sun; otherwise of all other light.
         aerosol: bool,
+        /// With light that was scattered before.
+        diffuse: bool,
     },
     /// Fills the slices of the air table, `lut_air.wgsl`; any aerosol stands for both phase functions.
     LutAir {
         /// What the air holds.
         air: Constituents,
+        /// With light that was scattered before.
+        diffuse: bool,
     },
     /// Adds up the slices of the air table, `lut_scan.wgsl`.
     LutScan {
@@ -176,7 +203,10 @@ pub enum Program {
         dither: bool,
     },
     /// The demonstration's terrain, `terrain.wgsl`; it holds every constituent.
-    Terrain,
+    Terrain {
+        /// With the light of the simulated sky, from the table of moments; otherwise a rough estimate of it.
+        sky: bool,
+    },
     /// A plain copy, `copy.wgsl`.
     Copy,
     /// The library's functions on single cases, `probe.wgsl`; see [`crate::probe`].
@@ -191,7 +221,7 @@ const TERRAIN_SEGMENTS: u32 = 384;
 impl Program {
     /// Every program that can be asked for.
     pub fn all() -> Vec<Self> {
-        let mut all = vec![Self::Copy, Self::Upsample, Self::Terrain];
+        let mut all = vec![Self::Copy, Self::Upsample, Self::Terrain { sky: false }, Self::Terrain { sky: true }];
         all.extend([Self::LutColumns, Self::LutRadiance, Self::LutMoments]);
         all.extend([false, true].map(|finish| Self::LutScan { finish }));
         all.extend([false, true].into_iter().flat_map(|d| ToneMap::ALL.map(|map| Self::ToneMap { map, dither: d })));
@@ -208,9 +238,12 @@ impl Program {
                 all.push(Self::Sun { air });
             }
             if air.any() && air == air.without_phase() {
-                all.push(Self::LutSky { air, aerosol: false });
-                all.extend(air.mie.map(|_| Self::LutSky { air, aerosol: true }));
-                all.push(Self::LutAir { air });
+                all.extend([false, true].map(|diffuse| Self::LutSky { air, aerosol: false, diffuse }));
+                all.extend(air.mie.map(|_| Self::LutSky { air, aerosol: true, diffuse: false }));
+                all.extend([false, true].map(|diffuse| Self::LutAir { air, diffuse }));
+                let air = air.in_the_dark();
+                all.push(Self::Sky { air });
+                all.extend([false, true].map(|blend| Self::Aerial { air, blend }));
             }
         }
         // Last: what only they need is kept apart from what pictures need.
@@ -224,9 +257,10 @@ impl Program {
         let flags = self.flags();
         let part = |flag: &str, text: &'static str| if flags.contains(&flag) { text } else { "" };
         match self {
-            Self::Copy | Self::Upsample | Self::Terrain | Self::LutColumns | Self::LutRadiance | Self::LutMoments => {
+            Self::Copy | Self::Upsample | Self::LutColumns | Self::LutRadiance | Self::LutMoments => {
                 self.module().to_owned()
             }
+            Self::Terrain { sky } => if sky { "terrain-sky" } else { "terrain" }.to_owned(),
             Self::LutScan { finish } => format!("lut_scan-{}", if finish { "finish" } else { "add" }),
             Self::ToneMap { map, dither } => {
                 format!("tonemap-{}{}", map.name(), if dither { "-dither" } else { "" })
@@ -239,15 +273,25 @@ impl Program {
                 part("MIE", "-mie"),
                 part("OZONE", "-ozone"),
                 part("AEROSOL", "-haze"),
+                part("BARE", "-bare"),
             ]
             .concat(),
-            Self::Sky { .. } | Self::Aerial { .. } | Self::SkyLut { .. } | Self::AerialLut { .. } => [
+            Self::SkyLut { .. } | Self::AerialLut { .. } => [
+                self.module(),
+                part("MIE_HG", "-mie_hg"),
+                part("MIE_CS", "-mie_cs"),
+                part("ONLY", "-only"),
+                part("BLEND", "-blend"),
+            ]
+            .concat(),
+            Self::Sky { .. } | Self::Aerial { .. } => [
                 self.module(),
                 part("RAYLEIGH", "-rayleigh"),
                 part("MIE_HG", "-mie_hg"),
                 part("MIE_CS", "-mie_cs"),
+                if flags.contains(&"DARK") { part("MIE", "-mie") } else { "" },
                 part("OZONE", "-ozone"),
-                part("ONLY", "-only"),
+                part("DARK", "-dark"),
                 part("BLEND", "-blend"),
             ]
             .concat(),
@@ -270,7 +314,7 @@ impl Program {
             Self::LutScan { .. } => "lut_scan",
             Self::Upsample => "upsample",
             Self::ToneMap { .. } => "tonemap",
-            Self::Terrain => "terrain",
+            Self::Terrain { .. } => "terrain",
             Self::Copy => "copy",
             #[cfg(feature = "probe")]
             Self::Probe(_) => "probe",
@@ -282,7 +326,7 @@ impl Program {
         match self {
             Self::Sky { air } | Self::Sun { air } => air.flags(&mut flags),
             Self::SkyLut { mie, only } => {
-                Constituents { mie, ..Constituents::default() }.flags(&mut flags);
+                haze(mie, &mut flags);
                 flags.push(if only { "ONLY" } else { "OVER" });
             }
             Self::Aerial { air, blend } => {
@@ -291,16 +335,21 @@ impl Program {
             }
             Self::AerialLut { mie, blend } => {
                 // Gas and absorber are in the tables; what is left of them is a factor each.
-                Constituents { rayleigh: true, mie, ozone: true }.flags(&mut flags);
+                flags.extend(["AIR", "RAYLEIGH", "MIE", "OZONE"]);
+                haze(mie, &mut flags);
                 flags.push(if blend { "BLEND" } else { "READ" });
             }
-            Self::LutSky { air, aerosol } => {
+            Self::LutSky { air, aerosol, diffuse } => {
                 air.flags(&mut flags);
-                flags.extend(if aerosol { ["AEROSOL", "DIRECT"] } else { ["SMOOTH", "DIFFUSE"] });
+                flags.extend(match (aerosol, diffuse) {
+                    (true, _) => &["AEROSOL", "DIRECT"][..],
+                    (false, true) => &["SMOOTH", "DIFFUSE"],
+                    (false, false) => &["SMOOTH", "BARE", "DIRECT"],
+                });
             }
-            Self::LutAir { air } => {
+            Self::LutAir { air, diffuse } => {
                 air.flags(&mut flags);
-                flags.push("DIFFUSE");
+                flags.extend(if diffuse { &["DIFFUSE"][..] } else { &["BARE", "DIRECT"] });
             }
             Self::LutScan { finish } => flags.push(if finish { "FINISH" } else { "ADD" }),
             Self::ToneMap { map, dither } => {
@@ -311,14 +360,18 @@ impl Program {
                 });
                 flags.push(if dither { "DITHER" } else { "PLAIN" });
             }
-            Self::Terrain | Self::LutColumns | Self::LutRadiance | Self::LutMoments => {
-                Constituents { rayleigh: true, mie: Some(MiePhase::HenyeyGreenstein), ozone: true }.flags(&mut flags);
+            Self::Terrain { .. } | Self::LutColumns | Self::LutRadiance | Self::LutMoments => {
+                Constituents { rayleigh: true, mie: Some(MiePhase::HenyeyGreenstein), ozone: true, dark: false }
+                    .flags(&mut flags);
                 flags.push("DIFFUSE");
+                if let Self::Terrain { sky } = self {
+                    flags.push(if sky { "SKYLIGHT" } else { "ROUGH" });
+                }
             }
             Self::Upsample | Self::Copy => {}
             #[cfg(feature = "probe")]
             Self::Probe(p) => {
-                Constituents { rayleigh: true, mie: Some(p.mie_phase()), ozone: true }.flags(&mut flags);
+                Constituents { rayleigh: true, mie: Some(p.mie_phase()), ozone: true, dark: false }.flags(&mut flags);
                 flags.push(p.flag());
             }
         }
@@ -339,11 +392,12 @@ impl Program {
     /// How many textures it reads, at bindings 1, 2, …
     pub fn textures(self) -> usize {
         match self {
-            Self::Sky { .. } | Self::Sun { .. } | Self::Terrain | Self::LutColumns => 0,
+            Self::Sky { .. } | Self::Sun { .. } | Self::LutColumns => 0,
+            Self::Terrain { sky } => usize::from(sky),
             Self::Upsample | Self::ToneMap { .. } | Self::Copy | Self::LutMoments | Self::LutScan { .. } => 1,
             Self::SkyLut { mie, .. } => 1 + usize::from(mie.is_some()),
-            Self::LutRadiance | Self::LutAir { .. } => 2,
-            Self::LutSky { aerosol, .. } => 2 - usize::from(aerosol),
+            Self::LutRadiance => 2,
+            Self::LutSky { diffuse, .. } | Self::LutAir { diffuse, .. } => 1 + usize::from(diffuse),
             Self::Aerial { blend, .. } => 2 - usize::from(blend),
             Self::AerialLut { mie, blend } => 5 - usize::from(blend) + usize::from(mie.is_some()),
             #[cfg(feature = "probe")]
@@ -366,7 +420,7 @@ impl Program {
         match self {
             Self::Sky { .. } | Self::Aerial { .. } | Self::Upsample => size_of::<FrameUniform>(),
             Self::Sun { .. } => size_of::<crate::passes::sun::SunUniform>(),
-            Self::Terrain => size_of::<TerrainUniform>(),
+            Self::Terrain { .. } => size_of::<TerrainUniform>(),
             Self::ToneMap { .. } => size_of::<ToneUniform>(),
             Self::LutColumns | Self::LutRadiance | Self::LutMoments => size_of::<lut::MediumTables>(),
             Self::SkyLut { .. }
@@ -383,7 +437,7 @@ impl Program {
     /// Vertices to draw.
     pub fn vertices(self) -> u32 {
         match self {
-            Self::Terrain => TERRAIN_RINGS * (2 * (TERRAIN_SEGMENTS + 1) + 2),
+            Self::Terrain { .. } => TERRAIN_RINGS * (2 * (TERRAIN_SEGMENTS + 1) + 2),
             Self::Sun { .. } => 4,
             _ => 3,
         }
@@ -391,7 +445,7 @@ impl Program {
 
     /// Whether it has a vertex shader of its own, which makes a triangle strip; the others cover their target.
     pub fn makes_vertices(self) -> bool {
-        matches!(self, Self::Terrain | Self::Sun { .. })
+        matches!(self, Self::Terrain { .. } | Self::Sun { .. })
     }
 
     /// Whether the output is laid over the target by its (premultiplied) alpha.
@@ -519,6 +573,7 @@ pub const MODULES: &[(&str, &str)] = modules![
     "frame",
     "fullscreen",
     "geometry",
+    "lighting",
     "lut_air",
     "lut_columns",
     "lut_moments",

@@ -92,7 +92,9 @@ pub fn generate() -> Result<Vec<(String, String)>> {
     let mut programs = Vec::new();
     for program in Program::all() {
         let t = translate(program)?;
-        let own = format!("{}.vert", program.module());
+        // The sun's variants share their vertex shader, the terrain's do not.
+        let own = if matches!(program, Program::Terrain { .. }) { &t.name } else { program.module() };
+        let own = format!("{own}.vert");
         let vertex_file = if program.makes_vertices() { own } else { "fullscreen.vert".to_owned() };
         let fragment_file = format!("{}.frag", t.name);
         for (file, text) in [(&vertex_file, &t.vertex), (&fragment_file, &t.fragment)] {
@@ -201,11 +203,27 @@ pub type Layout = (Vec<(String, u32)>, u32);
 
 /// A struct of a program's WGSL as naga lays it out. `None` if there is no such struct.
 pub fn struct_layout(program: Program, name: &str) -> Result<Option<Layout>> {
-    let module = parse(program)?;
+    layout(&parse(program)?, name)
+}
+
+/// A struct of a module that no program includes. `None` if there is no such struct.
+///
+/// # Errors
+/// [`Error::Driver`] if naga does not accept the text.
+pub fn module_layout(wgsl: &str, name: &str) -> Result<Option<Layout>> {
+    let module = naga::front::wgsl::parse_str(wgsl).map_err(|e| Error::Driver {
+        backend: "naga",
+        what: "parse a module".into(),
+        reason: e.emit_to_string(wgsl),
+    })?;
+    layout(&module, name)
+}
+
+fn layout(module: &naga::Module, name: &str) -> Result<Option<Layout>> {
     let mut members = Vec::new();
     let found = module.types.iter().find(|(_, t)| t.name.as_deref() == Some(name));
     Ok(found.and_then(|(handle, _)| {
-        let size = walk(&module, handle, "", 0, &mut members)?;
+        let size = walk(module, handle, "", 0, &mut members)?;
         Some((members, size))
     }))
 }

@@ -6,10 +6,12 @@ use std::time::Duration;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser as _};
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use welkin::{AtmosphereParams, Mode, Quality, SkySettings, ToneMap};
+use welkin::{AtmosphereParams, Bound, Mode, Quality, SkySettings, ToneMap};
 
 use crate::choose::Wish;
+use crate::costs::CostsArgs;
 use crate::draw::{BackendChoice, Shot};
+use crate::flight::FlightArgs;
 use crate::sun;
 use crate::views::{self, Place, View};
 
@@ -63,8 +65,14 @@ pub struct Cli {
 pub enum Command {
     /// Draw a sky: a contact sheet of many views, or one picture
     Render(Box<RenderArgs>),
+    /// Say which effects a picture calls for, why, and the passes that draw them
+    Plan(Box<PlanArgs>),
     /// Draw a climb to a million kilometres, or a day, as a strip of frames; measure how smoothly they follow
     Film(Box<FilmArgs>),
+    /// Fly from the ground to the moon's distance and around to the night side: what is drawn, why, and what it costs
+    Flight(FlightArgs),
+    /// Say what each effect costs: bytes, pipelines and milliseconds
+    Costs(CostsArgs),
     /// Draw every view by every backend: how far apart the pictures are, and what each pass costs
     Compare(CompareArgs),
     /// Compute the sky's radiance in given directions, from a table to a table
@@ -133,7 +141,10 @@ impl Command {
     pub fn name(&self) -> &'static str {
         match self {
             Self::Render(_) => "render",
+            Self::Plan(_) => "plan",
             Self::Film(_) => "film",
+            Self::Flight(_) => "flight",
+            Self::Costs(_) => "costs",
             Self::Radiance(_) => "radiance",
             Self::Accuracy(_) => "accuracy",
             Self::Compare(_) => "compare",
@@ -366,9 +377,45 @@ pub struct RenderArgs {
     #[arg(long, help_heading = "Quality and output")]
     no_terrain: bool,
 
+    /// Draw every effect that the settings have, whether the scene calls for it or not
+    #[arg(long, help_heading = "Quality and output")]
+    all_effects: bool,
+
     /// Where to write; the ending decides: .png is 8-bit sRGB, .exr and .hdr are linear radiance
     #[arg(short, long, value_name = "FILE", help_heading = "Quality and output", default_value = "welkin.png")]
     pub output: PathBuf,
+}
+
+const PLAN_ABOUT: &str = "\
+Say which effects a picture calls for, why, and the passes that draw them
+
+Takes the options of 'welkin render' and draws nothing. Without any this is the plan of the default view from the \
+ground. What a plan leaves out changes no pixel by more than the bound that it names, and is not compiled, allocated, \
+bound or drawn.";
+
+const PLAN_DETAILS: &str = "\
+Examples:
+  welkin plan --altitude 400km --pitch 20
+      From orbit, looking away from the planet
+  welkin plan --sun-elevation -25 --json
+      At night, as JSON: bound, effects (name, on, reason) and passes (label, program, runs, times)
+  welkin plan --view limb --all-effects
+      With everything forced on
+
+Exit status: 0 printed; 1 failed; 2 the request was not accepted.";
+
+/// Options of `welkin plan`.
+#[derive(Args, Debug)]
+#[command(about = "Say which effects a picture calls for, why, and the passes that draw them")]
+#[command(long_about = PLAN_ABOUT, after_long_help = PLAN_DETAILS)]
+#[command(after_help = "Examples and more words: welkin plan --help")]
+pub struct PlanArgs {
+    #[command(flatten)]
+    pub render: RenderArgs,
+
+    /// Print JSON
+    #[arg(long, help_heading = "Quality and output")]
+    pub json: bool,
 }
 
 /// The names of [`ToneMap`] on the command line.
@@ -749,6 +796,25 @@ impl RenderArgs {
         Ok(Some((view, self.shot(&view, place, size, SkySettings::default())?)))
     }
 
+    /// The one picture that is asked for, or the default view.
+    pub fn single_or_default(&self) -> Result<(View, Shot), UsageError> {
+        if let Some(single) = self.single()? {
+            return Ok(single);
+        }
+        let view = views::DEFAULT;
+        let shot = self.shot(&view, Place::DEFAULT, [1280, 720], SkySettings::default())?;
+        Ok((view, shot))
+    }
+
+    /// How much what is left out may change a picture of that exposure: as much as nobody sees in 8 bits, or what
+    /// suits numbers.
+    fn bound(&self, exposure: f32) -> Option<Bound> {
+        let linear =
+            self.output.extension().is_some_and(|e| e.eq_ignore_ascii_case("exr") || e.eq_ignore_ascii_case("hdr"));
+        let bound = if linear { Bound::LINEAR } else { Bound::eight_bit(exposure.into()) };
+        (!self.all_effects).then_some(bound)
+    }
+
     /// A view as these options have it drawn.
     pub fn shot(
         &self,
@@ -769,7 +835,8 @@ impl RenderArgs {
             }
             other => UsageError::new(other.to_string()),
         })?;
-        let sky = SkySettings { composition: self.mode.settings().composition, ..sky };
+        let (composition, bound) = (self.mode.settings().composition, self.bound(view.exposure));
+        let sky = SkySettings { composition, bound, ..sky };
         Ok(Shot {
             scene,
             width,
@@ -907,7 +974,7 @@ fn parse_time(text: &str) -> Result<jiff::Timestamp, String> {
     if (0..=2999).contains(&year) { Ok(time) } else { Err(allowed.to_owned()) }
 }
 
-fn parse_size(text: &str) -> Result<[u32; 2], String> {
+pub fn parse_size(text: &str) -> Result<[u32; 2], String> {
     let side = |s: &str| s.trim().parse().ok().filter(|n| (1..=MAX_SIDE).contains(n));
     let size = text.split_once(['x', 'X', '×']).and_then(|(w, h)| Some([side(w)?, side(h)?]));
     let size = size.filter(|[w, h]| u64::from(*w) * u64::from(*h) <= MAX_PIXELS);
@@ -918,7 +985,7 @@ fn parse_size(text: &str) -> Result<[u32; 2], String> {
     })
 }
 
-fn parse_frame(text: &str) -> Result<[u32; 2], String> {
+pub fn parse_frame(text: &str) -> Result<[u32; 2], String> {
     let size = parse_size(text).ok().filter(|size| size.iter().all(|side| (8..=1000).contains(side)));
     size.ok_or_else(|| "must be WIDTHxHEIGHT, each from 8 to 1000, as in 80x120".to_owned())
 }

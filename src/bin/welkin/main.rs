@@ -5,10 +5,13 @@ mod args;
 mod cache;
 mod choose;
 mod compare;
+mod costs;
 mod draw;
 mod film;
+mod flight;
 mod info;
 mod output;
+mod plan;
 mod progress;
 mod radiance;
 mod render;
@@ -48,6 +51,9 @@ fn run(cli: Cli) -> anyhow::Result<()> {
     match cli.command {
         Command::Render(args) => render::run(&args),
         Command::Film(args) => film::run(&args),
+        Command::Flight(args) => flight::run(&args),
+        Command::Costs(args) => costs::run(&args),
+        Command::Plan(args) => plan::run(&args),
         Command::Compare(args) => compare::run(&args),
         Command::Accuracy(args) => accuracy::run(&args),
         Command::Radiance(args) => radiance::run(&args),

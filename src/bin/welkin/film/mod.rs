@@ -1,6 +1,6 @@
 //! `welkin film`: a climb to a million kilometres or a day as a strip of frames, and how smoothly they follow.
 
-mod path;
+pub mod path;
 
 use std::io::Write;
 use std::time::Instant;

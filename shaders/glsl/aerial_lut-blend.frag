@@ -227,9 +227,11 @@ vec3 extinction(mat3x3 coefficients, vec3 d) {
     vec3 _e5 = sum;
     sum = (_e5 + (coefficients[0] * d.x));
     vec3 _e10 = sum;
-    sum = (_e10 + (coefficients[2] * d.z));
+    sum = (_e10 + (coefficients[1] * d.y));
     vec3 _e15 = sum;
-    return _e15;
+    sum = (_e15 + (coefficients[2] * d.z));
+    vec3 _e20 = sum;
+    return _e20;
 }
 
 Corner corner(vec2 at, ivec2 size_1) {

@@ -1,0 +1,211 @@
+#version 300 es
+
+precision highp float;
+precision highp int;
+
+struct Medium {
+    vec3 rayleigh;
+    float rayleigh_inv_height;
+    vec3 mie_scattering;
+    float mie_inv_height;
+    vec3 mie_extinction;
+    float ozone_center;
+    vec3 mie_asymmetry;
+    float ozone_inv_half_width;
+    vec3 ozone;
+    float radius;
+    vec3 irradiance;
+    float thickness;
+};
+struct DepthCode {
+    float scale;
+    float bias;
+    float log_;
+    float background;
+};
+struct Frame {
+    Medium medium;
+    vec3 ray_forward;
+    float altitude;
+    vec3 ray_right;
+    float sky_weight;
+    vec3 ray_up;
+    float shell_weight;
+    vec3 sun;
+    float sun_chord;
+    vec2 size;
+    float sun_disk;
+    float pixel_angle;
+    DepthCode depth;
+    uint view_samples;
+    uint light_samples;
+    uint low_resolution;
+    float camera_altitude;
+    vec4 limb;
+};
+struct Tables {
+    vec3 mie_extinction;
+    float altitude_steepness;
+    vec3 mie_moment0_;
+    float altitude_growth;
+    vec3 mie_moment1_;
+    float sun_middle;
+    vec3 mie_moment2_;
+    float sun_width;
+    vec3 mie_asymmetry;
+    float pad;
+    vec3 albedo;
+    float sun_first;
+    float sun_span;
+    float ground_rows;
+    uvec2 size;
+    uint steps;
+    uint shift;
+    uint slices;
+    float air_ground_rows;
+};
+struct Corner {
+    ivec2 low;
+    ivec2 high;
+    vec2 part;
+};
+struct Terrain {
+    Frame frame;
+    vec3 axis;
+    float amplitude;
+    vec3 grid_x;
+    float arc_scale;
+    vec3 grid_y;
+    float arc_rate;
+    vec3 planet_x;
+    float sea;
+    vec3 planet_y;
+    float offset_x;
+    vec3 planet_z;
+    float offset_y;
+    vec3 low_albedo;
+    float mountain_rate;
+    vec3 high_albedo;
+    float snow_line;
+    vec3 sky_share;
+    float pad;
+    Tables tables;
+};
+struct Varyings {
+    vec4 clip;
+    vec3 position;
+    vec3 light;
+    vec2 surface;
+    float sun;
+};
+struct Shaded {
+    vec4 color;
+    float depth;
+};
+const float HALF_MAX = 32000.0;
+const float INV_4PI = 0.07957747;
+const float LOG_FLOOR = -100.0;
+const int MOMENTS = 6;
+const float SH0_ = 0.2820948;
+const float SH1_ = 0.48860252;
+const float SH20_ = 0.31539157;
+const float SH21_ = 1.0925485;
+const float SH22_ = 0.54627424;
+const uint RINGS = 256u;
+const uint SEGMENTS = 384u;
+const float TAU = 6.2831855;
+
+layout(std140) uniform Terrain_block_0Fragment { Terrain _group_0_binding_0_fs; };
+
+uniform highp sampler2D _group_0_binding_1_fs;
+
+smooth in vec3 _vs2fs_location0;
+smooth in vec3 _vs2fs_location1;
+smooth in vec2 _vs2fs_location2;
+smooth in float _vs2fs_location3;
+layout(location = 0) out vec4 _fs2p_location0;
+
+float depth_of(DepthCode c, float z) {
+    if ((c.log_ > 0.0)) {
+        return (log2((1.0 + (z * 1000.0))) / c.log_);
+    }
+    return (((1.0 / z) - c.bias) / c.scale);
+}
+
+Corner corner(vec2 at, ivec2 size) {
+    vec2 inside = clamp(at, vec2(0.0), vec2((size - ivec2(1))));
+    ivec2 low = min(ivec2(inside), (size - ivec2(1)));
+    return Corner(low, min((low + ivec2(1)), (size - ivec2(1))), (inside - vec2(low)));
+}
+
+vec4 bilinear(highp sampler2D table, Corner c_1, ivec2 origin) {
+    ivec2 low_1 = (c_1.low + origin);
+    ivec2 high = (c_1.high + origin);
+    vec4 _e8 = texelFetch(table, low_1, 0);
+    vec4 _e13 = texelFetch(table, ivec2(high.x, low_1.y), 0);
+    vec4 bottom = mix(_e8, _e13, c_1.part.x);
+    vec4 _e21 = texelFetch(table, ivec2(low_1.x, high.y), 0);
+    vec4 _e23 = texelFetch(table, high, 0);
+    vec4 top = mix(_e21, _e23, c_1.part.x);
+    return mix(bottom, top, c_1.part.y);
+}
+
+vec4 sun_axis(Tables t) {
+    return vec4(t.sun_middle, t.sun_width, t.sun_first, t.sun_span);
+}
+
+float sun_share(vec4 axis, float mu) {
+    float y = ((mu - axis.x) / axis.y);
+    return (((sign(y) * log((abs(y) + sqrt(((y * y) + 1.0))))) - axis.z) / axis.w);
+}
+
+vec3 ground_irradiance(highp sampler2D table_1, Tables t_1, float mu_sun) {
+    ivec2 dims = ivec2(uvec2(textureSize(table_1, 0).xy));
+    vec4 _e5 = sun_axis(t_1);
+    float _e6 = sun_share(_e5, mu_sun);
+    vec2 at_1 = vec2((_e6 * float((dims.x - 1))), 0.0);
+    Corner _e17 = corner(at_1, ivec2(dims.x, 1));
+    vec4 _e23 = bilinear(table_1, _e17, ivec2(0, (dims.y - 1)));
+    return exp2(_e23.xyz);
+}
+
+void main() {
+    Varyings in_ = Varyings(gl_FragCoord, _vs2fs_location0, _vs2fs_location1, _vs2fs_location2, _vs2fs_location3);
+    vec3 albedo = vec3(0.0);
+    vec3 light = vec3(0.0);
+    Shaded out_ = Shaded(vec4(0.0), 0.0);
+    float h = in_.surface.x;
+    vec3 _e5 = _group_0_binding_0_fs.low_albedo;
+    vec3 _e8 = _group_0_binding_0_fs.high_albedo;
+    float _e11 = _group_0_binding_0_fs.amplitude;
+    albedo = mix(_e5, _e8, smoothstep(0.05, 0.6, (h / _e11)));
+    vec3 _e20 = _group_0_binding_0_fs.high_albedo;
+    vec3 _e21 = albedo;
+    albedo = mix(_e20, _e21, smoothstep(0.8, 0.95, in_.surface.y));
+    vec3 _e28 = albedo;
+    float _e33 = _group_0_binding_0_fs.snow_line;
+    float _e36 = _group_0_binding_0_fs.snow_line;
+    albedo = mix(_e28, vec3(0.8), smoothstep(_e33, (_e36 * 1.15), h));
+    vec3 _e41 = albedo;
+    float _e48 = _group_0_binding_0_fs.sea;
+    albedo = mix(_e41, vec3(0.02, 0.04, 0.06), (_e48 * (1.0 - smoothstep(0.0, 0.004, h))));
+    light = in_.light;
+    vec3 _e58 = light;
+    Tables _e62 = _group_0_binding_0_fs.tables;
+    vec3 _e64 = ground_irradiance(_group_0_binding_1_fs, _e62, in_.sun);
+    light = (_e58 + (_e64 * (0.5 + (0.5 * in_.surface.y))));
+    vec3 _e74 = albedo;
+    vec3 _e75 = light;
+    vec3 _e81 = _group_0_binding_0_fs.frame.medium.irradiance;
+    vec3 reflected = (((_e74 * _e75) * _e81) * 0.31830987);
+    out_.color = vec4(min(reflected, vec3(32000.0)), 1.0);
+    DepthCode _e95 = _group_0_binding_0_fs.frame.depth;
+    vec3 _e99 = _group_0_binding_0_fs.axis;
+    float _e103 = depth_of(_e95, max(dot(in_.position, _e99), 1e-9));
+    out_.depth = clamp(_e103, 0.0, 1.0);
+    Shaded _e107 = out_;
+    _fs2p_location0 = _e107.color;
+    gl_FragDepth = _e107.depth;
+    return;
+}
+

@@ -1,0 +1,822 @@
+//! What a scene calls for: which effects are on, why, and the passes that draw them.
+//!
+//! An [`EffectPlan`] is a pure function of the [`Scene`], the [`SkySettings`] and the picture's size. [`crate::SkyRenderer`] asks it once a
+//! frame and decides nothing by itself: what a plan leaves out is not compiled, allocated, bound or drawn.
+//!
+//! ```
+//! use welkin::{EffectPlan, SkySettings};
+//! # use glam::DVec3;
+//! # use welkin::{AtmosphereParams, Camera, DepthConvention, Scene};
+//! # let earth = AtmosphereParams::earth();
+//! # let scene = Scene {
+//! #     camera: Camera::new(DVec3::Z * (earth.planet_radius + 4e5), DVec3::Z, DVec3::X, 1.0, 1.5),
+//! #     planet_center: DVec3::ZERO,
+//! #     atmosphere: earth,
+//! #     sun_direction: DVec3::X,
+//! #     depth: DepthConvention::default(),
+//! # };
+//! // From orbit, looking away from the planet.
+//! let plan = EffectPlan::new(&scene, &SkySettings::default(), [960, 640])?;
+//! assert!(plan.passes().is_empty());
+//! for effect in plan.effects() {
+//!     println!("{} is {}: {}", effect.name, if effect.on { "on" } else { "off" }, effect.reason);
+//! }
+//! # Ok::<(), welkin::Error>(())
+//! ```
+//!
+//! # How much may change
+//!
+//! Some omissions change nothing: what lies outside the picture or behind the planet. The others (a constituent next to
+//! nothing of which is in sight, light at night) change pixels by less than a [`Bound`]: each has an upper bound of its
+//! own, worked out below, and the cheapest are taken as long as their sum stays within it.
+
+use std::f64::consts::PI;
+use std::fmt;
+
+use crate::atmosphere::{AtmosphereParams, MiePhase};
+use crate::error::{Result, in_range, short};
+use crate::passes::lut::LutSettings;
+use crate::passes::sky::{Composition, Method, SkySettings, background_weight};
+use crate::passes::sun::{SunPlan, rectangle};
+use crate::shaders::{Constituents, Program};
+use crate::view::{Scene, ZenithView};
+
+/// How much the radiance `L` of a pixel may change by all that is left out: `relative × L + absolute`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bound {
+    /// Share of the pixel's radiance, 0 to 1.
+    pub relative: f64,
+    /// In the unit of the picture's radiance, 0 to 1e6.
+    pub absolute: f64,
+}
+
+impl Bound {
+    /// Nothing that could be seen in any exposure: only what changes no pixel at all.
+    pub const EXACT: Self = Self { relative: 0.0, absolute: 0.0 };
+
+    /// For radiance that somebody reads: a thousandth, and 1e-9 (an 8-bit picture of 10,000 times the exposure).
+    pub const LINEAR: Self = Self { relative: 1e-3, absolute: 1e-9 };
+
+    /// For a picture of 8 bits per channel: less than half a step after any of the tone maps. `exposure`:
+    /// display units per unit of radiance, above 0.
+    pub fn eight_bit(exposure: f64) -> Self {
+        Self { relative: 1e-3, absolute: (1e-5 / exposure).min(1e6) }
+    }
+
+    /// Checks the ranges given at the fields.
+    pub fn validate(&self) -> Result<()> {
+        in_range("bound.relative", self.relative, 0.0, 1.0, "")?;
+        in_range("bound.absolute", self.absolute, 0.0, 1e6, "")?;
+        Ok(())
+    }
+}
+
+/// Why an effect is on or off: words, and where a number decided, that number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reason {
+    text: &'static str,
+    value: Option<f64>,
+    unit: &'static str,
+}
+
+impl Reason {
+    const fn of(text: &'static str) -> Self {
+        Self { text, value: None, unit: "" }
+    }
+
+    const fn number(text: &'static str, value: f64, unit: &'static str) -> Self {
+        Self { text, value: Some(value), unit }
+    }
+}
+
+impl fmt::Display for Reason {
+    /// The words, then the number in three digits.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.text)?;
+        let Some(value) = self.value else { return Ok(()) };
+        f.write_str(" ")?;
+        f.write_str(&short(three_digits(value)))?;
+        f.write_str(self.unit)
+    }
+}
+
+fn three_digits(v: f64) -> f64 {
+    if v == 0.0 || !v.is_finite() {
+        return v;
+    }
+    // By division, so that the result is the nearest to a short decimal.
+    let digits = 2 - v.abs().log10().floor() as i32;
+    if digits > 0 { (v * 10_f64.powi(digits)).round() / 10_f64.powi(digits) } else { v.round() }
+}
+
+/// One effect of a plan.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Effect {
+    /// What it is called, in lower case.
+    pub name: &'static str,
+    /// Whether the scene calls for it.
+    pub on: bool,
+    /// Why.
+    pub reason: Reason,
+}
+
+/// How often a pass runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Runs {
+    /// Again when the medium or the ground's albedo changes.
+    PerMedium,
+    /// Again when the camera's altitude or the sun's elevation changes.
+    PerAltitude,
+    /// In each frame.
+    PerFrame,
+}
+
+impl Runs {
+    /// In words: `per medium`, `per altitude`, `per frame`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::PerMedium => "per medium",
+            Self::PerAltitude => "per altitude",
+            Self::PerFrame => "per frame",
+        }
+    }
+}
+
+/// A pass of a plan, which may run several times in a row.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlannedPass {
+    /// [`crate::backend::Pass::label`].
+    pub label: &'static str,
+    /// Its program with the variant; `None` only clears.
+    pub program: Option<Program>,
+    /// How often.
+    pub runs: Runs,
+    /// How many times in a row.
+    pub times: u32,
+    /// Share of its target's pixels that it draws.
+    pub share: f64,
+}
+
+/// Which tables a plan needs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct TablePlan {
+    pub settings: LutSettings,
+    /// Without a phase function.
+    pub air: Constituents,
+    /// Whether what the aerosol scatters straight from the sun has a table.
+    pub haze: bool,
+    /// Rounds of scattering after the first; 0 leaves their tables out.
+    pub rounds: u32,
+    /// Whether the air before the scene is drawn.
+    pub slices: bool,
+}
+
+/// The effects, in the order of [`EffectPlan::effects`].
+#[derive(Clone, Copy)]
+enum Name {
+    Atmosphere,
+    Rayleigh,
+    Mie,
+    Ozone,
+    Sunlight,
+    Multiple,
+    Background,
+    Shell,
+    Aerial,
+    Tables,
+    Slices,
+    SunDisk,
+    Reduced,
+}
+
+const NAMES: [&str; 13] = [
+    "atmosphere",
+    "rayleigh",
+    "mie",
+    "ozone",
+    "sunlight",
+    "multiple scattering",
+    "background sky",
+    "planet shell",
+    "aerial perspective",
+    "sky tables",
+    "air table",
+    "sun disk",
+    "reduced resolution",
+];
+
+/// What a scene calls for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EffectPlan {
+    effects: [Effect; NAMES.len()],
+    /// Draws the background.
+    pub(crate) background: Option<Program>,
+    /// Whether it is drawn smaller and brought to full size.
+    pub(crate) reduced: bool,
+    /// Draws the sun's disk.
+    pub(crate) sun: Option<SunPlan>,
+    /// Draws the air before the scene.
+    pub(crate) before: Option<Program>,
+    pub(crate) tables: Option<TablePlan>,
+    /// Share of the background pass in the sky's light.
+    pub(crate) sky_weight: f64,
+    /// Along a view ray and from each step towards the sun, for passes that march.
+    pub(crate) samples: [u32; 2],
+}
+
+/// Share of the bound below which what is on goes off.
+const STAYS: f64 = 0.5;
+
+/// Radians by which a picture is taken to be wider than it is: rounding, and half a pixel, decide nothing then.
+const MARGIN: f64 = 1e-3;
+
+impl EffectPlan {
+    /// The names of all effects, in the order of [`Self::effects`].
+    pub const NAMES: [&'static str; NAMES.len()] = NAMES;
+
+    /// The plan of a scene, for a picture of a size in pixels.
+    ///
+    /// # Errors
+    /// [`crate::Error::Invalid`] from [`Scene::validate`] and [`SkySettings::validate`].
+    pub fn new(scene: &Scene, settings: &SkySettings, size: [u32; 2]) -> Result<Self> {
+        let view = scene.validate()?;
+        settings.validate()?;
+        Ok(Self::of(scene, &view, settings, size, None))
+    }
+
+    /// The plan of the frame that follows another: what is on stays on until leaving it out uses up less than half of the
+    /// bound, so that a scene on a threshold does not switch in every frame. Either way it is within the bound.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn after(previous: &Self, scene: &Scene, settings: &SkySettings, size: [u32; 2]) -> Result<Self> {
+        let view = scene.validate()?;
+        settings.validate()?;
+        Ok(Self::of(scene, &view, settings, size, Some(previous)))
+    }
+
+    /// Every effect with its reason.
+    pub fn effects(&self) -> &[Effect] {
+        &self.effects
+    }
+
+    /// An effect by its name.
+    pub fn effect(&self, name: &str) -> Option<&Effect> {
+        self.effects.iter().find(|e| e.name == name)
+    }
+
+    /// Of a checked scene and settings.
+    pub(crate) fn of(
+        scene: &Scene,
+        view: &ZenithView,
+        settings: &SkySettings,
+        size: [u32; 2],
+        previous: Option<&Self>,
+    ) -> Self {
+        let p = &scene.atmosphere;
+        let sight = Sight::new(p, view);
+        let mut plan = Self {
+            effects: NAMES.map(|name| Effect { name, on: false, reason: Reason::of("no air to see") }),
+            background: None,
+            reduced: false,
+            sun: None,
+            before: None,
+            tables: None,
+            sky_weight: match settings.composition {
+                Composition::Full => background_weight(view.altitude),
+                Composition::SkyDome => 1.0,
+                Composition::AtmospherePost | Composition::Planet => 0.0,
+            },
+            samples: [0; 2],
+        };
+        plan.set(Name::Reduced, false, Reason::of("no sky to draw smaller"));
+        let sun = plan.sun_disk(p, view, settings, &sight, size);
+        let all = Constituents::of(p);
+        let why_not = if !settings.enabled {
+            Some("switched off")
+        } else if !all.any() {
+            Some("no constituent has a coefficient above 0")
+        } else if settings.bound.is_some() && !sight.air {
+            Some("outside the picture")
+        } else {
+            None
+        };
+        let air = match why_not {
+            Some(text) => {
+                plan.set(Name::Atmosphere, false, Reason::of(text));
+                Constituents::default()
+            }
+            None => plan.constituents(p, settings, &sight, all, sun.is_some(), previous),
+        };
+        if settings.enabled {
+            plan.passes_for(p, view, settings, &sight, air, sun);
+        }
+        plan
+    }
+
+    fn set(&mut self, name: Name, on: bool, reason: Reason) {
+        let effect = &mut self.effects[name as usize];
+        (effect.on, effect.reason) = (on, reason);
+    }
+
+    fn is_on(&self, name: Name) -> bool {
+        self.effects[name as usize].on
+    }
+
+    /// Where in the picture the sun's disk is drawn.
+    fn sun_disk(
+        &mut self,
+        p: &AtmosphereParams,
+        view: &ZenithView,
+        settings: &SkySettings,
+        sight: &Sight,
+        size: [u32; 2],
+    ) -> Option<[f64; 4]> {
+        // With the soft edge of half a pixel.
+        let radius = p.sun_angular_radius + view.basis.up.length() / f64::from(size[1].max(1));
+        let rect = rectangle(&view.basis, view.sun, radius, size);
+        let (on, text) = if !settings.enabled || !settings.sun_disk {
+            (false, "switched off")
+        } else if p.sun_intensity <= 0.0 {
+            (false, "the sun is dark")
+        } else if rect.is_none() {
+            (false, "outside the picture")
+        } else if settings.bound.is_none() {
+            (true, "nothing is to be left out")
+        } else if sight.hides(view.sun, radius) {
+            (false, "behind the planet")
+        } else {
+            (true, "in the picture")
+        };
+        self.set(Name::SunDisk, on, Reason::of(text));
+        rect.filter(|_| on)
+    }
+
+    /// Which constituents and which light: everything that needs an upper bound.
+    fn constituents(
+        &mut self,
+        p: &AtmosphereParams,
+        settings: &SkySettings,
+        sight: &Sight,
+        all: Constituents,
+        sun: bool,
+        previous: Option<&Self>,
+    ) -> Constituents {
+        let tables = matches!(settings.method, Method::Lut(_));
+        // Tables hold every direction, whichever way the camera looks.
+        let low = if tables { 0.0 } else { sight.lowest };
+        let scattering = Scattering::new(p, sight, low);
+        let bound = settings.bound.unwrap_or(Bound::EXACT);
+        let everything = settings.bound.is_none();
+        let there = [all.rayleigh, all.mie.is_some(), all.ozone];
+        // Each candidate with the share of the bound that leaving it out uses up.
+        // A sun whose disk is in the picture stands in no night, however large it is.
+        let night = if sun { f64::INFINITY } else { scattering.night(sight, tables) };
+        let scattered = scattering.scatters();
+        let mut costs = [
+            (Name::Rayleigh, if there[0] { scattering.without(0, bound) } else { 0.0 }),
+            (Name::Mie, if there[1] { scattering.without(1, bound) } else { 0.0 }),
+            (Name::Ozone, if there[2] { scattering.without(2, bound) } else { 0.0 }),
+            (Name::Sunlight, share(night, bound.absolute)),
+            (Name::Multiple, if tables { share(scattering.multiple(), bound.absolute) } else { f64::INFINITY }),
+        ];
+        costs.sort_unstable_by(|a, b| a.1.total_cmp(&b.1));
+        let mut spent = 0.0;
+        let mut out = [false; 5];
+        for (name, cost) in costs {
+            let index = name as usize - Name::Rayleigh as usize;
+            // What is not there at all costs nothing to leave out, not even where nothing is to be left out.
+            let absent = index < 3 && !there[index];
+            let most = if previous.is_some_and(|p| p.is_on(name)) { STAYS } else { 1.0 };
+            if absent || (!everything && spent + cost <= most) {
+                spent += if absent { 0.0 } else { cost };
+                out[index] = true;
+            }
+        }
+        let names = [Name::Rayleigh, Name::Mie, Name::Ozone];
+        for (i, name) in names.into_iter().enumerate() {
+            let depth = scattering.depth(i);
+            let reason = match (there[i], out[i]) {
+                (false, _) => Reason::of("its coefficients are 0"),
+                (_, true) => Reason::number("changes no pixel by more than the bound: optical depth", depth, ""),
+                (_, false) => Reason::number("optical depth along the longest path", depth, ""),
+            };
+            self.set(name, !out[i], reason);
+        }
+        let air = Constituents { rayleigh: !out[0], mie: all.mie.filter(|_| !out[1]), ozone: !out[2], dark: false };
+        if !air.any() {
+            self.set(Name::Atmosphere, false, Reason::of("too thin to be seen"));
+            return air;
+        }
+        let altitude = Reason::number("in the picture; camera at", sight.altitude / 1e3, " km");
+        self.set(Name::Atmosphere, true, altitude);
+        let depression = -sight.sun_elevation.to_degrees();
+        let lit = scattered && !out[3];
+        let reason = match (scattered, out[3]) {
+            (false, _) => Reason::of("nothing scatters it, or the sun is dark"),
+            (_, true) if night == 0.0 => {
+                Reason::number("the planet's shadow covers all air in sight; sun at", -depression, "°")
+            }
+            (_, true) => Reason::number("night: the air in sight is darker than the bound; sun at", -depression, "°"),
+            (_, false) if everything => Reason::of("nothing is to be left out"),
+            (_, false) => Reason::number("sun at", -depression, "°"),
+        };
+        self.set(Name::Sunlight, lit, reason);
+        let multiple = lit && tables && !out[4];
+        let reason = if !lit {
+            Reason::of("there is no light to scatter again")
+        } else if !tables {
+            Reason::of("the method computes light scattered once")
+        } else if out[4] {
+            Reason::number("changes no pixel by more than the bound: radiance at most", scattering.multiple(), "")
+        } else {
+            Reason::number("optical depth of scattering", scattering.total(), "")
+        };
+        self.set(Name::Multiple, multiple, reason);
+        if lit || sun { air } else { air.in_the_dark() }
+    }
+
+    /// Which passes draw that air.
+    fn passes_for(
+        &mut self,
+        p: &AtmosphereParams,
+        view: &ZenithView,
+        settings: &SkySettings,
+        sight: &Sight,
+        air: Constituents,
+        sun: Option<[f64; 4]>,
+    ) {
+        let all = settings.bound.is_none();
+        let sky = air.any() && (all || sight.sky);
+        let weight = self.sky_weight;
+        let altitude = view.altitude / 1e3;
+        let composition = settings.composition;
+        let behind = sky && weight > 0.0;
+        if air.any() {
+            let reason = if !sky {
+                Reason::of("the planet fills the picture")
+            } else if weight > 0.0 && composition == Composition::Full {
+                Reason::number("below 50 km the sky is drawn first; camera at", altitude, " km")
+            } else if weight > 0.0 {
+                Reason::of("the composition draws all of the sky first")
+            } else if composition == Composition::Full {
+                Reason::number("above 50 km the depth-aware pass draws the sky; camera at", altitude, " km")
+            } else {
+                Reason::of("the composition draws the sky over the scene")
+            };
+            self.set(Name::Background, behind, reason);
+        }
+        // The share of the sky that the depth-aware pass draws.
+        let over = matches!(composition, Composition::Full | Composition::AtmospherePost | Composition::Planet);
+        let shell = over && sky && weight < 1.0;
+        let something = settings.foreground || sight.ground || all;
+        let aerial = over && air.any() && something;
+        if air.any() {
+            let reason = if !over {
+                Reason::of("the composition draws the sky alone")
+            } else if !sky {
+                Reason::of("the planet fills the picture")
+            } else if weight < 1.0 {
+                Reason::number("its share of the sky is", 1.0 - weight, "")
+            } else {
+                Reason::number("below 15 km the background is all of the sky; camera at", altitude, " km")
+            };
+            self.set(Name::Shell, shell, reason);
+            let reason = if !over {
+                Reason::of("the composition draws the sky alone")
+            } else if settings.foreground {
+                Reason::of("a scene with depth")
+            } else if something {
+                Reason::of("the ground is in the picture")
+            } else {
+                Reason::of("nothing lies before the sky")
+            };
+            self.set(Name::Aerial, aerial, reason);
+        }
+        let tables = match settings.method {
+            Method::Lut(lut) if air.any() => Some(lut),
+            _ => None,
+        };
+        self.samples = match settings.method {
+            Method::Single { view_samples, light_samples } => [view_samples, light_samples],
+            Method::Lut(_) => [0; 2],
+        };
+        let behind_air = if behind { air } else { Constituents::default() };
+        let haze = air.mie.filter(|_| air.has_haze());
+        if behind {
+            let program =
+                if tables.is_some() { Program::SkyLut { mie: haze, only: false } } else { Program::Sky { air } };
+            self.background = Some(program);
+        }
+        let dims = Constituents { dark: false, ..behind_air.without_phase() };
+        self.sun = sun.map(|rect| SunPlan { program: Program::Sun { air: dims }, rect });
+        if shell || aerial {
+            let blend = composition == Composition::Planet;
+            let lut = Program::AerialLut { mie: haze, blend };
+            self.before = Some(if tables.is_some() { lut } else { Program::Aerial { air, blend } });
+        }
+        let needed = behind || self.before.is_some();
+        self.tables = tables.filter(|_| needed).map(|settings| TablePlan {
+            settings,
+            air: Constituents { dark: false, ..air.without_phase() },
+            haze: air.has_haze(),
+            rounds: if self.is_on(Name::Multiple) { settings.rounds(p) } else { 0 },
+            slices: self.before.is_some(),
+        });
+        if air.any() {
+            let reason = match (tables, needed) {
+                (Some(_), true) if air.dark => "hold the transmittance of every direction",
+                (Some(_), true) => "hold the light of every direction",
+                (Some(_), false) => "no pass reads them",
+                (None, _) => "the method marches along each ray",
+            };
+            self.set(Name::Tables, self.tables.is_some(), Reason::of(reason));
+            let slices = self.tables.is_some_and(|t| t.slices);
+            let reason = match (self.tables.is_some(), slices) {
+                (_, true) if air.dark => "holds the transmittance up to the scene",
+                (_, true) => "holds the light up to the scene",
+                (true, false) => "no pass reads it",
+                (false, _) => "no tables",
+            };
+            self.set(Name::Slices, slices, Reason::of(reason));
+        }
+        if self.background.is_some() {
+            self.reduced = settings.render_scale < 1.0;
+            let text = if self.reduced { "render scale" } else { "the background is drawn in full size: render scale" };
+            self.set(Name::Reduced, self.reduced, Reason::number(text, settings.render_scale, ""));
+        }
+    }
+
+    /// The passes in order, those that fill tables included, as a first frame runs them.
+    pub fn passes(&self) -> Vec<PlannedPass> {
+        let mut passes = Vec::new();
+        let mut add =
+            |label, program, runs, times| passes.push(PlannedPass { label, program, runs, times, share: 1.0 });
+        if let Some(t) = &self.tables {
+            let (air, diffuse) = (t.air, t.rounds > 0);
+            add("columns table", Some(Program::LutColumns), Runs::PerMedium, 1);
+            if t.rounds > 0 {
+                add("moments table", None, Runs::PerMedium, 1);
+                add("moments table", Some(Program::LutRadiance), Runs::PerMedium, t.rounds);
+                add("moments table", Some(Program::LutMoments), Runs::PerMedium, t.rounds);
+            }
+            add("sky table", Some(Program::LutSky { air, aerosol: false, diffuse }), Runs::PerAltitude, 1);
+            if t.haze {
+                add("sky table", Some(Program::LutSky { air, aerosol: true, diffuse: false }), Runs::PerAltitude, 1);
+            }
+            if t.slices {
+                add("air table", Some(Program::LutAir { air, diffuse }), Runs::PerAltitude, 1);
+                let scans = t.settings.air[2].next_power_of_two().trailing_zeros();
+                add("air table", Some(Program::LutScan { finish: false }), Runs::PerAltitude, scans);
+                add("air table", Some(Program::LutScan { finish: true }), Runs::PerAltitude, 1);
+            }
+        }
+        if let Some(program) = self.background {
+            add("background sky", Some(program), Runs::PerFrame, 1);
+            if self.reduced {
+                add("upsample sky", Some(Program::Upsample), Runs::PerFrame, 1);
+            }
+        }
+        if let Some(sun) = self.sun {
+            let [left, bottom, right, top] = sun.rect;
+            let share = 0.25 * (right - left) * (top - bottom);
+            let (label, program) = ("sun", Some(sun.program));
+            passes.push(PlannedPass { label, program, runs: Runs::PerFrame, times: 1, share });
+        }
+        let mut add =
+            |label, program, runs, times| passes.push(PlannedPass { label, program, runs, times, share: 1.0 });
+        if let Some(program) = self.before {
+            let blend = matches!(program, Program::Aerial { blend: true, .. } | Program::AerialLut { blend: true, .. });
+            add(if blend { "planet shell" } else { "aerial perspective" }, Some(program), Runs::PerFrame, 1);
+        }
+        passes
+    }
+}
+
+/// What part of a bound something uses up.
+fn share(change: f64, bound: f64) -> f64 {
+    if change <= 0.0 { 0.0 } else { change / bound }
+}
+
+/// What a picture sees: the cone around its middle that holds its corners, and the planet. Radians and metres.
+struct Sight {
+    radius: f64,
+    top: f64,
+    /// Of the camera; ground level where it is below that.
+    r: f64,
+    altitude: f64,
+    /// Half angle under which the planet is seen.
+    planet: f64,
+    sun_elevation: f64,
+    /// Whether air can be in the picture; rays that end on the ground; rays through air that do not.
+    air: bool,
+    ground: bool,
+    sky: bool,
+    /// Lowest altitude of the air in the picture.
+    lowest: f64,
+}
+
+impl Sight {
+    fn new(p: &AtmosphereParams, view: &ZenithView) -> Self {
+        let b = &view.basis;
+        let axis = b.forward.normalize_or_zero();
+        let corners = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
+        let corners = corners.map(|(x, y)| (b.forward + b.right * x + b.up * y).normalize_or_zero());
+        let most = |of: glam::DVec3| corners.iter().map(|&c| angle(c, of)).fold(0.0, f64::max);
+        // Beyond a right angle the cone does not hold what lies between its corners.
+        let widest = Some(most(axis)).filter(|w| *w < 0.5 * PI).unwrap_or(PI);
+        let (radius, top) = (p.planet_radius, p.atmosphere_radius);
+        let altitude = view.altitude.max(0.0);
+        let r = radius + altitude;
+        let planet = (radius / r).min(1.0).asin();
+        let shell = if r > top { (top / r).asin() } else { PI };
+        // Angles from straight down to the picture: no nearer than its cone and than each of its four sides.
+        let down = -glam::DVec3::Z;
+        let side = |i: usize| {
+            let inward = corners[i].cross(corners[(i + 1) % 4]).normalize_or_zero();
+            let inward = if inward.dot(axis) < 0.0 { -inward } else { inward };
+            (-inward.dot(down)).clamp(0.0, 1.0).asin()
+        };
+        let nearest = (0..4).map(side).fold(angle(axis, down) - widest, f64::max) - MARGIN;
+        let (nearest, farthest) = (nearest.max(0.0), most(down) + MARGIN);
+        let air = nearest <= shell;
+        let ground = nearest <= planet;
+        let lowest = match nearest {
+            _ if ground => 0.0,
+            n if n < 0.5 * PI => (r * n.sin() - radius).max(0.0),
+            _ => altitude,
+        };
+        Self {
+            radius,
+            top,
+            r,
+            altitude,
+            planet,
+            sun_elevation: view.sun.z.clamp(-1.0, 1.0).asin(),
+            air,
+            ground,
+            sky: air && farthest >= planet,
+            lowest,
+        }
+    }
+
+    /// Whether the planet hides all of a disk. radius: radians.
+    fn hides(&self, towards: glam::DVec3, radius: f64) -> bool {
+        angle(towards, -glam::DVec3::Z) + radius + MARGIN < self.planet
+    }
+
+    /// Angle at the planet's centre from the camera to the farthest air above an altitude that it sees.
+    fn reach(&self, low: f64) -> f64 {
+        let a = self.radius + low;
+        (a / self.r).min(1.0).acos() + (a / self.top).min(1.0).acos()
+    }
+}
+
+/// Of two unit vectors.
+fn angle(a: glam::DVec3, b: glam::DVec3) -> f64 {
+    a.dot(b).clamp(-1.0, 1.0).acos()
+}
+
+/// Upper bounds of optical depths and of light, for the air above an altitude.
+struct Scattering<'a> {
+    p: &'a AtmosphereParams,
+    low: f64,
+    /// Densities along the longest path in sight, and of a sunbeam to it, metres.
+    seen: [f64; 3],
+    sunbeam: [f64; 3],
+}
+
+impl<'a> Scattering<'a> {
+    fn new(p: &'a AtmosphereParams, sight: &Sight, low: f64) -> Self {
+        let seen = longest(p, low);
+        // Where the sun stands above the horizon of all air in sight, no beam comes from below.
+        let below = sight.sun_elevation < sight.reach(low);
+        Self { p, low, seen, sunbeam: if below { longest(p, 0.0) } else { seen } }
+    }
+
+    fn extinction(&self, i: usize) -> [f64; 3] {
+        [self.p.rayleigh_scattering, self.p.mie_extinction(), self.p.ozone_absorption][i]
+    }
+
+    fn scattering(&self, i: usize) -> [f64; 3] {
+        [self.p.rayleigh_scattering, self.p.mie_scattering, [0.0; 3]][i]
+    }
+
+    /// Optical depth of a constituent along the longest path in sight, at most.
+    fn depth(&self, i: usize) -> f64 {
+        largest(self.extinction(i)) * self.seen[i]
+    }
+
+    /// Optical depth of all scattering along that path.
+    fn total(&self) -> f64 {
+        (0..2).map(|i| largest(self.scattering(i)) * self.seen[i]).sum()
+    }
+
+    fn scatters(&self) -> bool {
+        self.p.sun_intensity > 0.0 && (0..2).any(|i| largest(self.scattering(i)) > 0.0)
+    }
+
+    /// Least and largest value of a constituent's phase function, any channel, 1/sr.
+    fn phase(&self, i: usize) -> [f64; 2] {
+        if i == 0 {
+            return [3.0 / (16.0 * PI), 3.0 / (8.0 * PI)];
+        }
+        let g = self.p.mie_asymmetry.iter().fold(0.0_f64, |a, g| a.max(g.abs()));
+        let hg = [(1.0 - g) / (1.0 + g).powi(2), (1.0 + g) / (1.0 - g).powi(2)].map(|v| v / (4.0 * PI));
+        match self.p.mie_phase {
+            MiePhase::HenyeyGreenstein => hg,
+            // 1.5 (1 + cos²) / (2 + g²) of it.
+            MiePhase::CornetteShanks => [hg[0] * 0.5, hg[1] * 1.5],
+        }
+    }
+
+    /// The share of a bound that leaving a constituent out uses up.
+    ///
+    /// Without its extinction, light on the way to the eye and on the way from the sun is brighter by at most the
+    /// exponential of its optical depth along both. The light that it scatters is at most its optical depth
+    /// times its largest phase function times the light that there is; and against the other constituent, at most
+    /// the largest ratio of what both scatter at any altitude in any direction. Light that comes from elsewhere
+    /// counts as three times the sun's: that of a white ground and of the air.
+    fn without(&self, i: usize, bound: Bound) -> f64 {
+        let depth = largest(self.extinction(i)) * (self.seen[i] + self.sunbeam[i]);
+        let scattering = self.scattering(i);
+        let [_, most] = self.phase(i);
+        let light = 4.0 * self.p.sun_intensity * largest(scattering) * self.seen[i] * most;
+        let j = 1 - i.min(1);
+        let [least, _] = self.phase(j);
+        let other = self.scattering(j);
+        let ends = [self.low, self.p.thickness()].map(|h| self.p.densities(h));
+        let mut ratio: f64 = 0.0;
+        for c in 0..3 {
+            for d in ends {
+                let (own, others) = (scattering[c] * d[i] * most, other[c] * d[j] * least);
+                ratio = ratio.max(if own <= 0.0 { 0.0 } else { own / others });
+            }
+        }
+        share(depth.exp_m1(), bound.relative) + share(light, bound.absolute).min(share(2.0 * ratio, bound.relative))
+    }
+
+    /// Radiance of light that was scattered more than once, at most: what is scattered into a ray of all that the sun
+    /// and the ground send, twice where the air is thin enough for this to matter.
+    fn multiple(&self) -> f64 {
+        let again = (0..2).map(|i| largest(self.scattering(i)) * longest(self.p, 0.0)[i]).sum::<f64>();
+        let ground = 2.0 * largest(self.p.ground_albedo);
+        let field = self.p.sun_intensity * (ground + 4.0 * again) / (1.0 - (ground + again).min(0.9));
+        let phase = (0..2).map(|i| largest(self.scattering(i)) * self.seen[i] * self.phase(i)[1]).sum::<f64>();
+        phase * field
+    }
+
+    /// Radiance of the air in sight where the sun is far below the horizon, at most; infinite otherwise.
+    ///
+    /// Scattered once, there is none where the planet's shadow covers all air in sight. Of all orders: the lowest
+    /// lit point that a horizontal ray meets is at `z = R (1 / cos(d / 2) - 1)` for a sun `d` below the horizon, and
+    /// the light falls with the scale heights `x` that this is up. The exponential lies above
+    /// the all-orders tables of every preset from `x = 4` on, by 1.6 (Mars) and more; tests hold it to that.
+    fn night(&self, sight: &Sight, tables: bool) -> f64 {
+        let depression = -sight.sun_elevation - (sight.radius / sight.r).acos();
+        let dip = (sight.radius / sight.top).acos();
+        if !tables && depression > 2.0 * dip + MARGIN {
+            return 0.0;
+        }
+        let p = self.p;
+        let heights = [p.rayleigh_scale_height, p.mie_scale_height];
+        let there = |i: usize| largest(self.scattering(i)) > 0.0;
+        let height = (0..2).filter(|&i| there(i)).map(|i| heights[i]).fold(0.0, f64::max);
+        if depression <= 0.0 || height <= 0.0 {
+            return if height <= 0.0 { 0.0 } else { f64::INFINITY };
+        }
+        let x = sight.radius * (1.0 / (0.5 * depression).cos() - 1.0) / height;
+        if x < 4.0 {
+            return f64::INFINITY;
+        }
+        let depth: f64 = (0..2).map(|i| largest(self.scattering(i)) * heights[i]).sum();
+        p.sun_intensity * NIGHT_LIGHT * depth.max(NIGHT_DEPTH) * (-NIGHT_FALL * x).exp()
+    }
+}
+
+/// Radiance per irradiance and optical depth that the light at night begins with, 1/sr; how fast it falls with the scale
+/// heights up to the lit air; and the least depth that counts. See `Scattering::night`.
+const NIGHT_LIGHT: f64 = 1.1e-3;
+const NIGHT_FALL: f64 = 0.7;
+const NIGHT_DEPTH: f64 = 0.2;
+
+fn largest(v: [f64; 3]) -> f64 {
+    v.into_iter().fold(0.0, f64::max)
+}
+
+/// Densities integrated along a straight line that comes down to an altitude, from top to top: at most. Metres.
+///
+/// Of an exponential: its Chapman function for a horizontal ray, `sqrt(2 pi r H) (1 + 3 H / (8 r))` and less, and
+/// no more than the line is long. Of the absorber: its largest density times the length within it.
+fn longest(p: &AtmosphereParams, low: f64) -> [f64; 3] {
+    let a = p.planet_radius + low;
+    let half = |h: f64| ((h - low) * (p.planet_radius + h + a)).max(0.0).sqrt();
+    let line = 2.0 * half(p.thickness());
+    let exponential =
+        |height: f64| (-low / height).exp() * line.min((2.0 * PI * a * height).sqrt() * (1.0 + 0.375 * height / a));
+    let (center, width) = (p.ozone_center_altitude, p.ozone_half_width);
+    let (from, to) = ((center - width).max(low), (center + width).min(p.thickness()));
+    let densest = (1.0 - (low - center).max(0.0) / width).max(0.0);
+    let layer = if to > from { 2.0 * (half(to) - half(from)) * densest } else { 0.0 };
+    [exponential(p.rayleigh_scale_height), exponential(p.mie_scale_height), layer]
+}
