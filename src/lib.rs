@@ -17,6 +17,7 @@
 //!     atmosphere: earth,
 //!     sun_direction: DVec3::new(1.0, 0.3, 0.4),
 //!     depth: DepthConvention::default(),
+//!     moon: None,
 //! };
 //! let mut backend = WgpuBackend::headless()?;
 //! let drawn = PictureRenderer::default().draw(&mut backend, &scene, &PictureSettings::default(), [640, 360])?;
@@ -75,6 +76,7 @@
 
 pub mod atmosphere;
 pub mod backend;
+pub mod eclipse;
 pub mod error;
 pub mod lighting;
 pub mod passes;
@@ -88,6 +90,7 @@ pub mod shaders;
 pub mod view;
 
 pub use atmosphere::{AtmosphereParams, MiePhase};
+pub use eclipse::Moon;
 pub use error::{Error, Result};
 pub use lighting::{AtmosphereConfig, LightingContext, LightingContextUniform, SkyLight};
 pub use passes::lut::LutSettings;

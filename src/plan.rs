@@ -14,6 +14,7 @@
 //! #     atmosphere: earth,
 //! #     sun_direction: DVec3::X,
 //! #     depth: DepthConvention::default(),
+//! #     moon: None,
 //! # };
 //! // From orbit, looking away from the planet.
 //! let plan = EffectPlan::new(&scene, &SkySettings::default(), [960, 640])?;
@@ -34,10 +35,11 @@ use std::f64::consts::PI;
 use std::fmt;
 
 use crate::atmosphere::{AtmosphereParams, MiePhase};
+use crate::eclipse::{Disks, Phase};
 use crate::error::{Result, in_range, short};
 use crate::passes::lut::LutSettings;
 use crate::passes::sky::{Composition, Method, SkySettings, background_weight};
-use crate::passes::sun::{SunPlan, rectangle};
+use crate::passes::sun::{DiskPlan, rectangle};
 use crate::shaders::{Constituents, Program};
 use crate::view::{Scene, ZenithView};
 
@@ -186,10 +188,11 @@ enum Name {
     Tables,
     Slices,
     SunDisk,
+    MoonDisk,
     Reduced,
 }
 
-const NAMES: [&str; 13] = [
+const NAMES: [&str; 14] = [
     "atmosphere",
     "rayleigh",
     "mie",
@@ -202,6 +205,7 @@ const NAMES: [&str; 13] = [
     "sky tables",
     "air table",
     "sun disk",
+    "moon disk",
     "reduced resolution",
 ];
 
@@ -214,7 +218,9 @@ pub struct EffectPlan {
     /// Whether it is drawn smaller and brought to full size.
     pub(crate) reduced: bool,
     /// Draws the sun's disk.
-    pub(crate) sun: Option<SunPlan>,
+    pub(crate) sun: Option<DiskPlan>,
+    /// Draws the moon's disk.
+    pub(crate) moon: Option<DiskPlan>,
     /// Draws the air before the scene.
     pub(crate) before: Option<Program>,
     pub(crate) tables: Option<TablePlan>,
@@ -280,6 +286,7 @@ impl EffectPlan {
             background: None,
             reduced: false,
             sun: None,
+            moon: None,
             before: None,
             tables: None,
             sky_weight: match settings.composition {
@@ -291,6 +298,7 @@ impl EffectPlan {
         };
         plan.set(Name::Reduced, false, Reason::of("no sky to draw smaller"));
         let sun = plan.sun_disk(p, view, settings, &sight, size);
+        let moon = plan.moon_disk(p, view, settings, &sight, size);
         let all = Constituents::of(p);
         let why_not = if !settings.enabled {
             Some("switched off")
@@ -309,7 +317,7 @@ impl EffectPlan {
             None => plan.constituents(p, settings, &sight, all, sun.is_some(), previous),
         };
         if settings.enabled {
-            plan.passes_for(p, view, settings, &sight, air, sun);
+            plan.passes_for(p, view, settings, &sight, air, [sun, moon]);
         }
         plan
     }
@@ -345,10 +353,46 @@ impl EffectPlan {
             (true, "nothing is to be left out")
         } else if sight.hides(view.sun, radius) {
             (false, "behind the planet")
+        } else if disks(p, view).is_some_and(|d| d.phase() == Phase::Total) {
+            (false, "behind the moon")
         } else {
             (true, "in the picture")
         };
         self.set(Name::SunDisk, on, Reason::of(text));
+        rect.filter(|_| on)
+    }
+
+    /// Where in the picture the moon's disk is drawn.
+    fn moon_disk(
+        &mut self,
+        p: &AtmosphereParams,
+        view: &ZenithView,
+        settings: &SkySettings,
+        sight: &Sight,
+        size: [u32; 2],
+    ) -> Option<[f64; 4]> {
+        let Some(moon) = view.moon else {
+            self.set(Name::MoonDisk, false, Reason::of("the scene has none"));
+            return None;
+        };
+        let distance = moon.position.length();
+        let towards = moon.position / distance;
+        let radius = (moon.radius / distance).min(1.0).asin() + view.basis.up.length() / f64::from(size[1].max(1));
+        let rect = rectangle(&view.basis, towards, radius, size);
+        let (on, text) = if !settings.enabled {
+            (false, "switched off")
+        } else if p.sun_intensity <= 0.0 {
+            (false, "the sun is dark")
+        } else if rect.is_none() {
+            (false, "outside the picture")
+        } else if settings.bound.is_none() {
+            (true, "nothing is to be left out")
+        } else if sight.hides(towards, radius) {
+            (false, "behind the planet")
+        } else {
+            (true, "in the picture")
+        };
+        self.set(Name::MoonDisk, on, Reason::of(text));
         rect.filter(|_| on)
     }
 
@@ -444,7 +488,7 @@ impl EffectPlan {
         settings: &SkySettings,
         sight: &Sight,
         air: Constituents,
-        sun: Option<[f64; 4]>,
+        [sun, moon]: [Option<[f64; 4]>; 2],
     ) {
         let all = settings.bound.is_none();
         let sky = air.any() && (all || sight.sky);
@@ -509,7 +553,12 @@ impl EffectPlan {
             self.background = Some(program);
         }
         let dims = Constituents { dark: false, ..behind_air.without_phase() };
-        self.sun = sun.map(|rect| SunPlan { program: Program::Sun { air: dims }, rect });
+        let disks = disks(p, view);
+        let share = disks.map_or(1.0, |d| d.visible());
+        let hidden = disks.is_some_and(|d| d.apart < d.sun + d.moon + MARGIN);
+        let program = Program::Sun { air: dims, limb: settings.limb_darkening, moon: hidden };
+        self.sun = sun.map(|rect| DiskPlan { label: "sun", program, rect, share });
+        self.moon = moon.map(|rect| DiskPlan { label: "moon", program: Program::Moon { air: dims }, rect, share });
         if shell || aerial {
             let blend = composition == Composition::Planet;
             let lut = Program::AerialLut { mie: haze, blend };
@@ -577,10 +626,10 @@ impl EffectPlan {
                 add("upsample sky", Some(Program::Upsample), Runs::PerFrame, 1);
             }
         }
-        if let Some(sun) = self.sun {
-            let [left, bottom, right, top] = sun.rect;
+        for disk in [self.sun, self.moon].into_iter().flatten() {
+            let [left, bottom, right, top] = disk.rect;
             let share = 0.25 * (right - left) * (top - bottom);
-            let (label, program) = ("sun", Some(sun.program));
+            let (label, program) = (disk.label, Some(disk.program));
             passes.push(PlannedPass { label, program, runs: Runs::PerFrame, times: 1, share });
         }
         let mut add =
@@ -591,6 +640,11 @@ impl EffectPlan {
         }
         passes
     }
+}
+
+/// The disks of sun and moon as the camera sees them.
+fn disks(p: &AtmosphereParams, view: &ZenithView) -> Option<Disks> {
+    view.moon?.disks(glam::DVec3::ZERO, view.sun, p.sun_angular_radius)
 }
 
 /// What part of a bound something uses up.

@@ -9,6 +9,7 @@
 use glam::{DMat3, DVec2, DVec3};
 
 use crate::atmosphere::AtmosphereParams;
+use crate::eclipse::Moon;
 use crate::error::{Error, Result, direction, in_range};
 
 /// A pinhole camera. Metres and radians, in any right-handed frame.
@@ -253,6 +254,9 @@ pub struct Scene {
     pub sun_direction: DVec3,
     /// How the scene's depth is stored.
     pub depth: DepthConvention,
+    /// A moon that may hide the sun; the camera is outside of it. It is drawn, and hides the sun's disk; light in the air
+    /// under its shadow is what [`crate::reference`] computes and the GPU passes do not.
+    pub moon: Option<Moon>,
 }
 
 /// A [`Scene`] checked and turned into the camera's zenith frame; still f64, metres.
@@ -266,6 +270,8 @@ pub struct ZenithView {
     pub basis: RayBasis,
     /// Towards the sun: (sin, 0, cos) of its zenith angle at the camera.
     pub sun: DVec3,
+    /// The scene's moon, its position from the camera.
+    pub moon: Option<Moon>,
 }
 
 impl Scene {
@@ -277,6 +283,9 @@ impl Scene {
             for (axis, c) in ["x", "y", "z"].iter().zip(v.to_array()) {
                 in_range(format_args!("{name}.{axis}"), c, -1e15, 1e15, "m")?;
             }
+        }
+        if let Some(moon) = &self.moon {
+            moon.validate(self.camera.position)?;
         }
         let basis = self.camera.basis()?;
         let sun = direction("sun_direction", self.sun_direction)?;
@@ -300,6 +309,7 @@ impl Scene {
             altitude: r - self.atmosphere.planet_radius,
             basis: RayBasis { forward: rows * basis.forward, right: rows * basis.right, up: rows * basis.up },
             sun: rows * sun,
+            moon: self.moon.map(|m| Moon { position: rows * (m.position - self.camera.position), ..m }),
         })
     }
 }
@@ -341,6 +351,7 @@ mod tests {
             atmosphere: earth.clone(),
             sun_direction: turn * DVec3::new(1.0, 1.0, 0.5) * 7.0,
             depth: DepthConvention::default(),
+            moon: None,
         };
         let a = make(DVec3::ZERO, glam::DQuat::IDENTITY).validate().unwrap();
         let b = make(DVec3::new(1e9, -2e9, 3e9), glam::DQuat::from_rotation_x(1.0)).validate().unwrap();

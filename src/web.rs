@@ -474,6 +474,7 @@ impl Viewer {
             atmosphere: self.params.clone(),
             sun_direction,
             depth: DepthConvention::default(),
+            moon: None,
         })
     }
 }

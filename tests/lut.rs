@@ -80,7 +80,7 @@ fn query(scene: &Scene, [w, h]: [u32; 2], i: usize) -> RayQuery {
     let (x, y) = (i as u32 % w, i as u32 / w);
     let share = |i: u32, n: u32| (f64::from(i) + 0.5) / f64::from(n) * 2.0 - 1.0;
     let direction = view.basis.ray(DVec2::new(share(x, w), -share(y, h))).normalize();
-    RayQuery { altitude: view.altitude, direction, sun: view.sun, length: f64::INFINITY }
+    RayQuery { altitude: view.altitude, direction, sun: view.sun, length: f64::INFINITY, moon: None }
 }
 
 /// Earth's light of all orders, solved once for all tests here.

@@ -89,6 +89,7 @@ fn scenes() -> impl Strategy<Value = Scene> {
                 atmosphere,
                 sun_direction: sun * length,
                 depth,
+                moon: None,
             }
         },
     )
@@ -117,7 +118,7 @@ proptest! {
         ] {
             for air in [&atmosphere, &AtmosphereParams::earth()] {
                 let (planet_center, sun_direction) = (xyz(18), xyz(21));
-                let scene = Scene { camera, planet_center, atmosphere: air.clone(), sun_direction, depth };
+                let scene = Scene { camera, planet_center, atmosphere: air.clone(), sun_direction, depth, moon: None };
                 if let Ok(view) = scene.validate() {
                     prop_assert!(view.altitude.is_finite() && view.sun.is_finite() && view.basis.forward.is_finite());
                 }

@@ -31,7 +31,7 @@ fn truth(setup: &Setup, frame: &Frame, orders: &Orders) -> Truth {
         let share = |i: u32, n: u32| (f64::from(i) + 0.5) / f64::from(n) * 2.0 - 1.0;
         let ndc = DVec2::new(share(x, frame.size[0]), -share(y, frame.size[1]));
         let direction = view.basis.ray(ndc).normalize();
-        let query = RayQuery { altitude: view.altitude, direction, sun: view.sun, length: f64::INFINITY };
+        let query = RayQuery { altitude: view.altitude, direction, sun: view.sun, length: f64::INFINITY, moon: None };
         let all = orders.radiance(&query, Tolerance { relative: 1e-4 }).unwrap();
         let once = single_scattering(&scene.atmosphere, &query, Sun::Point, Tolerance { relative: 1e-4 }).unwrap();
         (std::array::from_fn(|c| all.per_irradiance[c] - all.ground[c]), once.per_irradiance)

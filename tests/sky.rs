@@ -22,6 +22,7 @@ const FINE: SkySettings = SkySettings {
     method: Method::Single { view_samples: 256, light_samples: 64 },
     render_scale: 1.0,
     sun_disk: false,
+    limb_darkening: false,
     foreground: true,
     bound: Some(Bound::LINEAR),
 };
@@ -95,6 +96,7 @@ fn query(scene: &Scene, [w, h]: [u32; 2], x: u32, y: u32) -> RayQuery {
         direction: view.basis.ray(ndc).normalize(),
         sun: view.sun,
         length: f64::INFINITY,
+        moon: None,
     }
 }
 

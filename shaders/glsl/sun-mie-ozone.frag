@@ -43,6 +43,12 @@ struct Frame {
     float camera_altitude;
     vec4 limb;
 };
+struct Uniforms {
+    Frame frame;
+    vec4 rect;
+    vec4 moon;
+    vec4 shine;
+};
 struct Line {
     float b;
     float p;
@@ -54,10 +60,6 @@ struct AirPath {
     float length_;
     float x;
     float b;
-};
-struct Uniforms {
-    Frame frame;
-    vec4 rect;
 };
 const float HALF_MAX = 32000.0;
 const uint STEPS = 128u;

@@ -43,15 +43,17 @@ struct Frame {
     float camera_altitude;
     vec4 limb;
 };
+struct Uniforms {
+    Frame frame;
+    vec4 rect;
+    vec4 moon;
+    vec4 shine;
+};
 struct Line {
     float b;
     float p;
     float x_closest;
     bool ground;
-};
-struct Uniforms {
-    Frame frame;
-    vec4 rect;
 };
 const float HALF_MAX = 32000.0;
 const uint STEPS = 128u;

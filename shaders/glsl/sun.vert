@@ -46,6 +46,8 @@ struct Frame {
 struct Uniforms {
     Frame frame;
     vec4 rect;
+    vec4 moon;
+    vec4 shine;
 };
 const float HALF_MAX = 32000.0;
 const uint STEPS = 128u;

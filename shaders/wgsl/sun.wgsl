@@ -1,23 +1,10 @@
-//#include view
+//#include rectangle
 //#include disk
 //#include path
-// The sun's disk, laid over the sky: a rectangle around it. The air dims it along each ray.
-
-struct Uniforms {
-    frame: Frame,
-    rect: vec4f, // the rectangle's left, bottom, right, top in the picture, -1 to 1
-}
-
-@group(0) @binding(0) var<uniform> uniforms: Uniforms;
-
-const STEPS: u32 = 128u; // along the ray: within 5e-4 of the transmittance, see tests/sky.rs
-
-@vertex
-fn vertex_main(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
-    let x = select(uniforms.rect.x, uniforms.rect.z, (index & 1u) != 0u);
-    let y = select(uniforms.rect.y, uniforms.rect.w, (index & 2u) != 0u);
-    return vec4f(x, y, 0.0, 1.0);
-}
+//#if LIMB
+//#include limb
+//#endif
+// The sun's disk. The air dims it along each ray; MOON: less what a moon hides.
 
 @fragment
 fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
@@ -30,6 +17,13 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
         discard;
     }
     var light = m.irradiance * (f.sun_disk * disk);
+    //#if LIMB
+    light *= limb_darkening(length(dir - f.sun) / f.sun_chord, 0.5 * f.pixel_angle / f.sun_chord);
+    //#endif
+    //#if MOON
+    let left = 1.0 - disk_coverage(dir - uniforms.moon.xyz, uniforms.shine.x, f.pixel_angle);
+    light *= mix(uniforms.shine.w, left, resolved(f.sun_chord, f.pixel_angle));
+    //#endif
     //#if AIR
     let path = air_path(line, f.altitude, m.radius, m.thickness);
     if path.length > 0.0 {

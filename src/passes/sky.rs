@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::frame::{FrameOptions, FrameUniform};
 use super::lut::{FrameTables, IDLE, LutSettings, Luts, TablesUniform};
-use super::sun::sun_pass;
+use super::sun::disk_pass;
 use crate::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
 use crate::error::{Error, Result, in_range};
 use crate::lighting::SkyLightRead;
@@ -156,6 +156,8 @@ pub struct SkySettings {
     pub render_scale: f64,
     /// Whether the background holds the sun's disk.
     pub sun_disk: bool,
+    /// Whether that disk is darker towards its edge ([`crate::eclipse::LIMB_DARKENING`]); its light in all stays the same.
+    pub limb_darkening: bool,
     /// Whether something may stand before the sky: `false` promises a depth buffer that holds the background alone.
     pub foreground: bool,
     /// How much pixels may change by what the plan leaves out; `None` leaves nothing out that the settings ask for.
@@ -172,6 +174,7 @@ impl Default for SkySettings {
             method,
             render_scale: 1.0,
             sun_disk: true,
+            limb_darkening: false,
             foreground: true,
             bound: Some(Bound::LINEAR),
         }
@@ -328,10 +331,10 @@ impl SkyRenderer {
                 });
             }
         }
-        if let Some(sun) = &plan.sun {
+        for disk in [&plan.sun, &plan.moon].into_iter().flatten() {
             let drawn = self.passes.iter().any(|p| p.target.color == target.color);
             let target = if drawn { Target { clear: None, clear_depth: None, ..target } } else { target };
-            self.passes.push(sun_pass(backend, &view, &frame, sun, target)?);
+            self.passes.push(disk_pass(backend, &view, &frame, disk, target)?);
         }
         Ok(&self.passes)
     }

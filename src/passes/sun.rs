@@ -1,19 +1,22 @@
-//! The sun's disk: a rectangle around it, laid over the sky.
+//! The disks of sun and moon: a rectangle around each, laid over the sky.
 
 use std::f64::consts::FRAC_PI_2;
 
 use super::frame::{FrameUniform, block};
 use crate::backend::{Backend, DepthUse, Pass, Target, Uniform, reads};
+use crate::eclipse::MOON_ALBEDO;
 use crate::error::Result;
 use crate::shaders::Program;
 use crate::view::{RayBasis, ZenithView};
 
 block! {
-    /// `struct Uniforms` in `sun.wgsl`.
+    /// `struct Uniforms` in `rectangle.wgsl`.
     #[allow(missing_docs)]
-    SunUniform {
+    DiskUniform {
         frame: FrameUniform,
         rect: [f32; 4],
+        moon: [f32; 4],
+        shine: [f32; 4],
     }
 }
 
@@ -44,29 +47,41 @@ pub(crate) fn rectangle(basis: &RayBasis, sun: glam::DVec3, radius: f64, size: [
     (!outside).then(|| [left, bottom, right, top].map(|v| v.clamp(-1.0, 1.0)))
 }
 
-/// How the disk is drawn.
+/// How a disk is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct SunPlan {
+pub(crate) struct DiskPlan {
+    pub label: &'static str,
     pub program: Program,
     /// As `rectangle` gives it.
     pub rect: [f64; 4],
+    /// Share of the sun's disk that the moon leaves.
+    pub share: f64,
 }
 
-/// The pass that draws the disk.
-pub(crate) fn sun_pass(
+/// The pass that draws a disk.
+pub(crate) fn disk_pass(
     backend: &mut dyn Backend,
     view: &ZenithView,
     frame: &FrameUniform,
-    plan: &SunPlan,
+    plan: &DiskPlan,
     target: Target,
 ) -> Result<Pass> {
     let [left, bottom, right, top] = plan.rect;
     // The frame's up points to the target's first row.
     let flipped = glam::Vec3::from(frame.ray_up).as_dvec3().dot(view.basis.up) < 0.0;
     let rect = if flipped { [left, -top, right, -bottom] } else { [left, bottom, right, top] };
-    let uniform = SunUniform { frame: *frame, rect: rect.map(|v| v as f32) };
+    let (mut moon, mut shine) = ([0.0; 4], [0.0; 4]);
+    if let Some(m) = &view.moon {
+        let (towards, sine) = (m.position.normalize_or_zero(), m.radius / m.position.length());
+        moon = [towards.x, towards.y, towards.z, sine];
+        // 2 sin(a / 2) of sin a, without a difference of cosines.
+        let chord = (2.0 * sine * sine / (1.0 + (1.0 - sine * sine).max(0.0).sqrt())).sqrt();
+        shine = [chord, MOON_ALBEDO / std::f64::consts::PI, m.earthshine, plan.share];
+    }
+    let [rect, moon, shine] = [rect, moon, shine].map(|v| v.map(|v| v as f32));
+    let uniform = DiskUniform { frame: *frame, rect, moon, shine };
     Ok(Pass {
-        label: "sun",
+        label: plan.label,
         program: Some(backend.create_program(plan.program)?),
         textures: reads([]),
         uniform: Uniform::new(&uniform),

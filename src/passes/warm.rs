@@ -8,6 +8,7 @@ use super::lut::LutSettings;
 use super::picture::{PictureRenderer, PictureSettings};
 use super::sky::{Composition, Method, SkyRenderer, SkySettings};
 use crate::backend::{Backend, Format, Pass, ProgramId, Target, TextureDesc, TextureId};
+use crate::eclipse::Moon;
 use crate::error::Result;
 use crate::plan::EffectPlan;
 use crate::shaders::Program;
@@ -37,6 +38,9 @@ const TABLES: LutSettings = LutSettings {
 };
 
 const SIZE: [u32; 2] = [1, 1];
+
+/// Metres to the moon of the views that have one.
+const MOON_AWAY: f64 = 1e9;
 
 #[derive(Debug)]
 enum Drawer {
@@ -218,7 +222,16 @@ fn views(scene: &Scene) -> Result<Vec<Scene>> {
                 let camera = Camera::above(scene.planet_center, p.planet_radius, DVec3::Z, DVec3::X, pose, 1.0)?;
                 let sun = DVec2::from_angle(sun_elevation);
                 let sun_direction = DVec3::new(sun.x, 0.0, sun.y);
-                views.push(Scene { camera, sun_direction, ..scene.clone() });
+                views.push(Scene { camera, sun_direction, moon: None, ..scene.clone() });
+                // Half before the sun: its own program, and that of a sun behind it.
+                let aside = sun_direction + DVec3::Y * p.sun_angular_radius;
+                let radius = p.sun_angular_radius * MOON_AWAY;
+                views.extend(scene.moon.map(|_| Scene {
+                    camera,
+                    sun_direction,
+                    moon: Some(Moon::new(camera.position + aside * MOON_AWAY, radius)),
+                    ..scene.clone()
+                }));
             }
         }
     }

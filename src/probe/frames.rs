@@ -155,6 +155,7 @@ pub fn frame(seed: u64, number: u64) -> Frame {
             atmosphere,
             sun_direction: turn * DVec3::new(sun.cos(), 0.0, sun.sin()) * [1.0, 1e-9, 1e9][rng.usize(0..3)],
             depth,
+            moon: None,
         },
         settings: SkySettings {
             enabled: true,
@@ -162,6 +163,7 @@ pub fn frame(seed: u64, number: u64) -> Frame {
             method,
             render_scale: if rng.u8(0..4) == 0 { 0.5 } else { 1.0 },
             sun_disk: rng.bool(),
+            limb_darkening: rng.bool(),
             foreground: true,
             bound: [None, Some(Bound::EXACT), Some(Bound::LINEAR)][rng.usize(0..3)],
         },

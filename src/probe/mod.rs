@@ -39,12 +39,14 @@ pub enum Probe {
     Path,
     /// Single scattering, with this aerosol phase function.
     Scatter(MiePhase),
+    /// Which share of the sun a moon leaves; judged by a test of its own, on cases of its own.
+    Eclipse,
     /// Where in the precomputed tables a ray, an altitude or a sun's angle is, and what a place in them stands for.
     Tables,
 }
 
 impl Probe {
-    /// All of them.
+    /// All of them that [`Cases`] are for.
     pub const ALL: [Self; 6] = [
         Self::Geometry,
         Self::Medium,
@@ -66,6 +68,7 @@ impl Probe {
             Self::Geometry => "geometry",
             Self::Medium => "medium",
             Self::Path => "path",
+            Self::Eclipse => "eclipse",
             Self::Tables => "tables",
             Self::Scatter(MiePhase::HenyeyGreenstein) => "scatter_hg",
             Self::Scatter(MiePhase::CornetteShanks) => "scatter_cs",
@@ -77,6 +80,7 @@ impl Probe {
             Self::Geometry => "PROBE_GEOMETRY",
             Self::Medium => "PROBE_MEDIUM",
             Self::Path => "PROBE_PATH",
+            Self::Eclipse => "PROBE_ECLIPSE",
             Self::Tables => "PROBE_TABLES",
             Self::Scatter(_) => "PROBE_SCATTER",
         }
@@ -92,6 +96,7 @@ impl Probe {
             Self::Geometry => 4,
             Self::Medium => 5,
             Self::Path | Self::Scatter(_) => 2,
+            Self::Eclipse => 1,
             Self::Tables => 12,
         }
     }

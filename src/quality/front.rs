@@ -297,6 +297,7 @@ fn scenes(aspect: f64) -> Result<Vec<Scene>> {
             atmosphere,
             sun_direction: DVec3::new(sin, 0.0, cos),
             depth: DepthConvention::default(),
+            moon: None,
         })
     };
     SCENES.into_iter().map(scene).collect()

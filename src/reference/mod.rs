@@ -27,7 +27,7 @@ pub(crate) mod parallel;
 pub mod path;
 #[cfg(all(feature = "reference", not(target_arch = "wasm32")))]
 pub mod picture;
-mod quadrature;
+pub(crate) mod quadrature;
 pub mod single;
 
 pub use geometry::{clip_segment, ray_sphere_intersect, ray_sphere_intersect_f32};

@@ -29,7 +29,7 @@ use super::parallel;
 use super::quadrature::{gauss_legendre, integrate};
 use super::single::{Line, RayQuery, SmallAngles, SunLine, Tolerance, scatter, view_breaks};
 use crate::atmosphere::AtmosphereParams;
-use crate::error::{Result, in_range};
+use crate::error::{Error, Result, in_range};
 
 #[cfg(all(feature = "reference", not(target_arch = "wasm32")))]
 pub use stored::NotRestored;
@@ -388,10 +388,14 @@ impl Orders {
     /// Light along a ray. `tolerance` concerns the integrals along the ray; the tables add their own error.
     ///
     /// # Errors
-    /// A query or tolerance out of range.
+    /// A query or tolerance out of range; a moon in the query, whose shadow the solution, symmetric about the planet's axis
+    /// towards the sun, does not have.
     pub fn radiance(&self, query: &RayQuery, tolerance: Tolerance) -> Result<Radiance> {
         tolerance.validate()?;
         let query = query.validate()?;
+        if query.moon.is_some() {
+            return Err(Error::invalid("ray.moon", "a moon", "none: its shadow has no symmetry; use reference::path"));
+        }
         let params = &self.medium.params;
         let once = scatter(&self.medium, &query, Line::Adaptive(tolerance), None);
         let aerosol = params.mie_scattering.iter().any(|&v| v > 0.0);
@@ -613,6 +617,7 @@ impl Orders {
                         direction: DVec3::new(sin * azimuth.cos(), sin * azimuth.sin(), mu),
                         sun: DVec3::new(sun_angle.sin(), 0.0, sun_angle.cos()),
                         length: f64::INFINITY,
+                        moon: None,
                     };
                     let light = scatter(&self.medium, &query, Line::Fixed, None);
                     let mut radiance = light.per_irradiance;

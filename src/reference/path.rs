@@ -15,6 +15,7 @@ use super::medium::{ColumnRule, Medium};
 use super::parallel;
 use super::single::{Line, RayQuery, Tolerance, scatter};
 use crate::atmosphere::{AtmosphereParams, MiePhase};
+use crate::eclipse::Moon;
 use crate::error::{Result, in_range};
 use crate::phase;
 
@@ -37,7 +38,7 @@ pub struct Estimate {
     pub std_err: [f64; 3],
 }
 
-/// Radiance along a ray by path tracing.
+/// Radiance along a ray by path tracing; under a moon, if the query has one.
 ///
 /// Runs on all cores with the cargo feature `reference`; about 1 µs a path and channel for Earth on two cores.
 ///
@@ -47,7 +48,9 @@ pub fn path_trace(params: &AtmosphereParams, query: &RayQuery, settings: Setting
     params.validate()?;
     let query = query.validate()?;
     in_range("settings.paths", settings.paths as f64, 16.0, 1e10, "")?;
-    let tracer = Tracer::new(Medium::new(params));
+    let to_eye = DVec3::Z * (params.planet_radius + query.altitude);
+    let moon = query.moon.map(|moon| Moon { position: moon.position + to_eye, ..moon });
+    let tracer = Tracer { moon, ..Tracer::new(Medium::new(params)) };
     let once = scatter(&tracer.medium, &query, Line::Adaptive(Tolerance { relative: 1e-5 }), None);
     let mut out = Estimate { per_irradiance: once.per_irradiance, std_err: [0.0; 3] };
     let Some(first) = First::new(&tracer, &query) else { return Ok(out) };
@@ -120,6 +123,8 @@ struct Vertex {
 
 struct Tracer {
     medium: Medium,
+    /// What dims the sun; positions from the planet's centre.
+    moon: Option<Moon>,
     /// Ascending altitudes from 0 to the top.
     shells: Vec<f64>,
     /// Largest extinction in the shell above `shells[i]`.
@@ -154,7 +159,7 @@ impl Tracer {
                 })
             })
             .collect();
-        Self { medium, shells, majorants }
+        Self { medium, moon: None, shells, majorants }
     }
 
     fn chord(&self, at: &Vertex) -> Chord {
@@ -221,9 +226,16 @@ impl Tracer {
 
     /// Share of the sun's light that arrives at a vertex, 0 in the planet's shadow.
     fn sunlight(&self, at: &Vertex, sun: DVec3, c: usize) -> f64 {
+        let p = &self.medium.params;
+        let passed = self.moon.map_or(1.0, |moon| {
+            moon.sunlight(at.zenith * (p.planet_radius + at.altitude), sun, p.sun_angular_radius)[c]
+        });
+        if passed <= 0.0 {
+            return 0.0;
+        }
         let chord = self.chord(&Vertex { direction: sun, ..*at });
         match self.medium.columns_to_sun(&chord, ColumnRule::Quick) {
-            Some(columns) => (-self.medium.optical_depth(columns)[c]).exp(),
+            Some(columns) => passed * (-self.medium.optical_depth(columns)[c]).exp(),
             None => 0.0,
         }
     }

@@ -10,6 +10,7 @@ use rayon::prelude::*;
 use super::geometry::ray_sphere_intersect;
 use super::single::{RayQuery, Sun, Tolerance, single_scattering, transmittance};
 use crate::backend::TextureDesc;
+use crate::eclipse::{Moon, limb_darkening_of_ring};
 use crate::error::Result;
 use crate::passes::picture::PictureSettings;
 use crate::passes::terrain::TerrainStyle;
@@ -109,14 +110,53 @@ impl<'a> Painter<'a> {
         if ground.is_none() && !hits_planet && self.settings.sky.enabled && self.settings.sky.sun_disk {
             let chord = 2.0 * (0.5 * p.sun_angular_radius).sin();
             let cover = ((chord - (dir - self.view.sun).length()) / self.pixel_angle + 0.5).clamp(0.0, 1.0);
-            color = [cover * p.sun_intensity / (std::f64::consts::PI * chord * chord); 3];
+            let full = cover * p.sun_intensity / (std::f64::consts::PI * chord * chord);
+            let left = self.view.moon.map_or(1.0, |m| {
+                // A small disk's edges and the moon's share pixels: then the share of the whole disk counts.
+                let whole = m.disks(DVec3::ZERO, self.view.sun, p.sun_angular_radius).map_or(1.0, |d| d.visible());
+                let t = ((chord / self.pixel_angle - 1.0) / 3.0).clamp(0.0, 1.0);
+                let own = 1.0 - self.moon_cover(&m, dir);
+                if whole > 0.0 { whole + (own - whole) * t * t * (3.0 - 2.0 * t) } else { 0.0 }
+            });
+            color = [full * left; 3];
+            if self.settings.sky.limb_darkening {
+                let r = (dir - self.view.sun).length() / chord;
+                let brightness = limb_darkening_of_ring(r, 0.5 * self.pixel_angle / chord);
+                color = std::array::from_fn(|c| color[c] * brightness[c]);
+            }
+        }
+        let sight = ground.is_none() && !hits_planet && self.settings.sky.enabled;
+        if let Some(moon) = self.view.moon.filter(|_| sight) {
+            // The disk's soft edge shines as its rim.
+            let (towards, sine) = (moon.position.normalize(), moon.radius / moon.position.length());
+            let chord = 2.0 * (0.5 * sine.asin()).sin();
+            let rim = ((dir - towards).length() / chord).max(1.0);
+            let inward = (towards + (dir - towards) / rim * 0.999_999).normalize();
+            let cover = self.moon_cover(&moon, dir);
+            if cover > 0.0 {
+                let light = moon.radiance(DVec3::ZERO, inward, self.view.sun).unwrap_or(0.0);
+                color = color.map(|c| c + cover * light * p.sun_intensity);
+            }
         }
         if self.air {
-            let query = RayQuery { altitude: self.view.altitude, direction: dir, sun: self.view.sun, length: distance };
+            let query = RayQuery {
+                altitude: self.view.altitude,
+                direction: dir,
+                sun: self.view.sun,
+                length: distance,
+                moon: self.view.moon,
+            };
             let s = single_scattering(p, &query, Sun::Point, Tolerance::PICTURE)?;
             color = std::array::from_fn(|c| color[c] * s.transmittance[c] + s.radiance[c]);
         }
         Ok([color[0] as f32, color[1] as f32, color[2] as f32, 1.0])
+    }
+
+    /// Share of the pixel around a ray of the zenith frame that the moon covers.
+    fn moon_cover(&self, moon: &Moon, dir: DVec3) -> f64 {
+        let distance = moon.position.length();
+        let chord = 2.0 * (0.5 * (moon.radius / distance).asin()).sin();
+        ((chord - (dir - moon.position / distance).length()) / self.pixel_angle + 0.5).clamp(0.0, 1.0)
     }
 
     /// Distance to the terrain along a ray, or `None`: steps of half the clearance, then a bisection.
@@ -181,8 +221,16 @@ impl<'a> Painter<'a> {
         } else {
             [0.0; 3]
         };
+        // Sky light has the share of the sun that is left here, for want of one of its own.
+        let left = match &self.scene.moon {
+            Some(moon) => {
+                let point = self.scene.planet_center + n * (p.planet_radius + h);
+                moon.sunlight(point, self.sun, p.sun_angular_radius)
+            }
+            None => [1.0; 3],
+        };
         Ok(std::array::from_fn(|c| {
-            albedo[c] * (share[c] + through[c] * visible) * p.sun_intensity / std::f64::consts::PI
+            albedo[c] * left[c] * (share[c] + through[c] * visible) * p.sun_intensity / std::f64::consts::PI
         }))
     }
 }

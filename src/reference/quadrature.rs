@@ -62,6 +62,7 @@ cached_rule!(gauss_4, 4);
 cached_rule!(gauss_6, 6);
 cached_rule!(gauss_10, 10);
 cached_rule!(gauss_16, 16);
+cached_rule!(gauss_32, 32);
 
 /// Kronrod's 15 nodes (the non-negative ones) with the weights of the 15-point rule and of the
 /// 7-point Gauss rule inside it (Piessens et al. 1983, QUADPACK `qk15`).

@@ -14,7 +14,8 @@ use super::harmonics;
 use super::medium::{ColumnRule, Medium, Phases};
 use super::quadrature::{fixed, gauss_legendre, integrate};
 use crate::atmosphere::AtmosphereParams;
-use crate::error::{Result, direction, in_range};
+use crate::eclipse::Moon;
+use crate::error::{Error, Result, direction, in_range};
 
 /// A ray through a planet's air, in the zenith frame of its origin: z points away from the planet's
 /// centre, and the origin's altitude is a number of its own, so nothing is a difference of two radii.
@@ -28,6 +29,9 @@ pub struct RayQuery {
     pub sun: DVec3,
     /// Distance of a scene object that ends the ray, metres; infinite if there is none.
     pub length: f64,
+    /// A moon that dims the sun, its position from the ray's origin in the ray's own frame; for [`single_scattering`] and
+    /// [`super::path`].
+    pub moon: Option<Moon>,
 }
 
 impl RayQuery {
@@ -41,6 +45,7 @@ impl RayQuery {
             direction: DVec3::new(sin * azimuth_from_sun.cos(), sin * azimuth_from_sun.sin(), cos),
             sun: DVec3::new(sin_sun, 0.0, cos_sun),
             length: f64::INFINITY,
+            moon: None,
         }
     }
 
@@ -61,7 +66,13 @@ impl RayQuery {
             direction: turn(view),
             sun: turn(sun),
             length: f64::INFINITY,
+            moon: None,
         })
+    }
+
+    /// The same ray under a moon, its position as in [`Self::moon`].
+    pub fn eclipsed_by(self, moon: Moon) -> Self {
+        Self { moon: Some(moon), ..self }
     }
 
     /// The same ray ended by a scene object `length` metres away.
@@ -71,6 +82,9 @@ impl RayQuery {
 
     pub(crate) fn validate(&self) -> Result<Self> {
         in_range("ray.altitude", self.altitude, -1e16, 1e16, "m")?;
+        if let Some(moon) = &self.moon {
+            moon.validate(DVec3::ZERO)?;
+        }
         if self.length != f64::INFINITY {
             in_range("ray.length", self.length, 0.0, 1e16, "m (or infinite)")?;
         }
@@ -79,6 +93,7 @@ impl RayQuery {
             direction: direction("ray.direction", self.direction)?,
             sun: direction("ray.sun", self.sun)?,
             length: self.length,
+            moon: self.moon,
         })
     }
 }
@@ -250,6 +265,9 @@ pub fn single_scattering(
         return Ok(scatter(&medium, &query, Line::Adaptive(tolerance), None));
     };
     in_range("sun.rings", f64::from(rings), 1.0, 16.0, "")?;
+    if query.moon.is_some() {
+        return Err(Error::invalid("sun", "a disk of rings", "a point where a moon hides part of it"));
+    }
     // The disk as a cap around the centre: uniform in the squared sine, to the cap's second order.
     let (x, y) = query.sun.any_orthonormal_pair();
     let azimuths = 2 * rings + 1;
@@ -384,7 +402,16 @@ pub(crate) fn scatter(medium: &Medium, query: &RayQuery, line: Line, tail: Optio
             None => phases,
         };
         let scattering = medium.scattering(altitude, &phases);
-        std::array::from_fn(|c| scattering[c] * (-depth[c]).exp() * jacobian)
+        let share = match &query.moon {
+            Some(moon) => moon.sunlight(d * (s - chord.origin), query.sun, params.sun_angular_radius),
+            None => [1.0; 3],
+        };
+        std::array::from_fn(|c| scattering[c] * (-depth[c]).exp() * jacobian * share[c])
+    };
+    // The edges of the moon's shadow, which an adaptive rule could step over.
+    let edges = match &query.moon {
+        Some(moon) => moon.edges(DVec3::ZERO, d, query.sun, params.sun_angular_radius),
+        None => Vec::new(),
     };
     let mut breaks = Vec::with_capacity(24);
     for (a, b) in sun.lit(s0, s1) {
@@ -392,6 +419,11 @@ pub(crate) fn scatter(medium: &Medium, query: &RayQuery, line: Line, tail: Optio
         let (a, b) = (chord.v_at(a), chord.v_at(b));
         let step = if matches!(line, Line::Fixed) { 1.0 } else { 5.0 };
         view_breaks(medium, &chord, s0, a, b, step, &mut breaks);
+        if let [first, .., last] = breaks[..] {
+            let edges = edges.iter().map(|t| chord.v_at(chord.origin + t));
+            breaks.extend(edges.filter(|v| first < *v && *v < last));
+            breaks.sort_by(f64::total_cmp);
+        }
         // The stretches' errors add, and so do their values: each may use the whole tolerance.
         let part = match line {
             Line::Adaptive(tolerance) => integrate(integrand, &breaks, tolerance.relative, 1e-40, 600),

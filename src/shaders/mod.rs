@@ -144,6 +144,15 @@ pub enum Program {
     Sun {
         /// What dims it.
         air: Constituents,
+        /// Darker towards its edge.
+        limb: bool,
+        /// Less what a moon hides.
+        moon: bool,
+    },
+    /// The moon's disk, `moon.wgsl`; any aerosol stands for both phase functions.
+    Moon {
+        /// What dims it.
+        air: Constituents,
     },
     /// Air before the scene, `aerial.wgsl`.
     Aerial {
@@ -235,7 +244,10 @@ impl Program {
                 all.extend([false, true].map(|blend| Self::Aerial { air, blend }));
             }
             if air == air.without_phase() {
-                all.push(Self::Sun { air });
+                for limb in [false, true] {
+                    all.extend([false, true].map(|moon| Self::Sun { air, limb, moon }));
+                }
+                all.push(Self::Moon { air });
             }
             if air.any() && air == air.without_phase() {
                 all.extend([false, true].map(|diffuse| Self::LutSky { air, aerosol: false, diffuse }));
@@ -249,6 +261,8 @@ impl Program {
         // Last: what only they need is kept apart from what pictures need.
         #[cfg(feature = "probe")]
         all.extend(crate::probe::Probe::ALL.map(Self::Probe));
+        #[cfg(feature = "probe")]
+        all.push(Self::Probe(crate::probe::Probe::Eclipse));
         all
     }
 
@@ -267,13 +281,15 @@ impl Program {
             }
             #[cfg(feature = "probe")]
             Self::Probe(p) => format!("probe-{}", p.name()),
-            Self::Sun { .. } | Self::LutSky { .. } | Self::LutAir { .. } => [
+            Self::Sun { .. } | Self::Moon { .. } | Self::LutSky { .. } | Self::LutAir { .. } => [
                 self.module(),
                 part("RAYLEIGH", "-rayleigh"),
                 part("MIE", "-mie"),
                 part("OZONE", "-ozone"),
                 part("AEROSOL", "-haze"),
                 part("BARE", "-bare"),
+                part("LIMB", "-limb"),
+                part("MOON", "-moon"),
             ]
             .concat(),
             Self::SkyLut { .. } | Self::AerialLut { .. } => [
@@ -303,6 +319,7 @@ impl Program {
         match self {
             Self::Sky { .. } => "sky",
             Self::Sun { .. } => "sun",
+            Self::Moon { .. } => "moon",
             Self::Aerial { .. } => "aerial",
             Self::SkyLut { .. } => "sky_lut",
             Self::AerialLut { .. } => "aerial_lut",
@@ -317,6 +334,8 @@ impl Program {
             Self::Terrain { .. } => "terrain",
             Self::Copy => "copy",
             #[cfg(feature = "probe")]
+            Self::Probe(crate::probe::Probe::Eclipse) => "probe_eclipse",
+            #[cfg(feature = "probe")]
             Self::Probe(_) => "probe",
         }
     }
@@ -324,7 +343,12 @@ impl Program {
     fn flags(self) -> Vec<&'static str> {
         let mut flags = Vec::new();
         match self {
-            Self::Sky { air } | Self::Sun { air } => air.flags(&mut flags),
+            Self::Sky { air } | Self::Moon { air } => air.flags(&mut flags),
+            Self::Sun { air, limb, moon } => {
+                air.flags(&mut flags);
+                flags.extend(limb.then_some("LIMB"));
+                flags.extend(moon.then_some("MOON"));
+            }
             Self::SkyLut { mie, only } => {
                 haze(mie, &mut flags);
                 flags.push(if only { "ONLY" } else { "OVER" });
@@ -392,7 +416,7 @@ impl Program {
     /// How many textures it reads, at bindings 1, 2, …
     pub fn textures(self) -> usize {
         match self {
-            Self::Sky { .. } | Self::Sun { .. } | Self::LutColumns => 0,
+            Self::Sky { .. } | Self::Sun { .. } | Self::Moon { .. } | Self::LutColumns => 0,
             Self::Terrain { sky } => usize::from(sky),
             Self::Upsample | Self::ToneMap { .. } | Self::Copy | Self::LutMoments | Self::LutScan { .. } => 1,
             Self::SkyLut { mie, .. } => 1 + usize::from(mie.is_some()),
@@ -419,7 +443,7 @@ impl Program {
         use crate::passes::{frame::FrameUniform, lut, terrain::TerrainUniform, tone::ToneUniform};
         match self {
             Self::Sky { .. } | Self::Aerial { .. } | Self::Upsample => size_of::<FrameUniform>(),
-            Self::Sun { .. } => size_of::<crate::passes::sun::SunUniform>(),
+            Self::Sun { .. } | Self::Moon { .. } => size_of::<crate::passes::sun::DiskUniform>(),
             Self::Terrain { .. } => size_of::<TerrainUniform>(),
             Self::ToneMap { .. } => size_of::<ToneUniform>(),
             Self::LutColumns | Self::LutRadiance | Self::LutMoments => size_of::<lut::MediumTables>(),
@@ -438,20 +462,20 @@ impl Program {
     pub fn vertices(self) -> u32 {
         match self {
             Self::Terrain { .. } => TERRAIN_RINGS * (2 * (TERRAIN_SEGMENTS + 1) + 2),
-            Self::Sun { .. } => 4,
+            Self::Sun { .. } | Self::Moon { .. } => 4,
             _ => 3,
         }
     }
 
     /// Whether it has a vertex shader of its own, which makes a triangle strip; the others cover their target.
     pub fn makes_vertices(self) -> bool {
-        matches!(self, Self::Terrain { .. } | Self::Sun { .. })
+        matches!(self, Self::Terrain { .. } | Self::Sun { .. } | Self::Moon { .. })
     }
 
     /// Whether the output is laid over the target by its (premultiplied) alpha.
     pub fn blends(self) -> bool {
         match self {
-            Self::Sky { .. } | Self::Sun { .. } | Self::Upsample => true,
+            Self::Sky { .. } | Self::Sun { .. } | Self::Moon { .. } | Self::Upsample => true,
             Self::SkyLut { only, .. } => !only,
             Self::Aerial { blend, .. } | Self::AerialLut { blend, .. } => blend,
             _ => false,
@@ -570,10 +594,13 @@ pub const MODULES: &[(&str, &str)] = modules![
     "copy",
     "directions",
     "disk",
+    #[cfg(feature = "probe")]
+    "eclipse",
     "frame",
     "fullscreen",
     "geometry",
     "lighting",
+    "limb",
     "lut_air",
     "lut_columns",
     "lut_moments",
@@ -582,12 +609,16 @@ pub const MODULES: &[(&str, &str)] = modules![
     "lut_sky",
     "march",
     "medium",
+    "moon",
     "noise",
     "path",
     "phase",
     #[cfg(feature = "probe")]
     "probe",
+    #[cfg(feature = "probe")]
+    "probe_eclipse",
     "reach",
+    "rectangle",
     "scattering",
     "sky",
     "sky_lut",
@@ -670,7 +701,7 @@ mod tests {
         for program in all {
             let text = program.wgsl();
             assert!(!text.contains("#error"), "{}", program.name());
-            if let Program::Sky { air } | Program::Sun { air } = program {
+            if let Program::Sky { air } | Program::Sun { air, .. } | Program::Moon { air } = program {
                 assert_eq!(text.contains("d.z = "), air.ozone, "{}", program.name());
                 assert_eq!(text.contains("d.x = "), air.rayleigh, "{}", program.name());
                 assert_eq!(text.contains("d.y = "), air.mie.is_some(), "{}", program.name());

@@ -11,7 +11,7 @@ pub fn along(scene: &Scene, [w, h]: [u32; 2]) -> Vec<RayQuery> {
     (0..w * h)
         .map(|i| {
             let direction = view.basis.ray(DVec2::new(share(i % w, w), -share(i / w, h))).normalize();
-            RayQuery { altitude: view.altitude, direction, sun: view.sun, length: f64::INFINITY }
+            RayQuery { altitude: view.altitude, direction, sun: view.sun, length: f64::INFINITY, moon: None }
         })
         .collect()
 }

@@ -60,6 +60,7 @@ impl View {
             atmosphere: self.params.clone(),
             sun_direction: DVec3::new(e.cos(), 0.0, e.sin()),
             depth: DepthConvention::default(),
+            moon: None,
         }
     }
 }

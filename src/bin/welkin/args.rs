@@ -6,11 +6,14 @@ use std::time::Duration;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser as _};
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use glam::DVec3;
+use welkin::eclipse::{MOON_RADIUS, Moon};
 use welkin::{AtmosphereParams, Bound, Mode, Quality, SkySettings, ToneMap};
 
 use crate::choose::Wish;
 use crate::costs::CostsArgs;
 use crate::draw::{BackendChoice, Shot};
+use crate::ephemeris;
 use crate::flight::FlightArgs;
 use crate::sun;
 use crate::views::{self, Place, View};
@@ -81,6 +84,8 @@ pub enum Command {
     Accuracy(AccuracyArgs),
     /// Run the shaders' functions on a million cases, against f64
     Stress(StressArgs),
+    /// Tell how much of the sun the moon hides above a place on Earth, and when
+    Eclipse(EclipseArgs),
     /// List the backends and adapters that can draw here
     Info,
     /// Translate shaders/wgsl/ to shaders/glsl/ (for work on welkin itself)
@@ -149,9 +154,57 @@ impl Command {
             Self::Accuracy(_) => "accuracy",
             Self::Compare(_) => "compare",
             Self::Stress(_) => "stress",
+            Self::Eclipse(_) => "eclipse",
             Self::Info => "info",
             Self::Shaders { .. } => "shaders",
         }
+    }
+}
+
+const ECLIPSE_DETAILS: &str = "\
+elevation, azimuth  of the disks' middles, without refraction; 0° is north, 90° east
+magnitude           share of the sun's diameter that is covered; where one disk lies within the other, the ratio
+                    of their diameters
+obscuration         share of the sun's disk that is covered
+sunlight            what is left of the sun's light, its edge being darker than its middle
+Contacts are for a moon without mountains: k = 0.2725076 for partial, 0.272281 for total and annular phases.
+Places are heights above the ellipsoid WGS 84. Times are good to a second or two from 1972 to the next leap second,
+beyond by as much as the Earth's turning was guessed wrong.
+
+Examples:
+  welkin eclipse --place 25.29,-104.14 --time 2024-04-08T18:17:16Z
+      The total eclipse over Nazas, Mexico
+  welkin eclipse --place 35.08,-106.65 --time 2023-10-14T12:00:00Z --json
+      The ring over Albuquerque, found from the morning on, for a program to read
+
+Exit status: 0 printed; 1 printing failed; 2 the request was not accepted.";
+
+/// Options of `welkin eclipse`.
+#[derive(Args, Debug)]
+#[command(after_long_help = ECLIPSE_DETAILS)]
+#[command(after_help = "What the numbers mean, and examples: welkin eclipse --help")]
+pub struct EclipseArgs {
+    /// Latitude north and longitude east in degrees, as in 25.3,-104.1
+    #[arg(long, value_name = "LAT,LON", allow_hyphen_values = true, value_parser = parse_place)]
+    place: Place,
+
+    /// Time in RFC 3339, years 1900 to 2099, as in 2024-04-08T18:17:16Z; the eclipse nearest to it, within 12 hours
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true, value_parser = parse_time)]
+    time: jiff::Timestamp,
+
+    /// Height above sea level: metres, or as in 2km
+    #[arg(long, value_name = "LENGTH", default_value = "0m", allow_hyphen_values = true, value_parser = parse_length)]
+    height: Length,
+
+    /// As JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+impl EclipseArgs {
+    /// Time, place and height in metres.
+    pub fn when_and_where(&self) -> (jiff::Timestamp, Place, f64) {
+        (self.time, self.place, self.height.metres)
     }
 }
 
@@ -311,6 +364,17 @@ pub struct RenderArgs {
     #[arg(long, value_name = "TIME", help_heading = "Sun (by angles, or by place and time)")]
     #[arg(allow_hyphen_values = true, value_parser = parse_time)]
     time: Option<jiff::Timestamp>,
+
+    /// Put the moon where it stood, too; needs --place and --time, years 1900 to 2099
+    ///
+    /// It is drawn with its phase, hides the sun's disk, whose edge is then darker, and with --backend cpu its shadow
+    /// falls through the air, for light scattered once. The other backends do not darken the air.
+    #[arg(long, help_heading = "Sun (by angles, or by place and time)", requires_all = ["place", "time"])]
+    moon: bool,
+
+    /// Draw the sun's disk darker towards its edge
+    #[arg(long, help_heading = "Sun (by angles, or by place and time)")]
+    limb_darkening: bool,
 
     /// Pixels, as in 1920x1080; each side 1 to 8192 [default: 1280x720]
     #[arg(long, value_name = "WxH", help_heading = "Picture", allow_hyphen_values = true)]
@@ -825,7 +889,7 @@ impl RenderArgs {
     ) -> Result<Shot, UsageError> {
         let terrain = (!self.no_terrain).then(|| view.terrain());
         let aspect = f64::from(width) / f64::from(height);
-        let scene = view.scene(place, aspect, terrain.as_ref()).map_err(|e| match e {
+        let mut scene = view.scene(place, aspect, terrain.as_ref()).map_err(|e| match e {
             welkin::Error::Invalid { field, value, allowed } if field.starts_with("camera.tangents") => {
                 UsageError::new(format!(
                     "'--fov <DEGREES>' {} and '--size <WxH>' {width}x{height} make too wide a view: \
@@ -835,8 +899,20 @@ impl RenderArgs {
             }
             other => UsageError::new(other.to_string()),
         })?;
+        if let (true, Some(time)) = (self.moon, self.time) {
+            let bodies = ephemeris::bodies(time, place, 0.0)
+                .map_err(|_| UsageError::value("--time <TIME>", time, "in the years 1900 to 2099 with '--moon'"))?;
+            let [up, north, east] = place.frame();
+            let turn = |v: DVec3| east * v.x + north * v.y + up * v.z;
+            // As seen from sea level at the place, wherever above it the camera is.
+            let moon = up * scene.atmosphere.planet_radius + turn(bodies.moon);
+            scene.moon = Some(Moon::new(moon, MOON_RADIUS));
+            scene.sun_direction = turn(bodies.sun);
+            scene.atmosphere.sun_angular_radius = bodies.disks().sun;
+            scene.validate().map_err(|e| UsageError::new(e.to_string()))?;
+        }
         let (composition, bound) = (self.mode.settings().composition, self.bound(view.exposure));
-        let sky = SkySettings { composition, bound, ..sky };
+        let sky = SkySettings { composition, bound, limb_darkening: self.limb_darkening || self.moon, ..sky };
         Ok(Shot {
             scene,
             width,

@@ -7,6 +7,7 @@ use anyhow::{Context, ensure};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use welkin::backend::{Format, Target, TextureDesc};
+use welkin::eclipse::{MOON_RADIUS, Moon};
 use welkin::plan::Runs;
 use welkin::{AtmosphereParams, Bound, Composition, Method, Quality, Scene, SkyRenderer, SkySettings};
 
@@ -50,6 +51,8 @@ struct Case {
     view: View,
     params: AtmosphereParams,
     sky: SkySettings,
+    /// In the middle of the picture.
+    moon: bool,
 }
 
 /// An effect, what a case is like that does not call for it, and both cases.
@@ -116,6 +119,7 @@ fn rows(quality: Quality) -> anyhow::Result<Vec<Row>> {
         view: View { pitch: 10.0, sun_azimuth: 200.0, ..views::DEFAULT },
         params: AtmosphereParams::earth(),
         sky: SkySettings { bound: Some(Bound::eight_bit(1.0)), ..quality.into() },
+        moon: false,
     };
     let orbit = Case { view: View { altitude: 4e5, pitch: -18.0, fov: 40.0, ..day.view }, ..day.clone() };
     let dome = Case { sky: SkySettings { composition: Composition::SkyDome, ..day.sky }, ..day.clone() };
@@ -157,6 +161,7 @@ fn rows(quality: Quality) -> anyhow::Result<Vec<Row>> {
         row("sky tables", "marching 16 × 8", &day, &march),
         row("air table", "nothing before the sky", &up, &nothing_before),
         row("sun disk", "switched off", &day, &sky(|s| s.sun_disk = false)),
+        row("moon disk", "the scene has none", &Case { moon: true, ..day.clone() }, &day),
         row("reduced resolution", "render scale 1", &half, &full),
     ])
 }
@@ -166,7 +171,9 @@ fn measure(drawer: &mut Drawer, case: &Case, effect: &str, args: &CostsArgs) -> 
     let backend = drawer.backend().context("no GPU backend can be had here ('welkin info' says why)")?;
     let [width, height] = args.size;
     let scene = case.view.scene(Place::DEFAULT, f64::from(width) / f64::from(height), None)?;
-    let scene = Scene { atmosphere: case.params.clone(), ..scene };
+    let ahead = scene.camera.position + scene.camera.forward.normalize_or_zero() * 3.8e8;
+    let moon = case.moon.then(|| Moon::new(ahead, MOON_RADIUS));
+    let scene = Scene { atmosphere: case.params.clone(), moon, ..scene };
     let mut make = |label, format| backend.create_texture(&TextureDesc::new(label, width, height, format));
     let color = make("color", Format::Rgba16Float)?;
     let depth = make("depth", Format::R32Float)?;

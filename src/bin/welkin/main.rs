@@ -7,6 +7,8 @@ mod choose;
 mod compare;
 mod costs;
 mod draw;
+mod eclipse;
+mod ephemeris;
 mod film;
 mod flight;
 mod info;
@@ -58,6 +60,7 @@ fn run(cli: Cli) -> anyhow::Result<()> {
         Command::Accuracy(args) => accuracy::run(&args),
         Command::Radiance(args) => radiance::run(&args),
         Command::Stress(args) => stress::run(&args),
+        Command::Eclipse(args) => eclipse::run(&args),
         Command::Info => info::run(),
         Command::Shaders { check, root } => shaders::run(&root, check),
     }

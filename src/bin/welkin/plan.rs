@@ -20,6 +20,7 @@ pub fn run(args: &PlanArgs) -> anyhow::Result<()> {
     let settings = SkySettings {
         composition: shot.sky.composition,
         bound: shot.sky.bound,
+        limb_darkening: shot.sky.limb_darkening,
         foreground: shot.terrain.is_some(),
         ..choice.sky
     };

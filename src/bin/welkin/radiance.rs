@@ -198,6 +198,7 @@ impl Case {
             atmosphere: self.atmosphere.clone(),
             sun_direction: sun,
             depth: DepthConvention::default(),
+            moon: None,
         }
     }
 }

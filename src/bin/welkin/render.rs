@@ -28,7 +28,8 @@ fn single(args: &RenderArgs, view: &View, mut shot: Shot) -> anyhow::Result<()> 
     let start = Instant::now();
     let mut drawer = Drawer::open(args.backend)?;
     let choice = Choice::of(args.wish(), args.mode(), &mut drawer, [shot.width, shot.height])?;
-    shot.sky = SkySettings { composition: shot.sky.composition, bound: shot.sky.bound, ..choice.sky };
+    let SkySettings { composition, bound, limb_darkening, .. } = shot.sky;
+    shot.sky = SkySettings { composition, bound, limb_darkening, ..choice.sky };
     let progress = Progress::new(1);
     let picture = draw_one(&mut drawer, &shot, &progress, view.name)?;
     drop(progress);

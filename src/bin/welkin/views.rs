@@ -77,6 +77,7 @@ impl View {
             atmosphere,
             sun_direction: (north * cos_az + east * sin_az) * cos_el + up * sin_el,
             depth: DepthConvention::default(),
+            moon: None,
         };
         scene.validate()?;
         Ok(scene)

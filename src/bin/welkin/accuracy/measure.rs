@@ -59,6 +59,7 @@ impl Truth {
                 direction: view.basis.ray(ndc).normalize(),
                 sun: view.sun,
                 length: f64::INFINITY,
+                moon: None,
             };
             let once = single_scattering(&scene.atmosphere, &query, Sun::Point, Tolerance::TRUTH)?;
             let all = orders.radiance(&query, Tolerance { relative: 1e-4 })?;

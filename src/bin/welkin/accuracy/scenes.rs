@@ -126,6 +126,7 @@ impl Setup {
             atmosphere,
             sun_direction: DVec3::new(sin, 0.0, cos),
             depth: DepthConvention::default(),
+            moon: None,
         })
     }
 }

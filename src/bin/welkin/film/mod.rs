@@ -333,7 +333,7 @@ fn truth(scene: &Scene, orders: &Orders, [width, height]: [u32; 2]) -> anyhow::R
         let share = |i: u32, n: u32| (f64::from(i) + 0.5) / f64::from(n) * 2.0 - 1.0;
         let ndc = DVec2::new(share(i % width, width), -share(i / width, height));
         let direction = view.basis.ray(ndc).normalize();
-        let query = RayQuery { altitude: view.altitude, direction, sun: view.sun, length: f64::INFINITY };
+        let query = RayQuery { altitude: view.altitude, direction, sun: view.sun, length: f64::INFINITY, moon: None };
         let light = orders.radiance(&query, Tolerance { relative: 1e-4 })?;
         Ok(std::array::from_fn(|c| (light.per_irradiance[c] - light.ground[c]) * sun))
     };

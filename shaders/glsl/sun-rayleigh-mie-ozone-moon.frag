@@ -1,0 +1,283 @@
+#version 300 es
+
+precision highp float;
+precision highp int;
+
+struct Medium {
+    vec3 rayleigh;
+    float rayleigh_inv_height;
+    vec3 mie_scattering;
+    float mie_inv_height;
+    vec3 mie_extinction;
+    float ozone_center;
+    vec3 mie_asymmetry;
+    float ozone_inv_half_width;
+    vec3 ozone;
+    float radius;
+    vec3 irradiance;
+    float thickness;
+};
+struct DepthCode {
+    float scale;
+    float bias;
+    float log_;
+    float background;
+};
+struct Frame {
+    Medium medium;
+    vec3 ray_forward;
+    float altitude;
+    vec3 ray_right;
+    float sky_weight;
+    vec3 ray_up;
+    float shell_weight;
+    vec3 sun;
+    float sun_chord;
+    vec2 size;
+    float sun_disk;
+    float pixel_angle;
+    DepthCode depth;
+    uint view_samples;
+    uint light_samples;
+    uint low_resolution;
+    float camera_altitude;
+    vec4 limb;
+};
+struct Uniforms {
+    Frame frame;
+    vec4 rect;
+    vec4 moon;
+    vec4 shine;
+};
+struct Line {
+    float b;
+    float p;
+    float x_closest;
+    bool ground;
+};
+struct AirPath {
+    float start;
+    float length_;
+    float x;
+    float b;
+};
+const float HALF_MAX = 32000.0;
+const uint STEPS = 128u;
+
+layout(std140) uniform Uniforms_block_0Fragment { Uniforms _group_0_binding_0_fs; };
+
+layout(location = 0) out vec4 _fs2p_location0;
+
+vec3 pixel_ray(vec2 pixel, vec2 size, vec3 forward, vec3 right, vec3 up) {
+    vec2 ndc = (((pixel / size) * vec2(2.0, -2.0)) + vec2(-1.0, 1.0));
+    return ((forward + (right * ndc.x)) + (up * ndc.y));
+}
+
+float disk_coverage(vec3 offset, float chord, float pixel_1) {
+    return clamp((((chord - length(offset)) / pixel_1) + 0.5), 0.0, 1.0);
+}
+
+float resolved(float chord_1, float pixel_2) {
+    return smoothstep(1.0, 4.0, (chord_1 / pixel_2));
+}
+
+float altitude_of(float x, float radius) {
+    return (x / (radius + sqrt(max(((radius * radius) + x), 0.0))));
+}
+
+float excess_of(float h, float radius_1) {
+    return (h * ((2.0 * radius_1) + h));
+}
+
+float altitude_after(float x_1, float b, float t, float radius_2) {
+    float _e9 = altitude_of((x_1 + (t * ((2.0 * b) + t))), radius_2);
+    return max(_e9, 0.0);
+}
+
+float distance_to_top(float x_2, float b_1, float x_top) {
+    float c = max((x_top - x_2), 0.0);
+    float root_1 = sqrt(((b_1 * b_1) + c));
+    if ((b_1 > 0.0)) {
+        return (c / (b_1 + root_1));
+    }
+    return (root_1 - b_1);
+}
+
+float half_chord2_(float b_2, float above, float depth, float p) {
+    float sphere = (depth + p);
+    if ((abs(b_2) < sphere)) {
+        return ((b_2 * b_2) - above);
+    }
+    return (depth * (sphere + p));
+}
+
+Line line_past(vec3 dir, float h_1, float radius_3) {
+    bool local_1 = false;
+    float r = (radius_3 + h_1);
+    float b_5 = (r * dir.z);
+    float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
+    float _e11 = excess_of(h_1, radius_3);
+    float _e13 = half_chord2_(b_5, _e11, (radius_3 - p_1), p_1);
+    if ((b_5 < 0.0)) {
+        local_1 = (_e13 >= 0.0);
+    } else {
+        local_1 = false;
+    }
+    bool _e22 = local_1;
+    return Line(b_5, p_1, -(_e13), _e22);
+}
+
+float top_half_chord2_(Line line, float h_2, float radius_4, float thickness) {
+    float b2_ = (line.b * line.b);
+    float _e7 = excess_of(thickness, radius_4);
+    float above_1 = ((h_2 - thickness) * (((2.0 * radius_4) + thickness) + h_2));
+    return ((b2_ < _e7) ? (b2_ - above_1) : (_e7 - line.x_closest));
+}
+
+float to_ground(float x_3, float b_3, float root) {
+    return min((x_3 / (root - b_3)), -(b_3));
+}
+
+AirPath air_path(Line line_1, float h_3, float radius_5, float thickness_1) {
+    bool local_2 = false;
+    float _e4 = excess_of(thickness_1, radius_5);
+    float ground_root = sqrt(max(-(line_1.x_closest), 0.0));
+    if ((h_3 <= thickness_1)) {
+        float _e11 = excess_of(h_3, radius_5);
+        float _e13 = distance_to_top(_e11, line_1.b, _e4);
+        float _e15 = to_ground(_e11, line_1.b, ground_root);
+        float reach = (line_1.ground ? _e15 : _e13);
+        return AirPath(0.0, reach, _e11, line_1.b);
+    }
+    float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_5) + thickness_1) + h_3));
+    float _e27 = top_half_chord2_(line_1, h_3, radius_5, thickness_1);
+    if (!((line_1.b >= 0.0))) {
+        local_2 = (_e27 <= 0.0);
+    } else {
+        local_2 = true;
+    }
+    bool _e37 = local_2;
+    if (_e37) {
+        return AirPath(0.0, -1.0, 0.0, 0.0);
+    }
+    float half_ = sqrt(_e27);
+    float _e50 = to_ground(_e4, -(half_), ground_root);
+    return AirPath((above_2 / (half_ - line_1.b)), (line_1.ground ? _e50 : (2.0 * half_)), _e4, -(half_));
+}
+
+vec4 layers_of(Medium m) {
+    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+}
+
+mat3x3 coefficients_of(Medium m_1) {
+    return mat3x3(m_1.rayleigh, m_1.mie_extinction, m_1.ozone);
+}
+
+vec3 densities(vec4 layers, float h_4) {
+    vec3 d = vec3(0.0);
+    d.x = exp((-(h_4) * layers.x));
+    d.y = exp((-(h_4) * layers.y));
+    d.z = max(0.0, (1.0 - (abs((h_4 - layers.z)) * layers.w)));
+    vec3 _e25 = d;
+    return _e25;
+}
+
+vec3 extinction(mat3x3 coefficients, vec3 d_1) {
+    vec3 sum = vec3(0.0);
+    vec3 _e5 = sum;
+    sum = (_e5 + (coefficients[0] * d_1.x));
+    vec3 _e10 = sum;
+    sum = (_e10 + (coefficients[1] * d_1.y));
+    vec3 _e15 = sum;
+    sum = (_e15 + (coefficients[2] * d_1.z));
+    vec3 _e20 = sum;
+    return _e20;
+}
+
+float warp(float low, float u) {
+    return (low + (u * abs(u)));
+}
+
+vec3 path_densities(vec4 layers_1, float radius_6, float x_4, float b_4, float distance_, uint samples) {
+    vec3 sum_1 = vec3(0.0);
+    float t0_ = 0.0;
+    uint i = 0u;
+    float low_1 = clamp(-(b_4), 0.0, distance_);
+    float u0_ = -(sqrt(low_1));
+    float du = ((sqrt((distance_ - low_1)) - u0_) / float(samples));
+    bool loop_init = true;
+    while(true) {
+        if (!loop_init) {
+            uint _e43 = i;
+            i = (_e43 + 1u);
+        }
+        loop_init = false;
+        uint _e23 = i;
+        if ((_e23 < samples)) {
+        } else {
+            break;
+        }
+        {
+            uint _e25 = i;
+            float u_1 = (u0_ + (du * float(_e25)));
+            float _e32 = warp(low_1, (u_1 + (0.5 * du)));
+            float _e34 = warp(low_1, (u_1 + du));
+            float _e35 = altitude_after(x_4, b_4, _e32, radius_6);
+            vec3 _e36 = sum_1;
+            vec3 _e37 = densities(layers_1, _e35);
+            float _e38 = t0_;
+            sum_1 = (_e36 + (_e37 * (_e34 - _e38)));
+            t0_ = _e34;
+        }
+    }
+    vec3 _e45 = sum_1;
+    return _e45;
+}
+
+void main() {
+    vec4 position = gl_FragCoord;
+    bool local = false;
+    vec3 light = vec3(0.0);
+    Frame f = _group_0_binding_0_fs.frame;
+    Medium m_2 = f.medium;
+    vec3 _e10 = pixel_ray(position.xy, f.size, f.ray_forward, f.ray_right, f.ray_up);
+    vec3 dir_1 = normalize(_e10);
+    Line _e14 = line_past(dir_1, f.altitude, m_2.radius);
+    float _e19 = disk_coverage((dir_1 - f.sun), f.sun_chord, f.pixel_angle);
+    if (!(_e14.ground)) {
+        local = (_e19 <= 0.0);
+    } else {
+        local = true;
+    }
+    bool _e27 = local;
+    if (_e27) {
+        discard;
+    }
+    light = (m_2.irradiance * (f.sun_disk * _e19));
+    vec4 _e35 = _group_0_binding_0_fs.moon;
+    float _e41 = _group_0_binding_0_fs.shine.x;
+    float _e43 = disk_coverage((dir_1 - _e35.xyz), _e41, f.pixel_angle);
+    float left = (1.0 - _e43);
+    vec3 _e46 = light;
+    float _e50 = _group_0_binding_0_fs.shine.w;
+    float _e53 = resolved(f.sun_chord, f.pixel_angle);
+    light = (_e46 * mix(_e50, left, _e53));
+    AirPath _e59 = air_path(_e14, f.altitude, m_2.radius, m_2.thickness);
+    if ((_e59.length_ > 0.0)) {
+        vec3 _e63 = light;
+        mat3x3 _e64 = coefficients_of(m_2);
+        vec4 _e65 = layers_of(m_2);
+        vec3 _e71 = path_densities(_e65, m_2.radius, _e59.x, _e59.b, _e59.length_, STEPS);
+        vec3 _e72 = extinction(_e64, _e71);
+        light = (_e63 * exp(-(_e72)));
+    }
+    vec3 _e76 = light;
+    light = min(_e76, vec3(32000.0));
+    vec3 _e80 = light;
+    float _e82 = light.x;
+    float _e84 = light.y;
+    float _e86 = light.z;
+    _fs2p_location0 = vec4(_e80, (max(_e82, max(_e84, _e86)) * 3.125e-5));
+    return;
+}
+
