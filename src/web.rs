@@ -1,5 +1,8 @@
 //! The wasm module of the planet viewer in `web/`: one class, `Viewer`, over either backend.
 
+#[cfg(feature = "probe")]
+mod probe;
+
 use std::cell::RefCell;
 use std::rc::Rc;
 

@@ -298,6 +298,27 @@ fn a_lost_device_is_an_error_and_a_new_one_works() {
 }
 
 #[test]
+fn a_window_less_context_outlives_those_that_come_and_go() {
+    let mut first = Headless::new().unwrap();
+    let want = own(&mut first.backend);
+    for _ in 0..3 {
+        assert_eq!(own(&mut Headless::new().unwrap().backend), want);
+        let mut second = Headless::new().unwrap();
+        first.make_current().unwrap();
+        assert_eq!(own(&mut first.backend), want);
+        second.make_current().unwrap();
+        assert_eq!(own(&mut second.backend), want);
+        drop(second);
+        first.make_current().unwrap();
+        assert_eq!(own(&mut first.backend), want);
+    }
+    // One that is dropped while another is current leaves that one what it draws with, once it is asked for.
+    let second = Headless::new().unwrap();
+    drop(first);
+    second.make_current().unwrap();
+}
+
+#[test]
 fn nothing_leaks_over_many_sizes_and_settings() {
     on_both(|backend| {
         let mut renderer = PictureRenderer::default();

@@ -6,9 +6,9 @@ mod common;
 use common::on_both;
 use welkin::backend::Backend;
 use welkin::passes::frame::MediumUniform;
-use welkin::probe::{self, BATCH, Case, Cases, Probe, Tally};
+use welkin::probe::{self, BATCH, Case, Cases, Probe, Quantity, Record, Row, Tally};
 use welkin::reference::single::{RayQuery, Tolerance, transmittance};
-use welkin::{AtmosphereParams, MiePhase, phase};
+use welkin::{AtmosphereParams, phase};
 
 /// The grid of hard cases, then random ones.
 const CASES: usize = 1_000_000;
@@ -18,8 +18,7 @@ fn judged(backend: &mut dyn Backend, count: usize) -> Tally {
     let mut cases = Cases::new(1);
     for batch in 0..count.div_ceil(BATCH) {
         let list: Vec<Case> = cases.by_ref().take(BATCH.min(count - batch * BATCH)).collect();
-        let phase = [MiePhase::HenyeyGreenstein, MiePhase::CornetteShanks][batch % 2];
-        for which in [Probe::Geometry, Probe::Medium, Probe::Path, Probe::Tables, Probe::Scatter(phase)] {
+        for which in Probe::of_batch(batch as u64) {
             let answers = probe::run(backend, which, &list).unwrap();
             tally.add(probe::judge(which, batch * BATCH, &list, &answers));
         }
@@ -80,6 +79,35 @@ fn rays_that_once_lost_the_shadow_keep_it() {
         // Along the sun's own line its height is the ray's.
         assert_eq!(answers[9][0], answers[8][3], "r cos(sun) and r cos(zenith)");
     });
+}
+
+#[test]
+fn a_record_is_kept_to_the_last_digit() {
+    let row = Row {
+        tried: 7,
+        not_finite: 1,
+        steep: 2,
+        worst: 1.0 / 3.0,
+        promise: 1e-3,
+        used: (f64::INFINITY, 123_456),
+        broken: 3,
+    };
+    let rows = [(Quantity::Length, row), (Quantity::Radiance, Row::default())].into();
+    let tally = Tally { rows, findings: Vec::new() };
+    let record = Record { about: "webgpu: a (b, c), d".into(), seed: u64::MAX, cases: 9, tally };
+    let back = Record::load(&record.save()).unwrap();
+    assert_eq!((&back.about, back.seed, back.cases), (&record.about, record.seed, record.cases));
+    assert_eq!(back.tally.rows, record.tally.rows);
+    let table = probe::side_by_side(&[back]);
+    assert!(table.contains("| A | webgpu: a (b, c), d | 18446744073709551615 | 9 | 7 | 1 | 2 | 3 |"), "{table}");
+    let lines = record.save();
+    let first = lines.lines().next().unwrap().len();
+    for wrong in
+        ["", &lines[..first], &lines.replace("seed", "weed"), &lines.replace('7', "seven"), &format!("{lines}\t1")]
+    {
+        let error = Record::load(wrong).unwrap_err();
+        assert!(matches!(error, welkin::Error::Invalid { .. }), "{error}");
+    }
 }
 
 /// Within 0.1 %, or 1e-6 of the brightest value, or less than f32 holds.

@@ -142,11 +142,11 @@ float altitude_after(float x_1, float b_1, float t, float radius_3) {
 
 float distance_to_top(float x_2, float b_2, float x_top) {
     float c_1 = max((x_top - x_2), 0.0);
-    float root = sqrt(((b_2 * b_2) + c_1));
+    float root_1 = sqrt(((b_2 * b_2) + c_1));
     if ((b_2 > 0.0)) {
-        return (c_1 / (b_2 + root));
+        return (c_1 / (b_2 + root_1));
     }
-    return (root - b_2);
+    return (root_1 - b_2);
 }
 
 float half_chord2_(float b_3, float above, float depth_1, float p) {
@@ -217,17 +217,17 @@ SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start_1, float
 Line line_past(vec3 dir_2, float h_1, float radius_7) {
     bool local_1 = false;
     float r_3 = (radius_7 + h_1);
-    float b_5 = (r_3 * dir_2.z);
+    float b_6 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
     float _e11 = excess_of(h_1, radius_7);
-    float _e13 = half_chord2_(b_5, _e11, (radius_7 - p_2), p_2);
-    if ((b_5 < 0.0)) {
+    float _e13 = half_chord2_(b_6, _e11, (radius_7 - p_2), p_2);
+    if ((b_6 < 0.0)) {
         local_1 = (_e13 >= 0.0);
     } else {
         local_1 = false;
     }
     bool _e22 = local_1;
-    return Line(b_5, p_2, -(_e13), _e22);
+    return Line(b_6, p_2, -(_e13), _e22);
 }
 
 float top_half_chord2_(Line line, float h_2, float radius_8, float thickness) {
@@ -237,6 +237,10 @@ float top_half_chord2_(Line line, float h_2, float radius_8, float thickness) {
     return ((b2_ < _e7) ? (b2_ - above_1) : (_e7 - line.x_closest));
 }
 
+float to_ground(float x_4, float b_4, float root) {
+    return min((x_4 / (root - b_4)), -(b_4));
+}
+
 AirPath air_path(Line line_1, float h_3, float radius_9, float thickness_1) {
     bool local_2 = false;
     float _e4 = excess_of(thickness_1, radius_9);
@@ -244,22 +248,24 @@ AirPath air_path(Line line_1, float h_3, float radius_9, float thickness_1) {
     if ((h_3 <= thickness_1)) {
         float _e11 = excess_of(h_3, radius_9);
         float _e13 = distance_to_top(_e11, line_1.b, _e4);
-        float reach_1 = (line_1.ground ? (_e11 / (ground_root - line_1.b)) : _e13);
+        float _e15 = to_ground(_e11, line_1.b, ground_root);
+        float reach_1 = (line_1.ground ? _e15 : _e13);
         return AirPath(0.0, reach_1, _e11, line_1.b);
     }
     float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_9) + thickness_1) + h_3));
-    float _e28 = top_half_chord2_(line_1, h_3, radius_9, thickness_1);
+    float _e27 = top_half_chord2_(line_1, h_3, radius_9, thickness_1);
     if (!((line_1.b >= 0.0))) {
-        local_2 = (_e28 <= 0.0);
+        local_2 = (_e27 <= 0.0);
     } else {
         local_2 = true;
     }
-    bool _e38 = local_2;
-    if (_e38) {
+    bool _e37 = local_2;
+    if (_e37) {
         return AirPath(0.0, -1.0, 0.0, 0.0);
     }
-    float half_1 = sqrt(_e28);
-    return AirPath((above_2 / (half_1 - line_1.b)), (line_1.ground ? (_e4 / (half_1 + ground_root)) : (2.0 * half_1)), _e4, -(half_1));
+    float half_1 = sqrt(_e27);
+    float _e50 = to_ground(_e4, -(half_1), ground_root);
+    return AirPath((above_2 / (half_1 - line_1.b)), (line_1.ground ? _e50 : (2.0 * half_1)), _e4, -(half_1));
 }
 
 AirRay air_ray(vec3 dir_3, float h_4, float radius_10, float thickness_2, vec3 sun_2) {
@@ -301,7 +307,7 @@ Low lowest(AirRay ray, float length_1, float radius_11) {
     if ((-(ray.b) <= length_1)) {
         return Low(-(ray.b), ray.x_closest, 0.0);
     }
-    float b_6 = (ray.b + length_1);
+    float b_7 = (ray.b + length_1);
     if (ray.ground) {
         local_4 = (length_1 >= ray.length_);
     } else {
@@ -309,24 +315,24 @@ Low lowest(AirRay ray, float length_1, float radius_11) {
     }
     bool _e26 = local_4;
     if (_e26) {
-        return Low(length_1, 0.0, b_6);
+        return Low(length_1, 0.0, b_7);
     }
     bool far = ((-(ray.b) * length_1) > (radius_11 * radius_11));
-    return Low(length_1, (far ? (ray.x_closest + (b_6 * b_6)) : (ray.x + (length_1 * ((2.0 * ray.b) + length_1)))), b_6);
+    return Low(length_1, (far ? (ray.x_closest + (b_7 * b_7)) : (ray.x + (length_1 * ((2.0 * ray.b) + length_1)))), b_7);
 }
 
 vec2 shadow_stretch(AirRay ray_1) {
     vec2 stretch = vec2(0.0);
     vec2 none = vec2(1.0, 0.0);
     float a = ray_1.cross2_;
-    float b_7 = ray_1.shadow_b;
+    float b_8 = ray_1.shadow_b;
     float c_2 = ray_1.shadow_c;
     stretch = vec2(-(1e30), 1e30);
     if ((a > 1e-30)) {
         if ((ray_1.shadow_half2_ <= 0.0)) {
             return none;
         }
-        float q_2 = -((b_7 + (((b_7 >= 0.0) ? 1.0 : -1.0) * sqrt((a * ray_1.shadow_half2_)))));
+        float q_2 = -((b_8 + (((b_8 >= 0.0) ? 1.0 : -1.0) * sqrt((a * ray_1.shadow_half2_)))));
         float t0_2 = (q_2 / a);
         float t1_ = ((q_2 != 0.0) ? (c_2 / q_2) : t0_2);
         stretch = vec2(min(t0_2, t1_), max(t0_2, t1_));
@@ -384,11 +390,11 @@ float unwarp(float low_1, float t_1) {
     return (sign((t_1 - low_1)) * sqrt(abs((t_1 - low_1))));
 }
 
-vec3 path_densities(vec4 layers_1, float radius_12, float x_4, float b_4, float distance_1, uint samples) {
+vec3 path_densities(vec4 layers_1, float radius_12, float x_5, float b_5, float distance_1, uint samples) {
     vec3 sum_1 = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
-    float low_2 = clamp(-(b_4), 0.0, distance_1);
+    float low_2 = clamp(-(b_5), 0.0, distance_1);
     float u0_ = -(sqrt(low_2));
     float du = ((sqrt((distance_1 - low_2)) - u0_) / float(samples));
     bool loop_init = true;
@@ -408,7 +414,7 @@ vec3 path_densities(vec4 layers_1, float radius_12, float x_4, float b_4, float 
             float u_1 = (u0_ + (du * float(_e25)));
             float _e32 = warp(low_2, (u_1 + (0.5 * du)));
             float _e34 = warp(low_2, (u_1 + du));
-            float _e35 = altitude_after(x_4, b_4, _e32, radius_12);
+            float _e35 = altitude_after(x_5, b_5, _e32, radius_12);
             vec3 _e36 = sum_1;
             vec3 _e37 = densities(layers_1, _e35);
             float _e38 = t0_;
@@ -429,10 +435,10 @@ float rayleigh_phase(float mu) {
     return (0.0596831 * (1.0 + (mu * mu)));
 }
 
-vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_13, float thickness_3, float x_5, float sun_b, uint samples_1) {
+vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_13, float thickness_3, float x_6, float sun_b, uint samples_1) {
     float _e7 = excess_of(thickness_3, radius_13);
-    float _e8 = distance_to_top(x_5, sun_b, _e7);
-    vec3 _e9 = path_densities(layers_2, radius_13, x_5, sun_b, _e8, samples_1);
+    float _e8 = distance_to_top(x_6, sun_b, _e7);
+    vec3 _e9 = path_densities(layers_2, radius_13, x_6, sun_b, _e8, samples_1);
     vec3 _e10 = extinction(coefficients_1, _e9);
     return exp(-(_e10));
 }
@@ -497,15 +503,15 @@ Scattered single_scattering(Medium m_2, AirRay ray_2, float length_2, float away
                 }
                 float _e89 = lit_t;
                 float _e94 = lit_t;
-                float x_6 = (_e21.x + ((_e89 - low_3) * ((2.0 * _e21.b) + (_e94 - low_3))));
-                float _e100 = altitude_of(x_6, m_2.radius);
+                float x_7 = (_e21.x + ((_e89 - low_3) * ((2.0 * _e21.b) + (_e94 - low_3))));
+                float _e100 = altitude_of(x_7, m_2.radius);
                 vec3 _e103 = densities(_e18, max(_e100, 0.0));
                 source = vec3(0.0);
                 vec3 _e107 = source;
                 source = (_e107 + (rayleigh * _e103.x));
                 vec3 _e111 = source;
                 float _e116 = lit_t;
-                vec3 _e119 = sun_transmittance(_e19, _e18, m_2.radius, m_2.thickness, x_6, (ray_2.sun_b + (ray_2.nu * _e116)), light_samples);
+                vec3 _e119 = sun_transmittance(_e19, _e18, m_2.radius, m_2.thickness, x_7, (ray_2.sun_b + (ray_2.nu * _e116)), light_samples);
                 source = (_e111 * _e119);
                 vec3 _e122 = out_.radiance;
                 vec3 _e124 = out_.transmittance;

@@ -153,11 +153,11 @@ float excess_of(float h, float radius_2) {
 
 float distance_to_top(float x_1, float b_1, float x_top) {
     float c_2 = max((x_top - x_1), 0.0);
-    float root = sqrt(((b_1 * b_1) + c_2));
+    float root_1 = sqrt(((b_1 * b_1) + c_2));
     if ((b_1 > 0.0)) {
-        return (c_2 / (b_1 + root));
+        return (c_2 / (b_1 + root_1));
     }
-    return (root - b_1);
+    return (root_1 - b_1);
 }
 
 float half_chord2_(float b_2, float above, float depth_1, float p) {
@@ -171,17 +171,17 @@ float half_chord2_(float b_2, float above, float depth_1, float p) {
 Line line_past(vec3 dir, float h_1, float radius_3) {
     bool local_3 = false;
     float r = (radius_3 + h_1);
-    float b_5 = (r * dir.z);
+    float b_6 = (r * dir.z);
     float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
     float _e11 = excess_of(h_1, radius_3);
-    float _e13 = half_chord2_(b_5, _e11, (radius_3 - p_1), p_1);
-    if ((b_5 < 0.0)) {
+    float _e13 = half_chord2_(b_6, _e11, (radius_3 - p_1), p_1);
+    if ((b_6 < 0.0)) {
         local_3 = (_e13 >= 0.0);
     } else {
         local_3 = false;
     }
     bool _e22 = local_3;
-    return Line(b_5, p_1, -(_e13), _e22);
+    return Line(b_6, p_1, -(_e13), _e22);
 }
 
 float top_half_chord2_(Line line, float h_2, float radius_4, float thickness) {
@@ -191,6 +191,10 @@ float top_half_chord2_(Line line, float h_2, float radius_4, float thickness) {
     return ((b2_ < _e7) ? (b2_ - above_1) : (_e7 - line.x_closest));
 }
 
+float to_ground(float x_2, float b_3, float root) {
+    return min((x_2 / (root - b_3)), -(b_3));
+}
+
 AirPath air_path(Line line_1, float h_3, float radius_5, float thickness_1) {
     bool local_4 = false;
     float _e4 = excess_of(thickness_1, radius_5);
@@ -198,22 +202,24 @@ AirPath air_path(Line line_1, float h_3, float radius_5, float thickness_1) {
     if ((h_3 <= thickness_1)) {
         float _e11 = excess_of(h_3, radius_5);
         float _e13 = distance_to_top(_e11, line_1.b, _e4);
-        float reach_1 = (line_1.ground ? (_e11 / (ground_root - line_1.b)) : _e13);
+        float _e15 = to_ground(_e11, line_1.b, ground_root);
+        float reach_1 = (line_1.ground ? _e15 : _e13);
         return AirPath(0.0, reach_1, _e11, line_1.b);
     }
     float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_5) + thickness_1) + h_3));
-    float _e28 = top_half_chord2_(line_1, h_3, radius_5, thickness_1);
+    float _e27 = top_half_chord2_(line_1, h_3, radius_5, thickness_1);
     if (!((line_1.b >= 0.0))) {
-        local_4 = (_e28 <= 0.0);
+        local_4 = (_e27 <= 0.0);
     } else {
         local_4 = true;
     }
-    bool _e38 = local_4;
-    if (_e38) {
+    bool _e37 = local_4;
+    if (_e37) {
         return AirPath(0.0, -1.0, 0.0, 0.0);
     }
-    float half_ = sqrt(_e28);
-    return AirPath((above_2 / (half_ - line_1.b)), (line_1.ground ? (_e4 / (half_ + ground_root)) : (2.0 * half_)), _e4, -(half_));
+    float half_ = sqrt(_e27);
+    float _e50 = to_ground(_e4, -(half_), ground_root);
+    return AirPath((above_2 / (half_ - line_1.b)), (line_1.ground ? _e50 : (2.0 * half_)), _e4, -(half_));
 }
 
 vec3 extinction(mat3x3 coefficients, vec3 d) {
@@ -250,18 +256,18 @@ vec2 table_uv(float x_share, float row, vec2 size_2) {
     return ((vec2((x_share * (size_2.x - 1.0)), row) + vec2(0.5)) / size_2);
 }
 
-vec2 columns_share(float x_2, float h_4, float b_3, float radius_6, float thickness_2) {
+vec2 columns_share(float x_3, float h_4, float b_4, float radius_6, float thickness_2) {
     float _e5 = excess_of(thickness_2, radius_6);
-    float rho = sqrt(max(x_2, 0.0));
+    float rho = sqrt(max(x_3, 0.0));
     float rho_top = sqrt(_e5);
-    float _e10 = distance_to_top(x_2, b_3, _e5);
+    float _e10 = distance_to_top(x_3, b_4, _e5);
     float shortest = max((thickness_2 - h_4), 0.0);
     return vec2(((_e10 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
 }
 
-vec3 columns_to_top(highp sampler2D table_1, float radius_7, float thickness_3, float x_3, float h_5, float b_4) {
+vec3 columns_to_top(highp sampler2D table_1, float radius_7, float thickness_3, float x_4, float h_5, float b_5) {
     ivec2 size_3 = ivec2(uvec2(textureSize(table_1, 0).xy));
-    vec2 _e8 = columns_share(x_3, h_5, b_4, radius_7, thickness_3);
+    vec2 _e8 = columns_share(x_4, h_5, b_5, radius_7, thickness_3);
     vec2 at_2 = (_e8 * vec2((size_3 - ivec2(1))));
     Corner _e14 = corner(at_2, size_3);
     vec4 _e17 = bilinear(table_1, _e14, ivec2(0));

@@ -140,11 +140,11 @@ float altitude_after(float x_1, float b, float t, float radius_2) {
 
 float distance_to_top(float x_2, float b_1, float x_top) {
     float c_1 = max((x_top - x_2), 0.0);
-    float root = sqrt(((b_1 * b_1) + c_1));
+    float root_1 = sqrt(((b_1 * b_1) + c_1));
     if ((b_1 > 0.0)) {
-        return (c_1 / (b_1 + root));
+        return (c_1 / (b_1 + root_1));
     }
-    return (root - b_1);
+    return (root_1 - b_1);
 }
 
 float half_chord2_(float b_2, float above, float depth, float p) {
@@ -212,6 +212,10 @@ SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float h
     return _e79;
 }
 
+float to_ground(float x_4, float b_3, float root) {
+    return min((x_4 / (root - b_3)), -(b_3));
+}
+
 Low lowest(AirRay ray, float length_, float radius_6) {
     bool local = false;
     if ((ray.b >= 0.0)) {
@@ -220,7 +224,7 @@ Low lowest(AirRay ray, float length_, float radius_6) {
     if ((-(ray.b) <= length_)) {
         return Low(-(ray.b), ray.x_closest, 0.0);
     }
-    float b_5 = (ray.b + length_);
+    float b_6 = (ray.b + length_);
     if (ray.ground) {
         local = (length_ >= ray.length_);
     } else {
@@ -228,24 +232,24 @@ Low lowest(AirRay ray, float length_, float radius_6) {
     }
     bool _e26 = local;
     if (_e26) {
-        return Low(length_, 0.0, b_5);
+        return Low(length_, 0.0, b_6);
     }
     bool far = ((-(ray.b) * length_) > (radius_6 * radius_6));
-    return Low(length_, (far ? (ray.x_closest + (b_5 * b_5)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_5);
+    return Low(length_, (far ? (ray.x_closest + (b_6 * b_6)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_6);
 }
 
 vec2 shadow_stretch(AirRay ray_1) {
     vec2 stretch = vec2(0.0);
     vec2 none = vec2(1.0, 0.0);
     float a = ray_1.cross2_;
-    float b_6 = ray_1.shadow_b;
+    float b_7 = ray_1.shadow_b;
     float c_2 = ray_1.shadow_c;
     stretch = vec2(-(1e30), 1e30);
     if ((a > 1e-30)) {
         if ((ray_1.shadow_half2_ <= 0.0)) {
             return none;
         }
-        float q_2 = -((b_6 + (((b_6 >= 0.0) ? 1.0 : -1.0) * sqrt((a * ray_1.shadow_half2_)))));
+        float q_2 = -((b_7 + (((b_7 >= 0.0) ? 1.0 : -1.0) * sqrt((a * ray_1.shadow_half2_)))));
         float t0_2 = (q_2 / a);
         float t1_1 = ((q_2 != 0.0) ? (c_2 / q_2) : t0_2);
         stretch = vec2(min(t0_2, t1_1), max(t0_2, t1_1));
@@ -276,21 +280,22 @@ AirRay inner_ray(vec3 dir_2, float h_1, float radius_7, float thickness, vec3 su
     bool local_1 = false;
     float r_3 = (radius_7 + h_1);
     float _e7 = excess_of(h_1, radius_7);
-    float b_7 = (r_3 * dir_2.z);
+    float b_8 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
-    float _e16 = half_chord2_(b_7, _e7, (radius_7 - p_2), p_2);
+    float _e16 = half_chord2_(b_8, _e7, (radius_7 - p_2), p_2);
     SunSide _e17 = sun_side_inside(dir_2, sun_2, r_3, _e7, radius_7);
-    float to_ground = (_e7 / (sqrt(max(_e16, 0.0)) - b_7));
-    float _e23 = excess_of(thickness, radius_7);
-    float _e24 = distance_to_top(_e7, b_7, _e23);
+    float ground_root = sqrt(max(_e16, 0.0));
+    float _e21 = excess_of(thickness, radius_7);
+    float _e22 = distance_to_top(_e7, b_8, _e21);
+    float _e23 = to_ground(_e7, b_8, ground_root);
     if (ground) {
-        local_1 = (b_7 < 0.0);
+        local_1 = (b_8 < 0.0);
     } else {
         local_1 = false;
     }
-    bool _e30 = local_1;
-    float reach = (_e30 ? to_ground : _e24);
-    return AirRay(0.0, reach, _e7, b_7, -(_e16), _e17.sun_b, _e17.nu, _e17.cross2_, _e17.shadow_b, _e17.shadow_c, _e17.shadow_half2_, ground);
+    bool _e29 = local_1;
+    float reach = (_e29 ? _e23 : _e22);
+    return AirRay(0.0, reach, _e7, b_8, -(_e16), _e17.sun_b, _e17.nu, _e17.cross2_, _e17.shadow_b, _e17.shadow_c, _e17.shadow_half2_, ground);
 }
 
 vec4 layers_of(Medium m) {
@@ -337,18 +342,18 @@ vec4 bilinear(highp sampler2D table, Corner c, ivec2 origin) {
     return mix(bottom, top, c.part.y);
 }
 
-vec2 columns_share(float x_4, float h_3, float b_3, float radius_8, float thickness_1) {
+vec2 columns_share(float x_5, float h_3, float b_4, float radius_8, float thickness_1) {
     float _e5 = excess_of(thickness_1, radius_8);
-    float rho = sqrt(max(x_4, 0.0));
+    float rho = sqrt(max(x_5, 0.0));
     float rho_top = sqrt(_e5);
-    float _e10 = distance_to_top(x_4, b_3, _e5);
+    float _e10 = distance_to_top(x_5, b_4, _e5);
     float shortest = max((thickness_1 - h_3), 0.0);
     return vec2(((_e10 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
 }
 
-vec3 columns_to_top(highp sampler2D table_1, float radius_9, float thickness_2, float x_5, float h_4, float b_4) {
+vec3 columns_to_top(highp sampler2D table_1, float radius_9, float thickness_2, float x_6, float h_4, float b_5) {
     ivec2 size_1 = ivec2(uvec2(textureSize(table_1, 0).xy));
-    vec2 _e8 = columns_share(x_5, h_4, b_4, radius_9, thickness_2);
+    vec2 _e8 = columns_share(x_6, h_4, b_5, radius_9, thickness_2);
     vec2 at_1 = (_e8 * vec2((size_1 - ivec2(1))));
     Corner _e14 = corner(at_1, size_1);
     vec4 _e17 = bilinear(table_1, _e14, ivec2(0));
@@ -509,23 +514,23 @@ TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_5, float
     }
     float above_1 = ((h_5 - thickness_3) * (((2.0 * radius_10) + thickness_3) + h_5));
     float _e160 = from_start;
-    float b_8 = -(sqrt(max(_e160, 0.0)));
+    float b_9 = -(sqrt(max(_e160, 0.0)));
     float _e165 = from_start;
-    float down = ((outside ? -(sqrt(max((above_1 + _e165), 0.0))) : b_8) / r_4);
+    float down = ((outside ? -(sqrt(max((above_1 + _e165), 0.0))) : b_9) / r_4);
     float _e173 = approach;
     vec3 dir_4 = vec3((_e11 * min((_e173 / r_4), 1.0)), down);
     if (outside) {
-        start_1 = (above_1 / (-(b_8) - (r_4 * down)));
+        start_1 = (above_1 / (-(b_9) - (r_4 * down)));
         float _e186 = start_1;
-        SunSide _e188 = sun_side_outside(dir_4, sun_3, r_4, _e186, -(b_8), _e10, radius_10);
+        SunSide _e188 = sun_side_outside(dir_4, sun_3, r_4, _e186, -(b_9), _e10, radius_10);
         s_3 = _e188;
     } else {
         SunSide _e189 = sun_side_inside(dir_4, sun_3, r_4, _e9, radius_10);
         s_3 = _e189;
     }
-    float _e190 = distance_to_top(start_x, b_8, _e10);
+    float _e190 = distance_to_top(start_x, b_9, _e10);
     float _e191 = mu;
-    float reach_1 = (ground_1 ? (start_x / max(((radius_10 * _e191) - b_8), 1e-20)) : _e190);
+    float reach_1 = (ground_1 ? (start_x / max(((radius_10 * _e191) - b_9), 1e-20)) : _e190);
     float _e198 = start_1;
     float _e199 = c2_;
     float _e201 = s_3.sun_b;
@@ -534,7 +539,7 @@ TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_5, float
     float _e207 = s_3.shadow_b;
     float _e209 = s_3.shadow_c;
     float _e211 = s_3.shadow_half2_;
-    AirRay ray_3 = AirRay(_e198, reach_1, start_x, b_8, _e199, _e201, _e203, _e205, _e207, _e209, _e211, ground_1);
+    AirRay ray_3 = AirRay(_e198, reach_1, start_x, b_9, _e199, _e201, _e203, _e205, _e207, _e209, _e211, ground_1);
     return TableRay(dir_4, ray_3);
 }
 

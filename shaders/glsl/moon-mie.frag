@@ -92,11 +92,11 @@ float altitude_after(float x_1, float b, float t, float radius_2) {
 
 float distance_to_top(float x_2, float b_1, float x_top) {
     float c = max((x_top - x_2), 0.0);
-    float root = sqrt(((b_1 * b_1) + c));
+    float root_1 = sqrt(((b_1 * b_1) + c));
     if ((b_1 > 0.0)) {
-        return (c / (b_1 + root));
+        return (c / (b_1 + root_1));
     }
-    return (root - b_1);
+    return (root_1 - b_1);
 }
 
 float half_chord2_(float b_2, float above, float depth, float p) {
@@ -110,17 +110,17 @@ float half_chord2_(float b_2, float above, float depth, float p) {
 Line line_past(vec3 dir, float h_1, float radius_3) {
     bool local_1 = false;
     float r = (radius_3 + h_1);
-    float b_4 = (r * dir.z);
+    float b_5 = (r * dir.z);
     float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
     float _e11 = excess_of(h_1, radius_3);
-    float _e13 = half_chord2_(b_4, _e11, (radius_3 - p_1), p_1);
-    if ((b_4 < 0.0)) {
+    float _e13 = half_chord2_(b_5, _e11, (radius_3 - p_1), p_1);
+    if ((b_5 < 0.0)) {
         local_1 = (_e13 >= 0.0);
     } else {
         local_1 = false;
     }
     bool _e22 = local_1;
-    return Line(b_4, p_1, -(_e13), _e22);
+    return Line(b_5, p_1, -(_e13), _e22);
 }
 
 float top_half_chord2_(Line line, float h_2, float radius_4, float thickness) {
@@ -130,6 +130,10 @@ float top_half_chord2_(Line line, float h_2, float radius_4, float thickness) {
     return ((b2_ < _e7) ? (b2_ - above_1) : (_e7 - line.x_closest));
 }
 
+float to_ground(float x_3, float b_3, float root) {
+    return min((x_3 / (root - b_3)), -(b_3));
+}
+
 AirPath air_path(Line line_1, float h_3, float radius_5, float thickness_1) {
     bool local_2 = false;
     float _e4 = excess_of(thickness_1, radius_5);
@@ -137,22 +141,24 @@ AirPath air_path(Line line_1, float h_3, float radius_5, float thickness_1) {
     if ((h_3 <= thickness_1)) {
         float _e11 = excess_of(h_3, radius_5);
         float _e13 = distance_to_top(_e11, line_1.b, _e4);
-        float reach = (line_1.ground ? (_e11 / (ground_root - line_1.b)) : _e13);
+        float _e15 = to_ground(_e11, line_1.b, ground_root);
+        float reach = (line_1.ground ? _e15 : _e13);
         return AirPath(0.0, reach, _e11, line_1.b);
     }
     float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_5) + thickness_1) + h_3));
-    float _e28 = top_half_chord2_(line_1, h_3, radius_5, thickness_1);
+    float _e27 = top_half_chord2_(line_1, h_3, radius_5, thickness_1);
     if (!((line_1.b >= 0.0))) {
-        local_2 = (_e28 <= 0.0);
+        local_2 = (_e27 <= 0.0);
     } else {
         local_2 = true;
     }
-    bool _e38 = local_2;
-    if (_e38) {
+    bool _e37 = local_2;
+    if (_e37) {
         return AirPath(0.0, -1.0, 0.0, 0.0);
     }
-    float half_ = sqrt(_e28);
-    return AirPath((above_2 / (half_ - line_1.b)), (line_1.ground ? (_e4 / (half_ + ground_root)) : (2.0 * half_)), _e4, -(half_));
+    float half_ = sqrt(_e27);
+    float _e50 = to_ground(_e4, -(half_), ground_root);
+    return AirPath((above_2 / (half_ - line_1.b)), (line_1.ground ? _e50 : (2.0 * half_)), _e4, -(half_));
 }
 
 vec4 layers_of(Medium m) {
@@ -182,11 +188,11 @@ float warp(float low, float u) {
     return (low + (u * abs(u)));
 }
 
-vec3 path_densities(vec4 layers_1, float radius_6, float x_3, float b_3, float distance_, uint samples) {
+vec3 path_densities(vec4 layers_1, float radius_6, float x_4, float b_4, float distance_, uint samples) {
     vec3 sum_1 = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
-    float low_1 = clamp(-(b_3), 0.0, distance_);
+    float low_1 = clamp(-(b_4), 0.0, distance_);
     float u0_ = -(sqrt(low_1));
     float du = ((sqrt((distance_ - low_1)) - u0_) / float(samples));
     bool loop_init = true;
@@ -206,7 +212,7 @@ vec3 path_densities(vec4 layers_1, float radius_6, float x_3, float b_3, float d
             float u_1 = (u0_ + (du * float(_e25)));
             float _e32 = warp(low_1, (u_1 + (0.5 * du)));
             float _e34 = warp(low_1, (u_1 + du));
-            float _e35 = altitude_after(x_3, b_3, _e32, radius_6);
+            float _e35 = altitude_after(x_4, b_4, _e32, radius_6);
             vec3 _e36 = sum_1;
             vec3 _e37 = densities(layers_1, _e35);
             float _e38 = t0_;

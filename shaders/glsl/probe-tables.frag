@@ -110,11 +110,11 @@ float excess_of(float h, float radius_1) {
 
 float distance_to_top(float x_1, float b, float x_top) {
     float c = max((x_top - x_1), 0.0);
-    float root = sqrt(((b * b) + c));
+    float root_1 = sqrt(((b * b) + c));
     if ((b > 0.0)) {
-        return (c / (b + root));
+        return (c / (b + root_1));
     }
-    return (root - b);
+    return (root_1 - b);
 }
 
 float half_chord2_(float b_1, float above, float depth, float p) {
@@ -185,17 +185,17 @@ SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float h
 Line line_past(vec3 dir_2, float h_1, float radius_5) {
     bool local = false;
     float r_3 = (radius_5 + h_1);
-    float b_3 = (r_3 * dir_2.z);
+    float b_4 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
     float _e11 = excess_of(h_1, radius_5);
-    float _e13 = half_chord2_(b_3, _e11, (radius_5 - p_2), p_2);
-    if ((b_3 < 0.0)) {
+    float _e13 = half_chord2_(b_4, _e11, (radius_5 - p_2), p_2);
+    if ((b_4 < 0.0)) {
         local = (_e13 >= 0.0);
     } else {
         local = false;
     }
     bool _e22 = local;
-    return Line(b_3, p_2, -(_e13), _e22);
+    return Line(b_4, p_2, -(_e13), _e22);
 }
 
 float top_half_chord2_(Line line_1, float h_2, float radius_6, float thickness) {
@@ -205,6 +205,10 @@ float top_half_chord2_(Line line_1, float h_2, float radius_6, float thickness) 
     return ((b2_ < _e7) ? (b2_ - above_1) : (_e7 - line_1.x_closest));
 }
 
+float to_ground(float x_3, float b_2, float root) {
+    return min((x_3 / (root - b_2)), -(b_2));
+}
+
 AirPath air_path(Line line_2, float h_3, float radius_7, float thickness_1) {
     bool local_1 = false;
     float _e4 = excess_of(thickness_1, radius_7);
@@ -212,22 +216,24 @@ AirPath air_path(Line line_2, float h_3, float radius_7, float thickness_1) {
     if ((h_3 <= thickness_1)) {
         float _e11 = excess_of(h_3, radius_7);
         float _e13 = distance_to_top(_e11, line_2.b, _e4);
-        float reach = (line_2.ground ? (_e11 / (ground_root - line_2.b)) : _e13);
+        float _e15 = to_ground(_e11, line_2.b, ground_root);
+        float reach = (line_2.ground ? _e15 : _e13);
         return AirPath(0.0, reach, _e11, line_2.b);
     }
     float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_7) + thickness_1) + h_3));
-    float _e28 = top_half_chord2_(line_2, h_3, radius_7, thickness_1);
+    float _e27 = top_half_chord2_(line_2, h_3, radius_7, thickness_1);
     if (!((line_2.b >= 0.0))) {
-        local_1 = (_e28 <= 0.0);
+        local_1 = (_e27 <= 0.0);
     } else {
         local_1 = true;
     }
-    bool _e38 = local_1;
-    if (_e38) {
+    bool _e37 = local_1;
+    if (_e37) {
         return AirPath(0.0, -1.0, 0.0, 0.0);
     }
-    float half_1 = sqrt(_e28);
-    return AirPath((above_2 / (half_1 - line_2.b)), (line_2.ground ? (_e4 / (half_1 + ground_root)) : (2.0 * half_1)), _e4, -(half_1));
+    float half_1 = sqrt(_e27);
+    float _e50 = to_ground(_e4, -(half_1), ground_root);
+    return AirPath((above_2 / (half_1 - line_2.b)), (line_2.ground ? _e50 : (2.0 * half_1)), _e4, -(half_1));
 }
 
 AirRay air_ray(vec3 dir_3, float h_4, float radius_8, float thickness_2, vec3 sun_2) {
@@ -265,21 +271,22 @@ AirRay inner_ray(vec3 dir_4, float h_5, float radius_9, float thickness_3, vec3 
     bool local_3 = false;
     float r_4 = (radius_9 + h_5);
     float _e7 = excess_of(h_5, radius_9);
-    float b_4 = (r_4 * dir_4.z);
+    float b_5 = (r_4 * dir_4.z);
     float p_3 = (r_4 * sqrt(dot(dir_4.xy, dir_4.xy)));
-    float _e16 = half_chord2_(b_4, _e7, (radius_9 - p_3), p_3);
+    float _e16 = half_chord2_(b_5, _e7, (radius_9 - p_3), p_3);
     SunSide _e17 = sun_side_inside(dir_4, sun_3, r_4, _e7, radius_9);
-    float to_ground = (_e7 / (sqrt(max(_e16, 0.0)) - b_4));
-    float _e23 = excess_of(thickness_3, radius_9);
-    float _e24 = distance_to_top(_e7, b_4, _e23);
+    float ground_root_1 = sqrt(max(_e16, 0.0));
+    float _e21 = excess_of(thickness_3, radius_9);
+    float _e22 = distance_to_top(_e7, b_5, _e21);
+    float _e23 = to_ground(_e7, b_5, ground_root_1);
     if (ground) {
-        local_3 = (b_4 < 0.0);
+        local_3 = (b_5 < 0.0);
     } else {
         local_3 = false;
     }
-    bool _e30 = local_3;
-    float reach_1 = (_e30 ? to_ground : _e24);
-    return AirRay(0.0, reach_1, _e7, b_4, -(_e16), _e17.sun_b, _e17.nu, _e17.cross2_, _e17.shadow_b, _e17.shadow_c, _e17.shadow_half2_, ground);
+    bool _e29 = local_3;
+    float reach_1 = (_e29 ? _e23 : _e22);
+    return AirRay(0.0, reach_1, _e7, b_5, -(_e16), _e17.sun_b, _e17.nu, _e17.cross2_, _e17.shadow_b, _e17.shadow_c, _e17.shadow_half2_, ground);
 }
 
 float warp(float low, float u) {
@@ -299,15 +306,15 @@ vec3 columns_ray(vec2 at, vec2 size, Medium m) {
     float h_12 = min(_e15, m.thickness);
     float shortest = (m.thickness - h_12);
     float d = (shortest + (share_4.x * ((rho + rho_top) - shortest)));
-    float b_5 = ((d > 0.0) ? (((((rho_top - rho) * (rho_top + rho)) / d) - d) * 0.5) : (m.radius + h_12));
-    return vec3((rho * rho), max(b_5, -(rho)), d);
+    float b_6 = ((d > 0.0) ? (((((rho_top - rho) * (rho_top + rho)) / d) - d) * 0.5) : (m.radius + h_12));
+    return vec3((rho * rho), max(b_6, -(rho)), d);
 }
 
-vec2 columns_share(float x_3, float h_6, float b_2, float radius_10, float thickness_4) {
+vec2 columns_share(float x_4, float h_6, float b_3, float radius_10, float thickness_4) {
     float _e5 = excess_of(thickness_4, radius_10);
-    float rho_1 = sqrt(max(x_3, 0.0));
+    float rho_1 = sqrt(max(x_4, 0.0));
     float rho_top_1 = sqrt(_e5);
-    float _e10 = distance_to_top(x_3, b_2, _e5);
+    float _e10 = distance_to_top(x_4, b_3, _e5);
     float shortest_1 = max((thickness_4 - h_6), 0.0);
     return vec2(((_e10 - shortest_1) / max(((rho_1 + rho_top_1) - shortest_1), 1e-20)), (rho_1 / rho_top_1));
 }
@@ -430,23 +437,23 @@ TableRay table_ray(float azimuth, float share_3, bool ground_1, float h_9, float
     }
     float above_3 = ((h_9 - thickness_8) * (((2.0 * radius_12) + thickness_8) + h_9));
     float _e160 = from_start;
-    float b_6 = -(sqrt(max(_e160, 0.0)));
+    float b_7 = -(sqrt(max(_e160, 0.0)));
     float _e165 = from_start;
-    float down = ((outside ? -(sqrt(max((above_3 + _e165), 0.0))) : b_6) / r_5);
+    float down = ((outside ? -(sqrt(max((above_3 + _e165), 0.0))) : b_7) / r_5);
     float _e173 = approach;
     vec3 dir_8 = vec3((_e11 * min((_e173 / r_5), 1.0)), down);
     if (outside) {
-        start_1 = (above_3 / (-(b_6) - (r_5 * down)));
+        start_1 = (above_3 / (-(b_7) - (r_5 * down)));
         float _e186 = start_1;
-        SunSide _e188 = sun_side_outside(dir_8, sun_4, r_5, _e186, -(b_6), _e10, radius_12);
+        SunSide _e188 = sun_side_outside(dir_8, sun_4, r_5, _e186, -(b_7), _e10, radius_12);
         s_5 = _e188;
     } else {
         SunSide _e189 = sun_side_inside(dir_8, sun_4, r_5, _e9, radius_12);
         s_5 = _e189;
     }
-    float _e190 = distance_to_top(start_x, b_6, _e10);
+    float _e190 = distance_to_top(start_x, b_7, _e10);
     float _e191 = mu_2;
-    float reach_2 = (ground_1 ? (start_x / max(((radius_12 * _e191) - b_6), 1e-20)) : _e190);
+    float reach_2 = (ground_1 ? (start_x / max(((radius_12 * _e191) - b_7), 1e-20)) : _e190);
     float _e198 = start_1;
     float _e199 = c2_;
     float _e201 = s_5.sun_b;
@@ -455,7 +462,7 @@ TableRay table_ray(float azimuth, float share_3, bool ground_1, float h_9, float
     float _e207 = s_5.shadow_b;
     float _e209 = s_5.shadow_c;
     float _e211 = s_5.shadow_half2_;
-    AirRay ray = AirRay(_e198, reach_2, start_x, b_6, _e199, _e201, _e203, _e205, _e207, _e209, _e211, ground_1);
+    AirRay ray = AirRay(_e198, reach_2, start_x, b_7, _e199, _e201, _e203, _e205, _e207, _e209, _e211, ground_1);
     return TableRay(dir_8, ray);
 }
 
@@ -506,12 +513,12 @@ vec2 sky_share(Line line_4, vec3 dir_6, float h_11, Medium m_1, vec4 limb_2) {
 
 Medium medium_of(ivec2 first) {
     vec4 a = texelFetch(_group_0_binding_1_fs, first, 0);
-    vec4 b_7 = texelFetch(_group_0_binding_1_fs, (first + ivec2(1, 0)), 0);
+    vec4 b_8 = texelFetch(_group_0_binding_1_fs, (first + ivec2(1, 0)), 0);
     vec4 c_2 = texelFetch(_group_0_binding_1_fs, (first + ivec2(2, 0)), 0);
     vec4 d_1 = texelFetch(_group_0_binding_1_fs, (first + ivec2(3, 0)), 0);
     vec4 e = texelFetch(_group_0_binding_1_fs, (first + ivec2(4, 0)), 0);
     vec4 f = texelFetch(_group_0_binding_1_fs, (first + ivec2(5, 0)), 0);
-    return Medium(a.xyz, a.w, b_7.xyz, b_7.w, c_2.xyz, c_2.w, d_1.xyz, d_1.w, e.xyz, e.w, f.xyz, f.w);
+    return Medium(a.xyz, a.w, b_8.xyz, b_8.w, c_2.xyz, c_2.w, d_1.xyz, d_1.w, e.xyz, e.w, f.xyz, f.w);
 }
 
 void main() {

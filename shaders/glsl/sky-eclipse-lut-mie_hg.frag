@@ -181,11 +181,11 @@ float altitude_after(float x_1, float b, float t, float radius_2) {
 
 float distance_to_top(float x_2, float b_1, float x_top) {
     float c_2 = max((x_top - x_2), 0.0);
-    float root = sqrt(((b_1 * b_1) + c_2));
+    float root_1 = sqrt(((b_1 * b_1) + c_2));
     if ((b_1 > 0.0)) {
-        return (c_2 / (b_1 + root));
+        return (c_2 / (b_1 + root_1));
     }
-    return (root - b_1);
+    return (root_1 - b_1);
 }
 
 float half_chord2_(float b_2, float above, float depth, float p) {
@@ -256,17 +256,17 @@ SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float h
 Line line_past(vec3 dir_2, float h_1, float radius_6) {
     bool local = false;
     float r_3 = (radius_6 + h_1);
-    float b_5 = (r_3 * dir_2.z);
+    float b_6 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
     float _e11 = excess_of(h_1, radius_6);
-    float _e13 = half_chord2_(b_5, _e11, (radius_6 - p_2), p_2);
-    if ((b_5 < 0.0)) {
+    float _e13 = half_chord2_(b_6, _e11, (radius_6 - p_2), p_2);
+    if ((b_6 < 0.0)) {
         local = (_e13 >= 0.0);
     } else {
         local = false;
     }
     bool _e22 = local;
-    return Line(b_5, p_2, -(_e13), _e22);
+    return Line(b_6, p_2, -(_e13), _e22);
 }
 
 float top_half_chord2_(Line line, float h_2, float radius_7, float thickness) {
@@ -276,6 +276,10 @@ float top_half_chord2_(Line line, float h_2, float radius_7, float thickness) {
     return ((b2_ < _e7) ? (b2_ - above_1) : (_e7 - line.x_closest));
 }
 
+float to_ground(float x_4, float b_3, float root) {
+    return min((x_4 / (root - b_3)), -(b_3));
+}
+
 AirPath air_path(Line line_1, float h_3, float radius_8, float thickness_1) {
     bool local_1 = false;
     float _e4 = excess_of(thickness_1, radius_8);
@@ -283,22 +287,24 @@ AirPath air_path(Line line_1, float h_3, float radius_8, float thickness_1) {
     if ((h_3 <= thickness_1)) {
         float _e11 = excess_of(h_3, radius_8);
         float _e13 = distance_to_top(_e11, line_1.b, _e4);
-        float reach = (line_1.ground ? (_e11 / (ground_root - line_1.b)) : _e13);
+        float _e15 = to_ground(_e11, line_1.b, ground_root);
+        float reach = (line_1.ground ? _e15 : _e13);
         return AirPath(0.0, reach, _e11, line_1.b);
     }
     float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_8) + thickness_1) + h_3));
-    float _e28 = top_half_chord2_(line_1, h_3, radius_8, thickness_1);
+    float _e27 = top_half_chord2_(line_1, h_3, radius_8, thickness_1);
     if (!((line_1.b >= 0.0))) {
-        local_1 = (_e28 <= 0.0);
+        local_1 = (_e27 <= 0.0);
     } else {
         local_1 = true;
     }
-    bool _e38 = local_1;
-    if (_e38) {
+    bool _e37 = local_1;
+    if (_e37) {
         return AirPath(0.0, -1.0, 0.0, 0.0);
     }
-    float half_2 = sqrt(_e28);
-    return AirPath((above_2 / (half_2 - line_1.b)), (line_1.ground ? (_e4 / (half_2 + ground_root)) : (2.0 * half_2)), _e4, -(half_2));
+    float half_2 = sqrt(_e27);
+    float _e50 = to_ground(_e4, -(half_2), ground_root);
+    return AirPath((above_2 / (half_2 - line_1.b)), (line_1.ground ? _e50 : (2.0 * half_2)), _e4, -(half_2));
 }
 
 AirRay air_ray(vec3 dir_3, float h_4, float radius_9, float thickness_2, vec3 sun_2) {
@@ -340,7 +346,7 @@ Low lowest(AirRay ray, float length_, float radius_10) {
     if ((-(ray.b) <= length_)) {
         return Low(-(ray.b), ray.x_closest, 0.0);
     }
-    float b_6 = (ray.b + length_);
+    float b_7 = (ray.b + length_);
     if (ray.ground) {
         local_3 = (length_ >= ray.length_);
     } else {
@@ -348,10 +354,10 @@ Low lowest(AirRay ray, float length_, float radius_10) {
     }
     bool _e26 = local_3;
     if (_e26) {
-        return Low(length_, 0.0, b_6);
+        return Low(length_, 0.0, b_7);
     }
     bool far = ((-(ray.b) * length_) > (radius_10 * radius_10));
-    return Low(length_, (far ? (ray.x_closest + (b_6 * b_6)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_6);
+    return Low(length_, (far ? (ray.x_closest + (b_7 * b_7)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_7);
 }
 
 bool hits_planet(vec3 dir_4, float h_5, float radius_11) {
@@ -363,14 +369,14 @@ vec2 shadow_stretch(AirRay ray_1) {
     vec2 stretch = vec2(0.0);
     vec2 none = vec2(1.0, 0.0);
     float a = ray_1.cross2_;
-    float b_7 = ray_1.shadow_b;
+    float b_8 = ray_1.shadow_b;
     float c_3 = ray_1.shadow_c;
     stretch = vec2(-(1e30), 1e30);
     if ((a > 1e-30)) {
         if ((ray_1.shadow_half2_ <= 0.0)) {
             return none;
         }
-        float q_2 = -((b_7 + (((b_7 >= 0.0) ? 1.0 : -1.0) * sqrt((a * ray_1.shadow_half2_)))));
+        float q_2 = -((b_8 + (((b_8 >= 0.0) ? 1.0 : -1.0) * sqrt((a * ray_1.shadow_half2_)))));
         float t0_2 = (q_2 / a);
         float t1_1 = ((q_2 != 0.0) ? (c_3 / q_2) : t0_2);
         stretch = vec2(min(t0_2, t1_1), max(t0_2, t1_1));
@@ -444,18 +450,18 @@ vec4 bilinear(highp sampler2D table, Corner c, ivec2 origin) {
     return mix(bottom, top, c.part.y);
 }
 
-vec2 columns_share(float x_4, float h_7, float b_3, float radius_12, float thickness_3) {
+vec2 columns_share(float x_5, float h_7, float b_4, float radius_12, float thickness_3) {
     float _e5 = excess_of(thickness_3, radius_12);
-    float rho = sqrt(max(x_4, 0.0));
+    float rho = sqrt(max(x_5, 0.0));
     float rho_top = sqrt(_e5);
-    float _e10 = distance_to_top(x_4, b_3, _e5);
+    float _e10 = distance_to_top(x_5, b_4, _e5);
     float shortest = max((thickness_3 - h_7), 0.0);
     return vec2(((_e10 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
 }
 
-vec3 columns_to_top(highp sampler2D table_1, float radius_13, float thickness_4, float x_5, float h_8, float b_4) {
+vec3 columns_to_top(highp sampler2D table_1, float radius_13, float thickness_4, float x_6, float h_8, float b_5) {
     ivec2 size_2 = ivec2(uvec2(textureSize(table_1, 0).xy));
-    vec2 _e8 = columns_share(x_5, h_8, b_4, radius_13, thickness_4);
+    vec2 _e8 = columns_share(x_6, h_8, b_5, radius_13, thickness_4);
     vec2 at_2 = (_e8 * vec2((size_2 - ivec2(1))));
     Corner _e14 = corner(at_2, size_2);
     vec4 _e17 = bilinear(table_1, _e14, ivec2(0));
@@ -556,11 +562,11 @@ vec3 limb_exponents() {
     return vec3(0.397, 0.503, 0.652);
 }
 
-float quarter_atan(float y, float x_6) {
-    float q_3 = (min(x_6, y) / max(max(x_6, y), 1e-30));
+float quarter_atan(float y, float x_7) {
+    float q_3 = (min(x_7, y) / max(max(x_7, y), 1e-30));
     float s_7 = (q_3 * q_3);
     float p_3 = (1.0 + (s_7 * (-0.33333147 + (s_7 * (0.19993551 + (s_7 * (-0.142089 + (s_7 * (0.10656264 + (s_7 * (-0.07528964 + (s_7 * (0.042909615 + (s_7 * (-0.016165737 + (s_7 * 0.0028662258))))))))))))))));
-    return ((y > x_6) ? (1.5707964 - (q_3 * p_3)) : (q_3 * p_3));
+    return ((y > x_7) ? (1.5707964 - (q_3 * p_3)) : (q_3 * p_3));
 }
 
 vec2 half_angle(float own, float apart, float other) {

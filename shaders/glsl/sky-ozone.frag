@@ -113,11 +113,11 @@ float altitude_after(float x_1, float b, float t, float radius_2) {
 
 float distance_to_top(float x_2, float b_1, float x_top) {
     float c = max((x_top - x_2), 0.0);
-    float root = sqrt(((b_1 * b_1) + c));
+    float root_1 = sqrt(((b_1 * b_1) + c));
     if ((b_1 > 0.0)) {
-        return (c / (b_1 + root));
+        return (c / (b_1 + root_1));
     }
-    return (root - b_1);
+    return (root_1 - b_1);
 }
 
 float half_chord2_(float b_2, float above, float depth, float p) {
@@ -188,17 +188,17 @@ SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float h
 Line line_past(vec3 dir_2, float h_1, float radius_6) {
     bool local = false;
     float r_3 = (radius_6 + h_1);
-    float b_3 = (r_3 * dir_2.z);
+    float b_4 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
     float _e11 = excess_of(h_1, radius_6);
-    float _e13 = half_chord2_(b_3, _e11, (radius_6 - p_2), p_2);
-    if ((b_3 < 0.0)) {
+    float _e13 = half_chord2_(b_4, _e11, (radius_6 - p_2), p_2);
+    if ((b_4 < 0.0)) {
         local = (_e13 >= 0.0);
     } else {
         local = false;
     }
     bool _e22 = local;
-    return Line(b_3, p_2, -(_e13), _e22);
+    return Line(b_4, p_2, -(_e13), _e22);
 }
 
 float top_half_chord2_(Line line, float h_2, float radius_7, float thickness) {
@@ -208,6 +208,10 @@ float top_half_chord2_(Line line, float h_2, float radius_7, float thickness) {
     return ((b2_ < _e7) ? (b2_ - above_1) : (_e7 - line.x_closest));
 }
 
+float to_ground(float x_4, float b_3, float root) {
+    return min((x_4 / (root - b_3)), -(b_3));
+}
+
 AirPath air_path(Line line_1, float h_3, float radius_8, float thickness_1) {
     bool local_1 = false;
     float _e4 = excess_of(thickness_1, radius_8);
@@ -215,22 +219,24 @@ AirPath air_path(Line line_1, float h_3, float radius_8, float thickness_1) {
     if ((h_3 <= thickness_1)) {
         float _e11 = excess_of(h_3, radius_8);
         float _e13 = distance_to_top(_e11, line_1.b, _e4);
-        float reach = (line_1.ground ? (_e11 / (ground_root - line_1.b)) : _e13);
+        float _e15 = to_ground(_e11, line_1.b, ground_root);
+        float reach = (line_1.ground ? _e15 : _e13);
         return AirPath(0.0, reach, _e11, line_1.b);
     }
     float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_8) + thickness_1) + h_3));
-    float _e28 = top_half_chord2_(line_1, h_3, radius_8, thickness_1);
+    float _e27 = top_half_chord2_(line_1, h_3, radius_8, thickness_1);
     if (!((line_1.b >= 0.0))) {
-        local_1 = (_e28 <= 0.0);
+        local_1 = (_e27 <= 0.0);
     } else {
         local_1 = true;
     }
-    bool _e38 = local_1;
-    if (_e38) {
+    bool _e37 = local_1;
+    if (_e37) {
         return AirPath(0.0, -1.0, 0.0, 0.0);
     }
-    float half_1 = sqrt(_e28);
-    return AirPath((above_2 / (half_1 - line_1.b)), (line_1.ground ? (_e4 / (half_1 + ground_root)) : (2.0 * half_1)), _e4, -(half_1));
+    float half_1 = sqrt(_e27);
+    float _e50 = to_ground(_e4, -(half_1), ground_root);
+    return AirPath((above_2 / (half_1 - line_1.b)), (line_1.ground ? _e50 : (2.0 * half_1)), _e4, -(half_1));
 }
 
 AirRay air_ray(vec3 dir_3, float h_4, float radius_9, float thickness_2, vec3 sun_2) {
@@ -272,7 +278,7 @@ Low lowest(AirRay ray, float length_, float radius_10) {
     if ((-(ray.b) <= length_)) {
         return Low(-(ray.b), ray.x_closest, 0.0);
     }
-    float b_4 = (ray.b + length_);
+    float b_5 = (ray.b + length_);
     if (ray.ground) {
         local_3 = (length_ >= ray.length_);
     } else {
@@ -280,10 +286,10 @@ Low lowest(AirRay ray, float length_, float radius_10) {
     }
     bool _e26 = local_3;
     if (_e26) {
-        return Low(length_, 0.0, b_4);
+        return Low(length_, 0.0, b_5);
     }
     bool far = ((-(ray.b) * length_) > (radius_10 * radius_10));
-    return Low(length_, (far ? (ray.x_closest + (b_4 * b_4)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_4);
+    return Low(length_, (far ? (ray.x_closest + (b_5 * b_5)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_5);
 }
 
 bool hits_planet(vec3 dir_4, float h_5, float radius_11) {

@@ -149,12 +149,19 @@ struct AirPath {
     b: f32,
 }
 
+// Distance to the ground from r^2 - R^2 = x with r mu = b < 0; root: half of the chord that the planet cuts from the line.
+// Never past the closest approach: where a ray along the sun's direction touches the ground, the planet's shadow ends,
+// and a division that rounds up would let light in behind it.
+fn to_ground(x: f32, b: f32, root: f32) -> f32 {
+    return min(x / (root - b), -b);
+}
+
 fn air_path(line: Line, h: f32, radius: f32, thickness: f32) -> AirPath {
     let x_top = excess_of(thickness, radius);
     let ground_root = sqrt(max(-line.x_closest, 0.0));
     if h <= thickness {
         let x = excess_of(h, radius);
-        let reach = select(distance_to_top(x, line.b, x_top), x / (ground_root - line.b), line.ground);
+        let reach = select(distance_to_top(x, line.b, x_top), to_ground(x, line.b, ground_root), line.ground);
         return AirPath(0.0, reach, x, line.b);
     }
     // From outside: the ray is moved to where it enters.
@@ -165,7 +172,7 @@ fn air_path(line: Line, h: f32, radius: f32, thickness: f32) -> AirPath {
     }
     let half = sqrt(top2);
     // Entry distance as c / q: (h - H)(r + T) / (-r mu + half).
-    return AirPath(above / (half - line.b), select(2.0 * half, x_top / (half + ground_root), line.ground), x_top, -half);
+    return AirPath(above / (half - line.b), select(2.0 * half, to_ground(x_top, -half, ground_root), line.ground), x_top, -half);
 }
 
 // The part of a ray inside the air. dir: unit, zenith frame; h: camera's altitude >= 0; sun: unit.
@@ -259,7 +266,7 @@ fn inner_ray(dir: vec3f, h: f32, radius: f32, thickness: f32, sun: vec3f, ground
     let p = r * sqrt(dot(dir.xy, dir.xy));
     let ground2 = half_chord2(b, x, radius - p, p);
     let s = sun_side_inside(dir, sun, r, x, radius);
-    let to_ground = x / (sqrt(max(ground2, 0.0)) - b);
-    let reach = select(distance_to_top(x, b, excess_of(thickness, radius)), to_ground, ground && b < 0.0);
+    let ground_root = sqrt(max(ground2, 0.0));
+    let reach = select(distance_to_top(x, b, excess_of(thickness, radius)), to_ground(x, b, ground_root), ground && b < 0.0);
     return AirRay(0.0, reach, x, b, -ground2, s.sun_b, s.nu, s.cross2, s.shadow_b, s.shadow_c, s.shadow_half2, ground);
 }

@@ -3,7 +3,7 @@
 
 use std::ptr::{null, null_mut};
 use std::rc::Rc;
-use std::sync::OnceLock;
+use std::sync::{Mutex, OnceLock, PoisonError};
 
 use khronos_egl as egl;
 
@@ -79,11 +79,7 @@ impl Headless {
     fn open(platform: egl::Enum) -> Result<Self, String> {
         let text = |what: &str, e: &dyn std::fmt::Display| format!("{what}: {e}");
         let egl = egl()?;
-        let native = if platform == PLATFORM_DEVICE_EXT { first_device(egl)? } else { null_mut() };
-        // SAFETY: `native` is a device that EGL named, or null as the surfaceless platform wants it.
-        let display = unsafe { egl.get_platform_display(platform, native, &[egl::ATTRIB_NONE]) }
-            .map_err(|e| text("display", &e))?;
-        egl.initialize(display).map_err(|e| text("initialise", &e))?;
+        let display = display(egl, platform)?;
         egl.bind_api(egl::OPENGL_ES_API).map_err(|e| text("OpenGL ES", &e))?;
         let wanted = [egl::SURFACE_TYPE, egl::PBUFFER_BIT, egl::RENDERABLE_TYPE, egl::OPENGL_ES3_BIT, egl::NONE];
         let config = egl
@@ -116,6 +112,32 @@ fn egl() -> Result<&'static Egl, String> {
         unsafe { Egl::load_required_from(library) }.map_err(|e| format!("EGL 1.5: {e}"))
     };
     LOADED.get_or_init(load).as_ref().map_err(Clone::clone)
+}
+
+/// A display that was initialised; it stays so until the process ends.
+struct Initialised {
+    platform: egl::Enum,
+    display: egl::Display,
+}
+
+// SAFETY: EGL handles belong to the process, and its functions may be called from any thread (EGL 1.5, 2.2).
+unsafe impl Send for Initialised {}
+
+/// A platform's display. All contexts of a process share one: EGL gives the same handle again, and what one caller
+/// initialises or terminates is so for all (EGL 1.5, 3.2).
+fn display(egl: &Egl, platform: egl::Enum) -> Result<egl::Display, String> {
+    static INITIALISED: Mutex<Vec<Initialised>> = Mutex::new(Vec::new());
+    let mut initialised = INITIALISED.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(found) = initialised.iter().find(|i| i.platform == platform) {
+        return Ok(found.display);
+    }
+    let native = if platform == PLATFORM_DEVICE_EXT { first_device(egl)? } else { null_mut() };
+    // SAFETY: `native` is a device that EGL named, or null as the surfaceless platform wants it.
+    let display = unsafe { egl.get_platform_display(platform, native, &[egl::ATTRIB_NONE]) }
+        .map_err(|e| format!("display: {e}"))?;
+    egl.initialize(display).map_err(|e| format!("initialise: {e}"))?;
+    initialised.push(Initialised { platform, display });
+    Ok(display)
 }
 
 /// The first device of `EGL_EXT_device_enumeration`.

@@ -677,6 +677,9 @@ fn scatter(case: &Case, answers: &[[f32; 4]], cornette_shanks: bool, note: &mut 
     let kept = |values: &[Light]| checks(values).iter().flatten().all(Check::kept);
     if length > 0.0 && !kept(&same) {
         same.extend(own.swept().filter_map(|i| light(&i)));
+        // Which neighbour is the case's own says nothing of whether it is shaded: the shadow of each may be so wrong.
+        let blurred = all.iter().flat_map(|i| [-1.0, 1.0].map(|blur| Input { blur, ..*i }));
+        same.extend(blurred.filter_map(|i| light(&i)));
         if !kept(&same) {
             // All six numbers of one neighbour, which is then an instance of the case as f32 knows it.
             let found = beside_the_shadow(&all, answers[0], &light, &|v: &Light| kept(std::slice::from_ref(v)));

@@ -10,13 +10,15 @@
 mod cases;
 mod frames;
 mod judge;
+mod report;
 mod shrink;
 mod truth;
 
 pub use cases::{Cases, describe, grid, grid_len, random};
 pub use frames::{Fault, Frame, frame, look, shrink_frame};
 pub use judge::{Finding, Quantity, Row, Tally, explain, judge};
-pub use shrink::shrink;
+pub use report::{NUMBERS, Record, side_by_side};
+pub use shrink::{Shrink, shrink};
 pub use truth::{Promise, RESOLUTION};
 
 use crate::atmosphere::{AtmosphereParams, MiePhase};
@@ -53,6 +55,12 @@ impl Probe {
         Self::Scatter(MiePhase::HenyeyGreenstein),
         Self::Scatter(MiePhase::CornetteShanks),
     ];
+
+    /// Those that a batch of cases is tried with, by its number: the two phase functions' scattering in turn.
+    pub fn of_batch(number: u64) -> [Self; 5] {
+        let phase = if number.is_multiple_of(2) { MiePhase::HenyeyGreenstein } else { MiePhase::CornetteShanks };
+        [Self::Geometry, Self::Medium, Self::Path, Self::Tables, Self::Scatter(phase)]
+    }
 
     /// Name in lower case.
     pub fn name(self) -> &'static str {

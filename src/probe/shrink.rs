@@ -6,25 +6,62 @@ use crate::backend::Backend;
 use crate::error::Result;
 use crate::passes::frame::MediumUniform;
 
+/// Most rounds. Each makes at least one input plainer; there are a few dozen steps at most.
+const ROUNDS: u32 = 64;
+
 /// Replaces inputs by plain ones, one after the other, as long as the same promise is broken.
+#[derive(Clone, Debug)]
+pub struct Shrink {
+    best: Finding,
+    tries: Vec<Case>,
+    round: u32,
+}
+
+impl Shrink {
+    /// From a case that breaks a promise.
+    pub fn new(finding: &Finding) -> Self {
+        Self { best: finding.clone(), tries: plainer(&finding.case), round: 0 }
+    }
+
+    /// The plainest case so far.
+    pub fn best(&self) -> &Finding {
+        &self.best
+    }
+
+    /// What is to be tried next, with [`Finding::probe`]; empty at the end.
+    pub fn tries(&self) -> &[Case] {
+        &self.tries
+    }
+
+    /// Takes the answers to [`Self::tries`].
+    pub fn take(&mut self, answers: &[[f32; 4]]) {
+        let Finding { probe, index, quantity, .. } = self.best;
+        let broken = self.tries.iter().zip(answers.chunks_exact(probe.answers())).find_map(|(case, answers)| {
+            let tally = judge(probe, index, std::slice::from_ref(case), answers);
+            tally.findings.into_iter().find(|f| f.quantity == quantity)
+        });
+        self.round += 1;
+        self.tries = match broken {
+            Some(ref broken) if self.round < ROUNDS => plainer(&broken.case),
+            _ => Vec::new(),
+        };
+        if let Some(broken) = broken {
+            self.best = broken;
+        }
+    }
+}
+
+/// The plainest case that breaks a finding's promise, where waiting is possible; otherwise see [`Shrink`].
 ///
 /// # Errors
 /// What the backend reports.
 pub fn shrink(backend: &mut dyn Backend, finding: &Finding) -> Result<Finding> {
-    let mut best = finding.clone();
-    // Each round makes at least one input plainer; there are a few dozen steps at most.
-    for _ in 0..64 {
-        let tries = plainer(&best.case);
-        let answers = run(backend, best.probe, &tries)?;
-        let n = best.probe.answers();
-        let broken = tries.iter().zip(answers.chunks_exact(n)).find_map(|(case, answers)| {
-            let tally = judge(best.probe, best.index, std::slice::from_ref(case), answers);
-            tally.findings.into_iter().find(|f| f.quantity == best.quantity)
-        });
-        let Some(broken) = broken else { break };
-        best = broken;
+    let mut shrink = Shrink::new(finding);
+    while !shrink.tries().is_empty() {
+        let answers = run(backend, finding.probe, shrink.tries())?;
+        shrink.take(&answers);
     }
-    Ok(best)
+    Ok(shrink.best)
 }
 
 /// Cases that differ from this one in one input, which is plainer.

@@ -65,10 +65,10 @@ export async function launch() {
   const base = `http://localhost:${server.address().port}/`;
 
   /**
-   * Open the viewer. `page.lines` holds every console line as {type, text}, `page.problems` what
+   * Open the viewer, or another page by its `path`. `page.lines` holds every console line as {type, text}, `page.problems` what
    * went wrong in it: uncaught errors and console errors.
    */
-  async function open({ backend, hash = '', query = {}, prepare, ready = true, context: settings = {} } = {}) {
+  async function open({ path = '', backend, hash = '', query = {}, prepare, ready = true, context: settings = {} } = {}) {
     const context = await browser.newContext({ viewport: { width: 900, height: 600 }, ...settings });
     const page = await context.newPage();
     page.lines = [];
@@ -81,7 +81,7 @@ export async function launch() {
     if (prepare) await page.addInitScript(prepare);
     const search = new URLSearchParams({ ...SIZE, ...(backend ? { backend } : {}), ...query });
     for (const key of [...search.keys()]) if (search.get(key) === '') search.delete(key);
-    await page.goto(`${base}?${search}${hash ? `#${hash}` : ''}`);
+    await page.goto(`${base}${path}?${search}${hash ? `#${hash}` : ''}`);
     if (ready) await waitForLine(page, 'Sky renderer initialized');
     return page;
   }

@@ -351,6 +351,45 @@ for (const backend of ['webgl2', 'webgpu']) {
       assert.equal(page.lines.filter((l) => l.text === 'Sky renderer initialized').length, 1);
     });
 
+    it('holds no more after a thousand sizes than after a few', async (t) => {
+      // What exists: made less deleted. WebGPU's objects go with JavaScript's garbage instead.
+      const prepare = () => {
+        window.live_ = {};
+        for (const kind of ['Texture', 'Framebuffer', 'Buffer', 'Program', 'Shader', 'Sampler', 'VertexArray', 'Query']) {
+          const gl = WebGL2RenderingContext.prototype;
+          for (const [verb, step] of [['create', 1], ['delete', -1]]) {
+            const plain = gl[verb + kind];
+            gl[verb + kind] = function (...given) {
+              if (verb === 'create' || given[0]) window.live_[kind] = (window.live_[kind] ?? 0) + step;
+              return plain.apply(this, given);
+            };
+          }
+        }
+      };
+      const page = await use(t, { backend, prepare, hash: 'samples=2&lightSamples=1&terrain=off' });
+      const before = await pixels(page);
+      const live = await page.evaluate(async () => {
+        const { viewer } = welkin;
+        const draw = async (count) => {
+          for (let i = 0; i < count; i++) {
+            viewer.resize(1 + i % 13, 1 + i % 7);
+            viewer.set_render_scale(i % 2 ? 1 : 0.5);
+            viewer.render();
+            if (i % 50 === 0) await new Promise(requestAnimationFrame);
+          }
+          return { ...window.live_ };
+        };
+        const seen = [await draw(91 * 2), await draw(91 * 12)];
+        viewer.set_render_scale(1);
+        return seen;
+      });
+      assert.deepEqual(live[1], live[0]);
+      assert.equal((live[0].Texture ?? 0) > 0, backend === 'webgl2', 'counted what there is');
+      t.diagnostic(JSON.stringify(live[1]));
+      await page.evaluate(([w, h]) => welkin.viewer.resize(w, h), [SIZE.width, SIZE.height]);
+      assert.equal(difference(before, await pixels(page)).max, 0, 'the same picture as before');
+    });
+
     it('keeps the view in the address', async (t) => {
       const page = await use(t, { backend });
       await page.evaluate(async () => { Object.assign(welkin.state, { alt: 42000, planet: 'mars' }); await welkin.redraw(); });

@@ -243,6 +243,8 @@ Examples:
       That case alone: its inputs, and every number that comes back
   welkin stress --frames 1000
       A thousand small pictures of random scenes, and the plainest one of which something is wrong
+  welkin stress --save here.tsv && welkin stress --table here.tsv there.tsv
+      Drivers side by side
 
 Exit status: 0 every promise was kept; 1 one was broken, or a backend failed; 2 the request was not accepted.";
 
@@ -271,6 +273,14 @@ pub struct StressArgs {
     /// What runs the shaders; the CPU cannot
     #[arg(long, value_name = "NAME", default_value = "auto")]
     pub backend: BackendChoice,
+
+    /// Also write the table's numbers to a file
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["case", "frames"])]
+    pub save: Option<PathBuf>,
+
+    /// Instead of trying anything, print what such files hold side by side, as Markdown
+    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with_all = ["cases", "case", "frames", "save"])]
+    pub table: Vec<PathBuf>,
 }
 
 const RENDER_ABOUT: &str = "\

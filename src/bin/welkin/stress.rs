@@ -1,12 +1,12 @@
 //! `welkin stress`: the shaders' functions on a million cases, against f64.
 
 use std::io::Write;
+use std::path::PathBuf;
 use std::time::Instant;
 
-use anyhow::bail;
-use welkin::MiePhase;
+use anyhow::{Context, bail};
 use welkin::backend::Backend;
-use welkin::probe::{self, BATCH, Cases, Finding, Probe, Tally};
+use welkin::probe::{self, BATCH, Cases, Probe, Record};
 
 use crate::args::{StressArgs, UsageError};
 use crate::draw::{BackendChoice, Drawer};
@@ -14,6 +14,15 @@ use crate::progress::Progress;
 
 /// Runs and judges the cases, prints the table, and fails if a promise was broken.
 pub fn run(args: &StressArgs) -> anyhow::Result<()> {
+    let mut out = std::io::stdout().lock();
+    if !args.table.is_empty() {
+        let load = |path: &PathBuf| {
+            let text = std::fs::read_to_string(path).with_context(|| format!("read {}", path.display()))?;
+            Record::load(&text).with_context(|| path.display().to_string())
+        };
+        let records: Vec<_> = args.table.iter().map(load).collect::<Result<_, _>>()?;
+        return Ok(write!(out, "{}", probe::side_by_side(&records))?);
+    }
     if args.backend == BackendChoice::Cpu {
         return Err(
             UsageError::value("--backend <NAME>", "cpu", "webgpu, webgl2 or auto: what is tried are shaders").into()
@@ -22,7 +31,6 @@ pub fn run(args: &StressArgs) -> anyhow::Result<()> {
     let mut drawer = Drawer::open(args.backend)?;
     let about = drawer.describe();
     let Some(backend) = drawer.backend() else { bail!("no GPU backend can be had here: {about}") };
-    let mut out = std::io::stdout().lock();
     writeln!(out, "{about}")?;
     if let Some(count) = args.frames {
         let (first, count) = args.case.map_or((0, count), |number| (number, 1));
@@ -30,17 +38,19 @@ pub fn run(args: &StressArgs) -> anyhow::Result<()> {
     }
     let (first, count) = args.case.map_or((0, args.cases), |number| (number, 1));
     let begun = Instant::now();
-    let mut tally = Tally::default();
+    let mut record = Record::new(backend.info(), args.seed, count);
     {
-        let batches = count.div_ceil(BATCH as u64) as usize;
-        let progress = Progress::of("trying", batches);
+        let batches = count.div_ceil(BATCH as u64);
+        let progress = Progress::of("trying", batches as usize);
         let mut cases = Cases::at(args.seed, first);
         for batch in 0..batches {
-            let size = (count - (batch * BATCH) as u64).min(BATCH as u64) as usize;
-            let done = progress.step(&format!("{} cases", count.min(((batch + 1) * BATCH) as u64)));
-            let number = first as usize + batch * BATCH;
+            let size = (count - batch * BATCH as u64).min(BATCH as u64) as usize;
+            let done = progress.step(&format!("{} cases", count.min((batch + 1) * BATCH as u64)));
+            let number = (first + batch * BATCH as u64) as usize;
             let list: Vec<_> = cases.by_ref().take(size).collect();
-            tally.add(one_batch(backend, number, &list)?);
+            for which in Probe::of_batch(number as u64 / BATCH as u64) {
+                record.tally.add(probe::judge(which, number, &list, &probe::run(backend, which, &list)?));
+            }
             done(1.0);
         }
     }
@@ -50,15 +60,18 @@ pub fn run(args: &StressArgs) -> anyhow::Result<()> {
         writeln!(out, "\ncase {first}, seed {}\n{}", args.seed, indent(&probe::describe(&case)))?;
         numbers(&mut out, backend, first as usize, &case)?;
     } else {
-        table(&mut out, &tally)?;
+        write!(out, "\n{record}")?;
     }
     let seconds = begun.elapsed().as_secs_f64();
     writeln!(out, "\n{count} cases, seed {}, in {seconds:.1} s", args.seed)?;
-    for finding in &tally.findings {
-        let plainest = probe::shrink(backend, finding)?;
-        report(&mut out, args.seed, finding, &plainest)?;
+    if let Some(path) = &args.save {
+        std::fs::write(path, record.save()).with_context(|| format!("write {}", path.display()))?;
     }
-    match tally.broken() {
+    for finding in &record.tally.findings {
+        let plainest = probe::shrink(backend, finding)?;
+        write!(out, "\n{}", finding.report(args.seed, &plainest))?;
+    }
+    match record.tally.broken() {
         0 => Ok(()),
         n => bail!("{n} promises were broken in {count} cases"),
     }
@@ -84,72 +97,13 @@ fn frames(out: &mut impl Write, backend: &mut dyn Backend, seed: u64, first: u64
     if wrong == 0 { Ok(()) } else { bail!("{wrong} of {count} frames are not finite or not possible") }
 }
 
-/// All probes on one draw's cases; the two phase functions' scattering in turn.
-fn one_batch(backend: &mut dyn Backend, number: usize, cases: &[probe::Case]) -> anyhow::Result<Tally> {
-    let phase = if (number / BATCH).is_multiple_of(2) { MiePhase::HenyeyGreenstein } else { MiePhase::CornetteShanks };
-    let mut tally = Tally::default();
-    for which in [Probe::Geometry, Probe::Medium, Probe::Path, Probe::Tables, Probe::Scatter(phase)] {
-        let answers = probe::run(backend, which, cases)?;
-        tally.add(probe::judge(which, number, cases, &answers));
-    }
-    Ok(tally)
-}
-
 /// Everything that the shaders answer to one case.
 fn numbers(out: &mut impl Write, backend: &mut dyn Backend, number: usize, case: &probe::Case) -> anyhow::Result<()> {
-    writeln!(
-        out,
-        "\n{:<33} {:>15} {:>17}  {:>15} {:>15} {:>9}",
-        "quantity", "shader", "f64", "neighbours from", "to", "allowed"
-    )?;
+    writeln!(out, "\n{}", probe::NUMBERS)?;
     for which in Probe::ALL {
         let answers = probe::run(backend, which, std::slice::from_ref(case))?;
-        for f in probe::explain(which, number, case, &answers) {
-            let (name, [low, high]) = (f.quantity.name(), f.range);
-            writeln!(
-                out,
-                "{name:<33} {:>15.8e} {:>17.10e}  {low:>15.8e} {high:>15.8e} {:>9.1e}",
-                f.got, f.expected, f.allowed
-            )?;
-        }
-    }
-    Ok(())
-}
-
-fn table(out: &mut impl Write, tally: &Tally) -> std::io::Result<()> {
-    writeln!(
-        out,
-        "\n{:<33} {:>10} {:>10} {:>10} {:>9} {:>8} {:>5} {:>9} {:>8}",
-        "quantity", "tried", "non-finite", "steep", "worst", "promise", "used", "by case", "broken"
-    )?;
-    for (quantity, row) in &tally.rows {
-        writeln!(
-            out,
-            "{:<33} {:>10} {:>10} {:>10} {:>9.1e} {:>8.0e} {:>4.0}% {:>9} {:>8}",
-            quantity.name(),
-            row.tried,
-            row.not_finite,
-            row.steep,
-            row.worst,
-            row.promise,
-            100.0 * row.used.0,
-            row.used.1,
-            row.broken
-        )?;
-    }
-    Ok(())
-}
-
-fn report(out: &mut impl Write, seed: u64, finding: &Finding, plainest: &Finding) -> std::io::Result<()> {
-    writeln!(out, "\nbroken: {} (case {}, seed {seed})", finding.quantity.name(), finding.index)?;
-    for (title, f) in [("as found", finding), ("plainest", plainest)] {
-        let unit = f.quantity.unit();
-        writeln!(out, "  {title}: got {:e} {unit}, expected {:e} {unit}", f.got, f.expected)?;
-        let [low, high] = f.range;
-        writeln!(out, "  ({low:e} to {high:e} for inputs that f32 cannot tell apart; ± {:e})", f.allowed)?;
-        writeln!(out, "{}", indent(&probe::describe(&f.case)))?;
-        if finding.case == plainest.case {
-            break;
+        for finding in probe::explain(which, number, case, &answers) {
+            writeln!(out, "{}", finding.line())?;
         }
     }
     Ok(())
