@@ -119,10 +119,6 @@ struct MoonShadow {
     float tangent;
     float least;
     float rate;
-    float limb;
-    float pad0_;
-    float pad1_;
-    float pad2_;
 };
 struct Gathered {
     vec3 radiance;
@@ -256,11 +252,11 @@ SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start_1, float
     s_2.nu = dot(dir_1, sun_1);
     float _e11 = s_2.nu;
     float same = ((_e11 >= 0.0) ? 1.0 : -1.0);
-    vec3 apart_4 = (dir_1 - (same * sun_1));
-    vec3 side_1 = cross(apart_4, sun_1);
+    vec3 apart_3 = (dir_1 - (same * sun_1));
+    vec3 side_1 = cross(apart_3, sun_1);
     s_2.cross2_ = dot(side_1, side_1);
     vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
-    float there = (-(same) * dot(closest, apart_4));
+    float there = (-(same) * dot(closest, apart_3));
     float here = (r_2 * sun_1.z);
     float _e38 = s_2.nu;
     float _e44 = s_2.nu;
@@ -582,10 +578,6 @@ vec3 mean_transmittance(vec3 tau) {
     return mix(((vec3(1.0) - exp(-(tau))) / tau), series, lessThan(tau, vec3(0.01)));
 }
 
-vec3 limb_exponents() {
-    return vec3(0.397, 0.503, 0.652);
-}
-
 float quarter_atan(float y, float x_7) {
     float q_3 = (min(x_7, y) / max(max(x_7, y), 1e-30));
     float s_7 = (q_3 * q_3);
@@ -633,105 +625,58 @@ float visible_share(float moon, float apart_1) {
     return clamp((1.0 - ((_e36 + of_moon) / HALF_TURN)), 0.0, 1.0);
 }
 
-vec3 hidden_ring(float moon_1, float apart_2, float mu_3) {
-    float r_4 = sqrt(max(((1.0 - mu_3) * (1.0 + mu_3)), 0.0));
-    vec2 _e11 = half_angle(r_4, apart_2, moon_1);
-    float _e15 = quarter_atan(_e11.x, _e11.y);
-    vec3 _e17 = limb_exponents();
-    vec3 _e23 = limb_exponents();
-    return (((0.63661975 * _e15) * (_e17 + vec3(2.0))) * pow(vec3(mu_3), (_e23 + vec3(1.0))));
-}
-
-vec3 visible_light(float moon_2, float apart_3) {
-    vec3 light = vec3(1.0);
-    uint i = 0u;
-    if ((apart_3 >= (1.0 + moon_2))) {
-        return vec3(1.0);
-    }
-    if ((apart_3 <= (moon_2 - 1.0))) {
-        return vec3(0.0);
-    }
-    float inner = abs((moon_2 - apart_3));
-    float outer = min((moon_2 + apart_3), 1.0);
-    float high_1 = sqrt(max(((1.0 - inner) * (1.0 + inner)), 0.0));
-    float low_5 = sqrt(max(((1.0 - outer) * (1.0 + outer)), 0.0));
-    if ((moon_2 > apart_3)) {
-        vec3 _e38 = limb_exponents();
-        light = pow(vec3(high_1), (_e38 + vec3(2.0)));
-    }
-    float middle = (0.5 * (high_1 + low_5));
-    float half_3 = (0.5 * (high_1 - low_5));
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            uint _e74 = i;
-            i = (_e74 + 1u);
-        }
-        loop_init = false;
-        uint _e51 = i;
-        if ((_e51 < LIMB_NODES)) {
-        } else {
-            break;
-        }
-        {
-            uint _e55 = i;
-            vec2 node = LIMB_RULE[_e55];
-            vec3 _e60 = hidden_ring(moon_2, apart_3, (middle + (half_3 * node.x)));
-            vec3 _e64 = hidden_ring(moon_2, apart_3, (middle - (half_3 * node.x)));
-            vec3 both = (_e60 + _e64);
-            vec3 _e66 = light;
-            light = (_e66 - (((2.0 * half_3) * node.y) * both));
-        }
-    }
-    vec3 _e76 = light;
-    return clamp(_e76, vec3(0.0), vec3(1.0));
-}
-
 vec2 moon_before_sun(vec2 across, float along_1, float radius_14, float tangent) {
     float scale = (1.0 / (max(along_1, (0.001 * radius_14)) * tangent));
     return ((along_1 > 0.0) ? (vec2(radius_14, length(across)) * scale) : vec2(0.0, 1000.0));
 }
 
-vec3 sun_left(MoonShadow s_4, vec3 position_1, vec3 sun_3) {
-    vec3 share = vec3(0.0);
+vec3 shade_at(highp sampler2D shade, float share, int row) {
+    int last = (int(uvec2(textureSize(shade, 0).xy).x) - 1);
+    float at_3 = (clamp(share, 0.0, 1.0) * float(last));
+    int low_5 = min(int(at_3), last);
+    vec4 _e17 = texelFetch(shade, ivec2(low_5, row), 0);
+    vec4 _e24 = texelFetch(shade, ivec2(min((low_5 + 1), last), row), 0);
+    return mix(_e17.xyz, _e24.xyz, (at_3 - float(low_5)));
+}
+
+float limb_place(float moon_1, float apart_2) {
+    float inner = abs((moon_1 - 1.0));
+    if ((apart_2 < inner)) {
+        return ((0.25 * apart_2) / inner);
+    }
+    return (0.25 + (0.75 * sqrt(((apart_2 - inner) / (2.0 * min(moon_1, 1.0))))));
+}
+
+vec3 sun_left(highp sampler2D shade_1, MoonShadow s_4, vec3 position_1, vec3 sun_3) {
+    vec3 share_1 = vec3(0.0);
     bool local_5 = false;
-    bool local_6 = false;
     float beside = dot(position_1, sun_3);
-    float apart_5 = length((s_4.across - (position_1 - (sun_3 * beside))));
-    vec2 _e15 = moon_before_sun(vec2(apart_5, 0.0), (s_4.along - beside), s_4.radius, s_4.tangent);
-    float _e18 = visible_share(_e15.x, _e15.y);
-    share = vec3(_e18);
-    if ((s_4.limb > 0.0)) {
-        float _e27 = share.x;
-        local_5 = (_e27 > 0.0);
+    float apart_4 = length((s_4.across - (position_1 - (sun_3 * beside))));
+    vec2 _e16 = moon_before_sun(vec2(apart_4, 0.0), (s_4.along - beside), s_4.radius, s_4.tangent);
+    float _e19 = visible_share(_e16.x, _e16.y);
+    share_1 = vec3(_e19);
+    float _e23 = share_1.x;
+    if ((_e23 > 0.0)) {
+        float _e29 = share_1.x;
+        local_5 = (_e29 < 1.0);
     } else {
         local_5 = false;
     }
-    bool _e31 = local_5;
-    if (_e31) {
-        float _e35 = share.x;
-        local_6 = (_e35 < 1.0);
-    } else {
-        local_6 = false;
+    bool _e33 = local_5;
+    if (_e33) {
+        vec3 _e34 = share_1;
+        float _e37 = limb_place(_e16.x, _e16.y);
+        vec3 _e39 = shade_at(shade_1, _e37, 1);
+        share_1 = (_e34 * _e39);
     }
-    bool _e39 = local_6;
-    if (_e39) {
-        vec3 _e42 = visible_light(_e15.x, _e15.y);
-        share = _e42;
-    }
-    vec3 _e43 = share;
-    return max(_e43, vec3(s_4.least));
+    vec3 _e41 = share_1;
+    return max(_e41, vec3(s_4.least));
 }
 
-vec3 sun_left_around(highp sampler2D shade, MoonShadow s_5, vec3 position_2, vec3 sun_4) {
-    float apart_6 = length((s_5.across - (position_2 - (sun_4 * dot(position_2, sun_4)))));
-    int last = (int(uvec2(textureSize(shade, 0).xy).x) - 1);
-    float at_3 = clamp((apart_6 * s_5.rate), 0.0, float(last));
-    int low_6 = min(int(at_3), last);
-    vec4 _e25 = texelFetch(shade, ivec2(low_6, 0), 0);
-    vec4 _e33 = texelFetch(shade, ivec2(min((low_6 + 1), last), 0), 0);
-    vec3 share_1 = mix(_e25.xyz, _e33.xyz, (at_3 - float(low_6)));
-    return max(share_1, vec3(s_5.least));
+vec3 sun_left_around(highp sampler2D shade_2, MoonShadow s_5, vec3 position_2, vec3 sun_4) {
+    float apart_5 = length((s_5.across - (position_2 - (sun_4 * dot(position_2, sun_4)))));
+    vec3 _e13 = shade_at(shade_2, (apart_5 * s_5.rate), 0);
+    return max(_e13, vec3(s_5.least));
 }
 
 vec2 lit_part(vec2 shadow, float low_2, float t0_, float t1_, float mid) {
@@ -750,10 +695,10 @@ vec2 lit_part(vec2 shadow, float low_2, float t0_, float t1_, float mid) {
     return vec2(((t1_ - t0_) - dark), _e33);
 }
 
-Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium, Tables t_3, AirRay ray_2, vec3 dir_4, vec3 sun_5, MoonShadow eclipse, highp sampler2D shade_1, Low lowest_1, float u_from, float u_to, vec3 gas_1, vec3 aerosol_1, float diffuse) {
+Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium, Tables t_3, AirRay ray_2, vec3 dir_4, vec3 sun_5, MoonShadow eclipse, highp sampler2D shade_3, Low lowest_1, float u_from, float u_to, vec3 gas_1, vec3 aerosol_1, float diffuse) {
     Gathered out_ = Gathered(vec3(0.0), vec3(1.0), vec3(0.0));
     float t0_1 = 0.0;
-    uint i_1 = 0u;
+    uint i = 0u;
     vec3 source_1 = vec3(0.0);
     Source before = Source(vec3(0.0), vec3(0.0));
     float radius_15 = medium.radius;
@@ -765,30 +710,30 @@ Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium,
     ivec2 dims_2 = ivec2(uvec2(textureSize(moments, 0).xy));
     vec2 nodes = (vec2(float(dims_2.x), float(((dims_2.y - 1) / MOMENTS))) - vec2(1.0));
     mat3x3 scattered = mat3x3((medium.mie_scattering * t_3.mie_moment0_), (medium.mie_scattering * t_3.mie_moment1_), (medium.mie_scattering * t_3.mie_moment2_));
-    float low_7 = lowest_1.t;
+    float low_6 = lowest_1.t;
     float du = ((u_to - u_from) / float(t_3.steps));
-    float _e61 = warp(low_7, u_from);
+    float _e61 = warp(low_6, u_from);
     t0_1 = _e61;
-    bool loop_init_1 = true;
+    bool loop_init = true;
     while(true) {
-        if (!loop_init_1) {
-            uint _e201 = i_1;
-            i_1 = (_e201 + 1u);
+        if (!loop_init) {
+            uint _e201 = i;
+            i = (_e201 + 1u);
         }
-        loop_init_1 = false;
-        uint _e65 = i_1;
+        loop_init = false;
+        uint _e65 = i;
         if ((_e65 < t_3.steps)) {
         } else {
             break;
         }
         {
-            uint _e68 = i_1;
+            uint _e68 = i;
             float u_1 = (u_from + (du * float(_e68)));
-            float _e73 = warp(low_7, (u_1 + du));
+            float _e73 = warp(low_6, (u_1 + du));
             float _e74 = t0_1;
             float step_ = (_e73 - _e74);
-            float _e79 = warp(low_7, (u_1 + (0.5 * du)));
-            float _e83 = altitude_after(lowest_1.x, lowest_1.b, (_e79 - low_7), radius_15);
+            float _e79 = warp(low_6, (u_1 + (0.5 * du)));
+            float _e83 = altitude_after(lowest_1.x, lowest_1.b, (_e79 - low_6), radius_15);
             vec3 _e84 = densities(_e17, _e83);
             vec3 _e85 = extinction(coefficients_1, _e84);
             vec3 tau_1 = (_e85 * step_);
@@ -796,9 +741,9 @@ Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium,
             vec3 _e89 = mean_transmittance(tau_1);
             vec3 share_2 = (_e88 * _e89);
             float _e91 = t0_1;
-            vec2 _e92 = lit_part(_e30, low_7, _e91, _e73, _e79);
+            vec2 _e92 = lit_part(_e30, low_6, _e91, _e73, _e79);
             if ((_e92.x > 0.0)) {
-                float past = (_e92.y - low_7);
+                float past = (_e92.y - low_6);
                 float lit_x = max((lowest_1.x + (past * ((2.0 * lowest_1.b) + past))), 0.0);
                 float _e107 = altitude_of(lit_x, radius_15);
                 vec3 _e108 = densities(_e17, _e107);
@@ -806,20 +751,20 @@ Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium,
                 vec3 _e120 = extinction(coefficients_1, _e114);
                 source_1 = (((gas_1 * _e108.x) + (aerosol_1 * _e108.y)) * exp(-(_e120)));
                 vec3 _e125 = source_1;
-                vec3 _e130 = sun_left(eclipse, (dir_4 * (ray_2.start + _e92.y)), sun_5);
+                vec3 _e130 = sun_left(shade_3, eclipse, (dir_4 * (ray_2.start + _e92.y)), sun_5);
                 source_1 = (_e125 * _e130);
                 vec3 _e133 = out_.radiance;
                 vec3 _e134 = source_1;
                 out_.radiance = (_e133 + ((share_2 * _e134) * _e92.x));
             }
-            float r_5 = (radius_15 + _e83);
-            float mu_5 = clamp((((lowest_1.b + _e79) - low_7) / r_5), -1.0, 1.0);
-            float mu_sun_1 = clamp(((ray_2.sun_b + (ray_2.nu * _e79)) / r_5), -1.0, 1.0);
+            float r_4 = (radius_15 + _e83);
+            float mu_4 = clamp((((lowest_1.b + _e79) - low_6) / r_4), -1.0, 1.0);
+            float mu_sun_1 = clamp(((ray_2.sun_b + (ray_2.nu * _e79)) / r_4), -1.0, 1.0);
             float _e157 = altitude_share(t_3.altitude_steepness, t_3.altitude_growth, _e83, thickness_6);
             float _e158 = sun_share(_e31, mu_sun_1);
-            Source _e163 = diffuse_source(moments, (vec2(_e158, _e157) * nodes), medium.rayleigh, scattered, mu_5, mu_sun_1, ray_2.nu);
+            Source _e163 = diffuse_source(moments, (vec2(_e158, _e157) * nodes), medium.rayleigh, scattered, mu_4, mu_sun_1, ray_2.nu);
             before = _e163;
-            vec3 _e168 = sun_left_around(shade_1, eclipse, (dir_4 * (ray_2.start + _e79)), sun_5);
+            vec3 _e168 = sun_left_around(shade_3, eclipse, (dir_4 * (ray_2.start + _e79)), sun_5);
             vec3 _e170 = before.gas;
             vec3 _e173 = before.aerosol;
             before = Source((_e170 * _e168), (_e173 * _e168));
@@ -838,8 +783,8 @@ Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium,
     return _e203;
 }
 
-float rayleigh_phase(float mu_4) {
-    return (0.0596831 * (1.0 + (mu_4 * mu_4)));
+float rayleigh_phase(float mu_3) {
+    return (0.0596831 * (1.0 + (mu_3 * mu_3)));
 }
 
 vec3 henyey_greenstein_phase(float away, float toward, vec3 g) {
@@ -849,21 +794,21 @@ vec3 henyey_greenstein_phase(float away, float toward, vec3 g) {
 }
 
 vec3 cornette_shanks_phase(float away_1, float toward_1, vec3 g_1) {
-    float mu_6 = (1.0 - away_1);
+    float mu_5 = (1.0 - away_1);
     vec3 _e16 = henyey_greenstein_phase(away_1, toward_1, g_1);
-    return ((vec3((1.5 * (1.0 + (mu_6 * mu_6)))) / (vec3(2.0) + (g_1 * g_1))) * _e16);
+    return ((vec3((1.5 * (1.0 + (mu_5 * mu_5)))) / (vec3(2.0) + (g_1 * g_1))) * _e16);
 }
 
 vec3 aerosol_phase(vec3 dir_5, vec3 sun_6, vec3 asymmetry) {
-    vec3 apart_7 = (dir_5 - sun_6);
+    vec3 apart_6 = (dir_5 - sun_6);
     vec3 together = (dir_5 + sun_6);
-    float away_2 = (0.5 * dot(apart_7, apart_7));
+    float away_2 = (0.5 * dot(apart_6, apart_6));
     float toward_2 = (0.5 * dot(together, together));
     vec3 _e11 = cornette_shanks_phase(away_2, toward_2, asymmetry);
     return _e11;
 }
 
-Scattered all_orders(highp sampler2D columns_1, highp sampler2D moments_1, highp sampler2D shade_2, Medium m_2, Tables t_4, AirRay ray_3, vec3 dir_6, vec3 sun_7, MoonShadow shadow_1, float length_2) {
+Scattered all_orders(highp sampler2D columns_1, highp sampler2D moments_1, highp sampler2D shade_4, Medium m_2, Tables t_4, AirRay ray_3, vec3 dir_6, vec3 sun_7, MoonShadow shadow_1, float length_2) {
     Low _e11 = lowest(ray_3, length_2, m_2.radius);
     float _e14 = rayleigh_phase(ray_3.nu);
     vec3 gas_2 = (m_2.rayleigh * _e14);
@@ -871,7 +816,7 @@ Scattered all_orders(highp sampler2D columns_1, highp sampler2D moments_1, highp
     vec3 aerosol_2 = (m_2.mie_scattering * _e18);
     float _e22 = unwarp(_e11.t, 0.0);
     float _e24 = unwarp(_e11.t, length_2);
-    Gathered _e26 = gather(columns_1, moments_1, m_2, t_4, ray_3, dir_6, sun_7, shadow_1, shade_2, _e11, _e22, _e24, gas_2, aerosol_2, 1.0);
+    Gathered _e26 = gather(columns_1, moments_1, m_2, t_4, ray_3, dir_6, sun_7, shadow_1, shade_4, _e11, _e22, _e24, gas_2, aerosol_2, 1.0);
     mat3x3 _e28 = coefficients_of(m_2);
     vec3 _e30 = extinction(_e28, _e26.columns);
     return Scattered(_e26.radiance, exp(-(_e30)));
@@ -920,13 +865,13 @@ void main() {
     Tables _e69 = _group_0_binding_0_fs.tables;
     MoonShadow _e73 = _group_0_binding_0_fs.eclipse;
     float _e74 = end;
-    Scattered _e75 = all_orders(_group_0_binding_3_fs, _group_0_binding_4_fs, _group_0_binding_5_fs, m_3, _e69, _e29, dir_7, frame.sun, _e73, _e74);
+    Scattered _e75 = all_orders(_group_0_binding_4_fs, _group_0_binding_5_fs, _group_0_binding_3_fs, m_3, _e69, _e29, dir_7, frame.sun, _e73, _e74);
     bool _e79 = dims;
     vec3 through = (_e79 ? _e75.transmittance : vec3(1.0));
     float _e84 = weight;
-    vec3 light_1 = ((_e75.radiance * m_3.irradiance) * _e84);
+    vec3 light = ((_e75.radiance * m_3.irradiance) * _e84);
     vec3 dimmed = (behind.xyz * through);
-    _fs2p_location0 = vec4((dimmed + min(light_1, max((vec3(32000.0) - dimmed), vec3(0.0)))), behind.w);
+    _fs2p_location0 = vec4((dimmed + min(light, max((vec3(32000.0) - dimmed), vec3(0.0)))), behind.w);
     return;
 }
 

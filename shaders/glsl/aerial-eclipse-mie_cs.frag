@@ -89,10 +89,6 @@ struct MoonShadow {
     float tangent;
     float least;
     float rate;
-    float limb;
-    float pad0_;
-    float pad1_;
-    float pad2_;
 };
 struct Scattered {
     vec3 radiance;
@@ -143,6 +139,8 @@ layout(std140) uniform Uniforms_block_0Fragment { Uniforms _group_0_binding_0_fs
 uniform highp sampler2D _group_0_binding_1_fs;
 
 uniform highp sampler2D _group_0_binding_2_fs;
+
+uniform highp sampler2D _group_0_binding_3_fs;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
@@ -236,11 +234,11 @@ SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start_1, float
     s_2.nu = dot(dir_1, sun_1);
     float _e11 = s_2.nu;
     float same = ((_e11 >= 0.0) ? 1.0 : -1.0);
-    vec3 apart_4 = (dir_1 - (same * sun_1));
-    vec3 side_1 = cross(apart_4, sun_1);
+    vec3 apart_3 = (dir_1 - (same * sun_1));
+    vec3 side_1 = cross(apart_3, sun_1);
     s_2.cross2_ = dot(side_1, side_1);
     vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
-    float there = (-(same) * dot(closest, apart_4));
+    float there = (-(same) * dot(closest, apart_3));
     float here = (r_2 * sun_1.z);
     float _e38 = s_2.nu;
     float _e44 = s_2.nu;
@@ -496,13 +494,9 @@ vec3 henyey_greenstein_phase(float away, float toward, vec3 g) {
 }
 
 vec3 cornette_shanks_phase(float away_1, float toward_1, vec3 g_1) {
-    float mu_2 = (1.0 - away_1);
+    float mu_1 = (1.0 - away_1);
     vec3 _e16 = henyey_greenstein_phase(away_1, toward_1, g_1);
-    return ((vec3((1.5 * (1.0 + (mu_2 * mu_2)))) / (vec3(2.0) + (g_1 * g_1))) * _e16);
-}
-
-vec3 limb_exponents() {
-    return vec3(0.397, 0.503, 0.652);
+    return ((vec3((1.5 * (1.0 + (mu_1 * mu_1)))) / (vec3(2.0) + (g_1 * g_1))) * _e16);
 }
 
 float quarter_atan(float y, float x_6) {
@@ -552,94 +546,52 @@ float visible_share(float moon, float apart_1) {
     return clamp((1.0 - ((_e36 + of_moon) / HALF_TURN)), 0.0, 1.0);
 }
 
-vec3 hidden_ring(float moon_1, float apart_2, float mu_1) {
-    float r_4 = sqrt(max(((1.0 - mu_1) * (1.0 + mu_1)), 0.0));
-    vec2 _e11 = half_angle(r_4, apart_2, moon_1);
-    float _e15 = quarter_atan(_e11.x, _e11.y);
-    vec3 _e17 = limb_exponents();
-    vec3 _e23 = limb_exponents();
-    return (((0.63661975 * _e15) * (_e17 + vec3(2.0))) * pow(vec3(mu_1), (_e23 + vec3(1.0))));
-}
-
-vec3 visible_light(float moon_2, float apart_3) {
-    vec3 light = vec3(1.0);
-    uint i_1 = 0u;
-    if ((apart_3 >= (1.0 + moon_2))) {
-        return vec3(1.0);
-    }
-    if ((apart_3 <= (moon_2 - 1.0))) {
-        return vec3(0.0);
-    }
-    float inner = abs((moon_2 - apart_3));
-    float outer = min((moon_2 + apart_3), 1.0);
-    float high = sqrt(max(((1.0 - inner) * (1.0 + inner)), 0.0));
-    float low_3 = sqrt(max(((1.0 - outer) * (1.0 + outer)), 0.0));
-    if ((moon_2 > apart_3)) {
-        vec3 _e38 = limb_exponents();
-        light = pow(vec3(high), (_e38 + vec3(2.0)));
-    }
-    float middle = (0.5 * (high + low_3));
-    float half_3 = (0.5 * (high - low_3));
-    bool loop_init_1 = true;
-    while(true) {
-        if (!loop_init_1) {
-            uint _e74 = i_1;
-            i_1 = (_e74 + 1u);
-        }
-        loop_init_1 = false;
-        uint _e51 = i_1;
-        if ((_e51 < LIMB_NODES)) {
-        } else {
-            break;
-        }
-        {
-            uint _e55 = i_1;
-            vec2 node = LIMB_RULE[_e55];
-            vec3 _e60 = hidden_ring(moon_2, apart_3, (middle + (half_3 * node.x)));
-            vec3 _e64 = hidden_ring(moon_2, apart_3, (middle - (half_3 * node.x)));
-            vec3 both = (_e60 + _e64);
-            vec3 _e66 = light;
-            light = (_e66 - (((2.0 * half_3) * node.y) * both));
-        }
-    }
-    vec3 _e76 = light;
-    return clamp(_e76, vec3(0.0), vec3(1.0));
-}
-
 vec2 moon_before_sun(vec2 across, float along, float radius_13, float tangent) {
     float scale = (1.0 / (max(along, (0.001 * radius_13)) * tangent));
     return ((along > 0.0) ? (vec2(radius_13, length(across)) * scale) : vec2(0.0, 1000.0));
 }
 
-vec3 sun_left(MoonShadow s_4, vec3 position_1, vec3 sun_3) {
-    vec3 share = vec3(0.0);
+vec3 shade_at(highp sampler2D shade, float share, int row) {
+    int last = (int(uvec2(textureSize(shade, 0).xy).x) - 1);
+    float at = (clamp(share, 0.0, 1.0) * float(last));
+    int low_3 = min(int(at), last);
+    vec4 _e17 = texelFetch(shade, ivec2(low_3, row), 0);
+    vec4 _e24 = texelFetch(shade, ivec2(min((low_3 + 1), last), row), 0);
+    return mix(_e17.xyz, _e24.xyz, (at - float(low_3)));
+}
+
+float limb_place(float moon_1, float apart_2) {
+    float inner = abs((moon_1 - 1.0));
+    if ((apart_2 < inner)) {
+        return ((0.25 * apart_2) / inner);
+    }
+    return (0.25 + (0.75 * sqrt(((apart_2 - inner) / (2.0 * min(moon_1, 1.0))))));
+}
+
+vec3 sun_left(highp sampler2D shade_1, MoonShadow s_4, vec3 position_1, vec3 sun_3) {
+    vec3 share_1 = vec3(0.0);
     bool local_5 = false;
-    bool local_6 = false;
     float beside = dot(position_1, sun_3);
-    float apart_5 = length((s_4.across - (position_1 - (sun_3 * beside))));
-    vec2 _e15 = moon_before_sun(vec2(apart_5, 0.0), (s_4.along - beside), s_4.radius, s_4.tangent);
-    float _e18 = visible_share(_e15.x, _e15.y);
-    share = vec3(_e18);
-    if ((s_4.limb > 0.0)) {
-        float _e27 = share.x;
-        local_5 = (_e27 > 0.0);
+    float apart_4 = length((s_4.across - (position_1 - (sun_3 * beside))));
+    vec2 _e16 = moon_before_sun(vec2(apart_4, 0.0), (s_4.along - beside), s_4.radius, s_4.tangent);
+    float _e19 = visible_share(_e16.x, _e16.y);
+    share_1 = vec3(_e19);
+    float _e23 = share_1.x;
+    if ((_e23 > 0.0)) {
+        float _e29 = share_1.x;
+        local_5 = (_e29 < 1.0);
     } else {
         local_5 = false;
     }
-    bool _e31 = local_5;
-    if (_e31) {
-        float _e35 = share.x;
-        local_6 = (_e35 < 1.0);
-    } else {
-        local_6 = false;
+    bool _e33 = local_5;
+    if (_e33) {
+        vec3 _e34 = share_1;
+        float _e37 = limb_place(_e16.x, _e16.y);
+        vec3 _e39 = shade_at(shade_1, _e37, 1);
+        share_1 = (_e34 * _e39);
     }
-    bool _e39 = local_6;
-    if (_e39) {
-        vec3 _e42 = visible_light(_e15.x, _e15.y);
-        share = _e42;
-    }
-    vec3 _e43 = share;
-    return max(_e43, vec3(s_4.least));
+    vec3 _e41 = share_1;
+    return max(_e41, vec3(s_4.least));
 }
 
 vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_14, float thickness_3, float x_7, float sun_b, uint samples_1) {
@@ -650,98 +602,98 @@ vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_14, fl
     return exp(-(_e10));
 }
 
-Scattered single_scattering(Medium m_2, AirRay ray_2, float length_2, float away_2, uint view_samples, uint light_samples, vec3 dir_4, vec3 sun_4, MoonShadow eclipse) {
+Scattered single_scattering(Medium m_2, AirRay ray_2, float length_2, float away_2, uint view_samples, uint light_samples, vec3 dir_4, vec3 sun_4, MoonShadow eclipse, highp sampler2D shade_2) {
     Scattered out_ = Scattered(vec3(0.0), vec3(0.0));
     float t0_1 = 0.0;
-    uint i_2 = 0u;
+    uint i_1 = 0u;
     float lit_t = 0.0;
     vec3 source = vec3(0.0);
     out_.radiance = vec3(0.0);
     out_.transmittance = vec3(1.0);
-    float _e19 = rayleigh_phase((1.0 - away_2));
-    vec3 rayleigh = (m_2.rayleigh * _e19);
+    float _e20 = rayleigh_phase((1.0 - away_2));
+    vec3 rayleigh = (m_2.rayleigh * _e20);
     float toward_2 = ((away_2 > 1.0) ? (ray_2.cross2_ / max(away_2, 1.0)) : (2.0 - away_2));
-    vec3 _e32 = cornette_shanks_phase(away_2, toward_2, m_2.mie_asymmetry);
-    vec3 mie = (m_2.mie_scattering * _e32);
-    vec4 _e34 = layers_of(m_2);
-    mat3x3 _e35 = coefficients_of(m_2);
-    Low _e37 = lowest(ray_2, length_2, m_2.radius);
-    float low_4 = _e37.t;
+    vec3 _e33 = cornette_shanks_phase(away_2, toward_2, m_2.mie_asymmetry);
+    vec3 mie = (m_2.mie_scattering * _e33);
+    vec4 _e35 = layers_of(m_2);
+    mat3x3 _e36 = coefficients_of(m_2);
+    Low _e38 = lowest(ray_2, length_2, m_2.radius);
+    float low_4 = _e38.t;
     float u0_1 = -(sqrt(low_4));
     float du_1 = ((sqrt((length_2 - low_4)) - u0_1) / float(view_samples));
-    vec2 _e46 = shadow_stretch(ray_2);
-    bool loop_init_2 = true;
+    vec2 _e47 = shadow_stretch(ray_2);
+    bool loop_init_1 = true;
     while(true) {
-        if (!loop_init_2) {
-            uint _e165 = i_2;
-            i_2 = (_e165 + 1u);
+        if (!loop_init_1) {
+            uint _e166 = i_1;
+            i_1 = (_e166 + 1u);
         }
-        loop_init_2 = false;
-        uint _e51 = i_2;
-        if ((_e51 < view_samples)) {
+        loop_init_1 = false;
+        uint _e52 = i_1;
+        if ((_e52 < view_samples)) {
         } else {
             break;
         }
         {
-            uint _e53 = i_2;
-            float u_2 = (u0_1 + (du_1 * float(_e53)));
-            float _e58 = warp(low_4, (u_2 + du_1));
-            float _e59 = t0_1;
-            float step_ = (_e58 - _e59);
-            float _e64 = warp(low_4, (u_2 + (0.5 * du_1)));
-            float _e69 = altitude_after(_e37.x, _e37.b, (_e64 - low_4), m_2.radius);
-            vec3 _e70 = densities(_e34, _e69);
-            vec3 _e71 = extinction(_e35, _e70);
-            vec3 tau_1 = (_e71 * step_);
-            float _e74 = t0_1;
-            float dark0_ = clamp(_e46.x, _e74, _e58);
-            float _e77 = t0_1;
-            float dark1_ = clamp(_e46.y, _e77, _e58);
-            float dark = ((_e46.y > _e46.x) ? max((dark1_ - dark0_), 0.0) : 0.0);
+            uint _e54 = i_1;
+            float u_2 = (u0_1 + (du_1 * float(_e54)));
+            float _e59 = warp(low_4, (u_2 + du_1));
+            float _e60 = t0_1;
+            float step_ = (_e59 - _e60);
+            float _e65 = warp(low_4, (u_2 + (0.5 * du_1)));
+            float _e70 = altitude_after(_e38.x, _e38.b, (_e65 - low_4), m_2.radius);
+            vec3 _e71 = densities(_e35, _e70);
+            vec3 _e72 = extinction(_e36, _e71);
+            vec3 tau_1 = (_e72 * step_);
+            float _e75 = t0_1;
+            float dark0_ = clamp(_e47.x, _e75, _e59);
+            float _e78 = t0_1;
+            float dark1_ = clamp(_e47.y, _e78, _e59);
+            float dark = ((_e47.y > _e47.x) ? max((dark1_ - dark0_), 0.0) : 0.0);
             if ((dark < step_)) {
-                lit_t = _e64;
+                lit_t = _e65;
                 if ((dark > 0.0)) {
-                    float _e91 = t0_1;
-                    bool first = ((dark0_ - _e91) > (_e58 - dark1_));
-                    float _e95 = t0_1;
-                    float lit0_ = (first ? _e95 : dark1_);
-                    float lit1_ = (first ? dark0_ : _e58);
-                    float _e98 = unwarp(low_4, lit0_);
-                    float _e99 = unwarp(low_4, lit1_);
-                    float _e103 = warp(low_4, (0.5 * (_e98 + _e99)));
-                    lit_t = _e103;
+                    float _e92 = t0_1;
+                    bool first = ((dark0_ - _e92) > (_e59 - dark1_));
+                    float _e96 = t0_1;
+                    float lit0_ = (first ? _e96 : dark1_);
+                    float lit1_ = (first ? dark0_ : _e59);
+                    float _e99 = unwarp(low_4, lit0_);
+                    float _e100 = unwarp(low_4, lit1_);
+                    float _e104 = warp(low_4, (0.5 * (_e99 + _e100)));
+                    lit_t = _e104;
                 }
-                float _e105 = lit_t;
-                float _e110 = lit_t;
-                float x_8 = (_e37.x + ((_e105 - low_4) * ((2.0 * _e37.b) + (_e110 - low_4))));
-                float _e116 = altitude_of(x_8, m_2.radius);
-                vec3 _e119 = densities(_e34, max(_e116, 0.0));
+                float _e106 = lit_t;
+                float _e111 = lit_t;
+                float x_8 = (_e38.x + ((_e106 - low_4) * ((2.0 * _e38.b) + (_e111 - low_4))));
+                float _e117 = altitude_of(x_8, m_2.radius);
+                vec3 _e120 = densities(_e35, max(_e117, 0.0));
                 source = vec3(0.0);
-                vec3 _e123 = source;
-                source = (_e123 + (rayleigh * _e119.x));
-                vec3 _e127 = source;
-                source = (_e127 + (mie * _e119.y));
-                vec3 _e131 = source;
-                float _e136 = lit_t;
-                vec3 _e139 = sun_transmittance(_e35, _e34, m_2.radius, m_2.thickness, x_8, (ray_2.sun_b + (ray_2.nu * _e136)), light_samples);
-                source = (_e131 * _e139);
-                vec3 _e141 = source;
-                float _e143 = lit_t;
-                vec3 _e146 = sun_left(eclipse, (dir_4 * (ray_2.start + _e143)), sun_4);
-                source = (_e141 * _e146);
-                vec3 _e149 = out_.radiance;
-                vec3 _e151 = out_.transmittance;
-                vec3 _e152 = mean_transmittance(tau_1);
-                vec3 _e154 = source;
-                out_.radiance = (_e149 + (((_e151 * _e152) * _e154) * (step_ - dark)));
+                vec3 _e124 = source;
+                source = (_e124 + (rayleigh * _e120.x));
+                vec3 _e128 = source;
+                source = (_e128 + (mie * _e120.y));
+                vec3 _e132 = source;
+                float _e137 = lit_t;
+                vec3 _e140 = sun_transmittance(_e36, _e35, m_2.radius, m_2.thickness, x_8, (ray_2.sun_b + (ray_2.nu * _e137)), light_samples);
+                source = (_e132 * _e140);
+                vec3 _e142 = source;
+                float _e144 = lit_t;
+                vec3 _e147 = sun_left(shade_2, eclipse, (dir_4 * (ray_2.start + _e144)), sun_4);
+                source = (_e142 * _e147);
+                vec3 _e150 = out_.radiance;
+                vec3 _e152 = out_.transmittance;
+                vec3 _e153 = mean_transmittance(tau_1);
+                vec3 _e155 = source;
+                out_.radiance = (_e150 + (((_e152 * _e153) * _e155) * (step_ - dark)));
             }
-            vec3 _e160 = out_.transmittance;
-            out_.transmittance = (_e160 * exp(-(tau_1)));
-            t0_1 = _e58;
+            vec3 _e161 = out_.transmittance;
+            out_.transmittance = (_e161 * exp(-(tau_1)));
+            t0_1 = _e59;
         }
     }
-    Scattered _e167 = out_;
-    return _e167;
+    Scattered _e168 = out_;
+    return _e168;
 }
 
 void main() {
@@ -786,13 +738,13 @@ void main() {
     vec3 offset = (dir_5 - frame.sun);
     float _e64 = end;
     MoonShadow _e73 = _group_0_binding_0_fs.eclipse;
-    Scattered _e74 = single_scattering(m_3, _e29, _e64, (0.5 * dot(offset, offset)), frame.view_samples, frame.light_samples, dir_5, frame.sun, _e73);
-    bool _e78 = dims;
-    vec3 through = (_e78 ? _e74.transmittance : vec3(1.0));
-    float _e83 = weight;
-    vec3 light_1 = ((_e74.radiance * m_3.irradiance) * _e83);
+    Scattered _e75 = single_scattering(m_3, _e29, _e64, (0.5 * dot(offset, offset)), frame.view_samples, frame.light_samples, dir_5, frame.sun, _e73, _group_0_binding_3_fs);
+    bool _e79 = dims;
+    vec3 through = (_e79 ? _e75.transmittance : vec3(1.0));
+    float _e84 = weight;
+    vec3 light = ((_e75.radiance * m_3.irradiance) * _e84);
     vec3 dimmed = (behind.xyz * through);
-    _fs2p_location0 = vec4((dimmed + min(light_1, max((vec3(32000.0) - dimmed), vec3(0.0)))), behind.w);
+    _fs2p_location0 = vec4((dimmed + min(light, max((vec3(32000.0) - dimmed), vec3(0.0)))), behind.w);
     return;
 }
 

@@ -71,10 +71,6 @@ struct MoonShadow {
     float tangent;
     float least;
     float rate;
-    float limb;
-    float pad0_;
-    float pad1_;
-    float pad2_;
 };
 struct Terrain {
     Frame frame;
@@ -127,6 +123,8 @@ const float TAU = 6.2831855;
 
 layout(std140) uniform Terrain_block_0Fragment { Terrain _group_0_binding_0_fs; };
 
+uniform highp sampler2D _group_0_binding_1_fs;
+
 smooth in vec3 _vs2fs_location0;
 smooth in vec3 _vs2fs_location1;
 smooth in vec2 _vs2fs_location2;
@@ -137,6 +135,101 @@ float depth_of(DepthCode c, float z) {
         return (log2((1.0 + (z * 1000.0))) / c.log_);
     }
     return (((1.0 / z) - c.bias) / c.scale);
+}
+
+float quarter_atan(float y, float x) {
+    float q = (min(x, y) / max(max(x, y), 1e-30));
+    float s_1 = (q * q);
+    float p = (1.0 + (s_1 * (-0.33333147 + (s_1 * (0.19993551 + (s_1 * (-0.142089 + (s_1 * (0.10656264 + (s_1 * (-0.07528964 + (s_1 * (0.042909615 + (s_1 * (-0.016165737 + (s_1 * 0.0028662258))))))))))))))));
+    return ((y > x) ? (1.5707964 - (q * p)) : (q * p));
+}
+
+vec2 half_angle(float own, float apart, float other) {
+    float more = (other - own);
+    float opposite = ((more + apart) * ((other + own) - apart));
+    float adjacent = ((apart - more) * ((own + apart) + other));
+    return sqrt(max(vec2(opposite, adjacent), vec2(0.0)));
+}
+
+float segment(vec2 half_) {
+    float _e3 = quarter_atan(half_.x, half_.y);
+    float a = (2.0 * _e3);
+    if ((a < 0.5)) {
+        float y2_ = ((4.0 * a) * a);
+        return (((a * y2_) * 0.16666667) * (1.0 - ((y2_ * 0.05) * (1.0 - ((y2_ * 0.023809524) * (1.0 - (y2_ * 0.013888889)))))));
+    }
+    float sum = dot(half_, half_);
+    return (a - ((((2.0 * half_.x) * half_.y) * ((half_.y * half_.y) - (half_.x * half_.x))) / (sum * sum)));
+}
+
+float visible_share(float moon, float apart_1) {
+    if ((apart_1 >= (1.0 + moon))) {
+        return 1.0;
+    }
+    if ((apart_1 <= (moon - 1.0))) {
+        return 0.0;
+    }
+    if ((apart_1 <= (1.0 - moon))) {
+        return ((1.0 - moon) * (1.0 + moon));
+    }
+    vec2 _e19 = half_angle(1.0, apart_1, moon);
+    vec2 _e22 = half_angle(moon, apart_1, 1.0);
+    float _e23 = segment(_e22);
+    float of_moon = ((moon * moon) * _e23);
+    if ((_e19.y < _e19.x)) {
+        float _e29 = segment(_e19.yx);
+        return clamp(((_e29 - of_moon) / HALF_TURN), 0.0, 1.0);
+    }
+    float _e36 = segment(_e19);
+    return clamp((1.0 - ((_e36 + of_moon) / HALF_TURN)), 0.0, 1.0);
+}
+
+vec2 moon_before_sun(vec2 across, float along, float radius, float tangent) {
+    float scale = (1.0 / (max(along, (0.001 * radius)) * tangent));
+    return ((along > 0.0) ? (vec2(radius, length(across)) * scale) : vec2(0.0, 1000.0));
+}
+
+vec3 shade_at(highp sampler2D shade, float share, int row) {
+    int last = (int(uvec2(textureSize(shade, 0).xy).x) - 1);
+    float at = (clamp(share, 0.0, 1.0) * float(last));
+    int low = min(int(at), last);
+    vec4 _e17 = texelFetch(shade, ivec2(low, row), 0);
+    vec4 _e24 = texelFetch(shade, ivec2(min((low + 1), last), row), 0);
+    return mix(_e17.xyz, _e24.xyz, (at - float(low)));
+}
+
+float limb_place(float moon_1, float apart_2) {
+    float inner = abs((moon_1 - 1.0));
+    if ((apart_2 < inner)) {
+        return ((0.25 * apart_2) / inner);
+    }
+    return (0.25 + (0.75 * sqrt(((apart_2 - inner) / (2.0 * min(moon_1, 1.0))))));
+}
+
+vec3 sun_left(highp sampler2D shade_1, MoonShadow s, vec3 position, vec3 sun) {
+    vec3 share_1 = vec3(0.0);
+    bool local = false;
+    float beside = dot(position, sun);
+    float apart_3 = length((s.across - (position - (sun * beside))));
+    vec2 _e16 = moon_before_sun(vec2(apart_3, 0.0), (s.along - beside), s.radius, s.tangent);
+    float _e19 = visible_share(_e16.x, _e16.y);
+    share_1 = vec3(_e19);
+    float _e23 = share_1.x;
+    if ((_e23 > 0.0)) {
+        float _e29 = share_1.x;
+        local = (_e29 < 1.0);
+    } else {
+        local = false;
+    }
+    bool _e33 = local;
+    if (_e33) {
+        vec3 _e34 = share_1;
+        float _e37 = limb_place(_e16.x, _e16.y);
+        vec3 _e39 = shade_at(shade_1, _e37, 1);
+        share_1 = (_e34 * _e39);
+    }
+    vec3 _e41 = share_1;
+    return max(_e41, vec3(s.least));
 }
 
 void main() {
@@ -160,18 +253,23 @@ void main() {
     float _e48 = _group_0_binding_0_fs.sea;
     albedo = mix(_e41, vec3(0.02, 0.04, 0.06), (_e48 * (1.0 - smoothstep(0.0, 0.004, h))));
     light = in_.light;
-    vec3 _e59 = albedo;
-    vec3 _e60 = light;
-    vec3 _e66 = _group_0_binding_0_fs.frame.medium.irradiance;
-    vec3 reflected = (((_e59 * _e60) * _e66) * 0.31830987);
+    vec3 _e58 = light;
+    MoonShadow _e62 = _group_0_binding_0_fs.eclipse;
+    vec3 _e67 = _group_0_binding_0_fs.frame.sun;
+    vec3 _e68 = sun_left(_group_0_binding_1_fs, _e62, in_.position, _e67);
+    light = (_e58 * _e68);
+    vec3 _e71 = albedo;
+    vec3 _e72 = light;
+    vec3 _e78 = _group_0_binding_0_fs.frame.medium.irradiance;
+    vec3 reflected = (((_e71 * _e72) * _e78) * 0.31830987);
     out_.color = vec4(min(reflected, vec3(32000.0)), 1.0);
-    DepthCode _e80 = _group_0_binding_0_fs.frame.depth;
-    vec3 _e84 = _group_0_binding_0_fs.axis;
-    float _e88 = depth_of(_e80, max(dot(in_.position, _e84), 1e-9));
-    out_.depth = clamp(_e88, 0.0, 1.0);
-    Shaded _e92 = out_;
-    _fs2p_location0 = _e92.color;
-    gl_FragDepth = _e92.depth;
+    DepthCode _e92 = _group_0_binding_0_fs.frame.depth;
+    vec3 _e96 = _group_0_binding_0_fs.axis;
+    float _e100 = depth_of(_e92, max(dot(in_.position, _e96), 1e-9));
+    out_.depth = clamp(_e100, 0.0, 1.0);
+    Shaded _e104 = out_;
+    _fs2p_location0 = _e104.color;
+    gl_FragDepth = _e104.depth;
     return;
 }
 

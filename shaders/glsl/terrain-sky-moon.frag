@@ -76,10 +76,6 @@ struct MoonShadow {
     float tangent;
     float least;
     float rate;
-    float limb;
-    float pad0_;
-    float pad1_;
-    float pad2_;
 };
 struct Terrain {
     Frame frame;
@@ -173,8 +169,8 @@ vec4 sun_axis(Tables t) {
 }
 
 float sun_share(vec4 axis, float mu) {
-    float y = ((mu - axis.x) / axis.y);
-    return (((sign(y) * log((abs(y) + sqrt(((y * y) + 1.0))))) - axis.z) / axis.w);
+    float y_1 = ((mu - axis.x) / axis.y);
+    return (((sign(y_1) * log((abs(y_1) + sqrt(((y_1 * y_1) + 1.0))))) - axis.z) / axis.w);
 }
 
 vec3 ground_irradiance(highp sampler2D table_1, Tables t_1, float mu_sun) {
@@ -187,15 +183,105 @@ vec3 ground_irradiance(highp sampler2D table_1, Tables t_1, float mu_sun) {
     return exp2(_e23.xyz);
 }
 
-vec3 sun_left_around(highp sampler2D shade, MoonShadow s, vec3 position, vec3 sun) {
-    float apart = length((s.across - (position - (sun * dot(position, sun)))));
+float quarter_atan(float y, float x) {
+    float q = (min(x, y) / max(max(x, y), 1e-30));
+    float s_2 = (q * q);
+    float p = (1.0 + (s_2 * (-0.33333147 + (s_2 * (0.19993551 + (s_2 * (-0.142089 + (s_2 * (0.10656264 + (s_2 * (-0.07528964 + (s_2 * (0.042909615 + (s_2 * (-0.016165737 + (s_2 * 0.0028662258))))))))))))))));
+    return ((y > x) ? (1.5707964 - (q * p)) : (q * p));
+}
+
+vec2 half_angle(float own, float apart, float other) {
+    float more = (other - own);
+    float opposite = ((more + apart) * ((other + own) - apart));
+    float adjacent = ((apart - more) * ((own + apart) + other));
+    return sqrt(max(vec2(opposite, adjacent), vec2(0.0)));
+}
+
+float segment(vec2 half_) {
+    float _e3 = quarter_atan(half_.x, half_.y);
+    float a = (2.0 * _e3);
+    if ((a < 0.5)) {
+        float y2_ = ((4.0 * a) * a);
+        return (((a * y2_) * 0.16666667) * (1.0 - ((y2_ * 0.05) * (1.0 - ((y2_ * 0.023809524) * (1.0 - (y2_ * 0.013888889)))))));
+    }
+    float sum = dot(half_, half_);
+    return (a - ((((2.0 * half_.x) * half_.y) * ((half_.y * half_.y) - (half_.x * half_.x))) / (sum * sum)));
+}
+
+float visible_share(float moon, float apart_1) {
+    if ((apart_1 >= (1.0 + moon))) {
+        return 1.0;
+    }
+    if ((apart_1 <= (moon - 1.0))) {
+        return 0.0;
+    }
+    if ((apart_1 <= (1.0 - moon))) {
+        return ((1.0 - moon) * (1.0 + moon));
+    }
+    vec2 _e19 = half_angle(1.0, apart_1, moon);
+    vec2 _e22 = half_angle(moon, apart_1, 1.0);
+    float _e23 = segment(_e22);
+    float of_moon = ((moon * moon) * _e23);
+    if ((_e19.y < _e19.x)) {
+        float _e29 = segment(_e19.yx);
+        return clamp(((_e29 - of_moon) / HALF_TURN), 0.0, 1.0);
+    }
+    float _e36 = segment(_e19);
+    return clamp((1.0 - ((_e36 + of_moon) / HALF_TURN)), 0.0, 1.0);
+}
+
+vec2 moon_before_sun(vec2 across, float along, float radius, float tangent) {
+    float scale = (1.0 / (max(along, (0.001 * radius)) * tangent));
+    return ((along > 0.0) ? (vec2(radius, length(across)) * scale) : vec2(0.0, 1000.0));
+}
+
+vec3 shade_at(highp sampler2D shade, float share, int row) {
     int last = (int(uvec2(textureSize(shade, 0).xy).x) - 1);
-    float at_2 = clamp((apart * s.rate), 0.0, float(last));
+    float at_2 = (clamp(share, 0.0, 1.0) * float(last));
     int low_2 = min(int(at_2), last);
-    vec4 _e25 = texelFetch(shade, ivec2(low_2, 0), 0);
-    vec4 _e33 = texelFetch(shade, ivec2(min((low_2 + 1), last), 0), 0);
-    vec3 share = mix(_e25.xyz, _e33.xyz, (at_2 - float(low_2)));
-    return max(share, vec3(s.least));
+    vec4 _e17 = texelFetch(shade, ivec2(low_2, row), 0);
+    vec4 _e24 = texelFetch(shade, ivec2(min((low_2 + 1), last), row), 0);
+    return mix(_e17.xyz, _e24.xyz, (at_2 - float(low_2)));
+}
+
+float limb_place(float moon_1, float apart_2) {
+    float inner = abs((moon_1 - 1.0));
+    if ((apart_2 < inner)) {
+        return ((0.25 * apart_2) / inner);
+    }
+    return (0.25 + (0.75 * sqrt(((apart_2 - inner) / (2.0 * min(moon_1, 1.0))))));
+}
+
+vec3 sun_left(highp sampler2D shade_1, MoonShadow s, vec3 position, vec3 sun) {
+    vec3 share_1 = vec3(0.0);
+    bool local = false;
+    float beside = dot(position, sun);
+    float apart_3 = length((s.across - (position - (sun * beside))));
+    vec2 _e16 = moon_before_sun(vec2(apart_3, 0.0), (s.along - beside), s.radius, s.tangent);
+    float _e19 = visible_share(_e16.x, _e16.y);
+    share_1 = vec3(_e19);
+    float _e23 = share_1.x;
+    if ((_e23 > 0.0)) {
+        float _e29 = share_1.x;
+        local = (_e29 < 1.0);
+    } else {
+        local = false;
+    }
+    bool _e33 = local;
+    if (_e33) {
+        vec3 _e34 = share_1;
+        float _e37 = limb_place(_e16.x, _e16.y);
+        vec3 _e39 = shade_at(shade_1, _e37, 1);
+        share_1 = (_e34 * _e39);
+    }
+    vec3 _e41 = share_1;
+    return max(_e41, vec3(s.least));
+}
+
+vec3 sun_left_around(highp sampler2D shade_2, MoonShadow s_1, vec3 position_1, vec3 sun_1) {
+    float apart_4 = length((s_1.across - (position_1 - (sun_1 * dot(position_1, sun_1)))));
+    vec3 _e13 = shade_at(shade_2, (apart_4 * s_1.rate), 0);
+    return max(_e13, vec3(s_1.least));
 }
 
 void main() {
@@ -220,29 +306,34 @@ void main() {
     float _e48 = _group_0_binding_0_fs.sea;
     albedo = mix(_e41, vec3(0.02, 0.04, 0.06), (_e48 * (1.0 - smoothstep(0.0, 0.004, h))));
     light = in_.light;
-    Tables _e61 = _group_0_binding_0_fs.tables;
-    vec3 _e63 = ground_irradiance(_group_0_binding_1_fs, _e61, in_.sun);
-    sky = (_e63 * (0.5 + (0.5 * in_.surface.y)));
-    vec3 _e72 = sky;
-    MoonShadow _e76 = _group_0_binding_0_fs.eclipse;
-    vec3 _e81 = _group_0_binding_0_fs.frame.sun;
-    vec3 _e82 = sun_left_around(_group_0_binding_2_fs, _e76, in_.position, _e81);
-    sky = (_e72 * _e82);
-    vec3 _e84 = light;
-    vec3 _e85 = sky;
-    light = (_e84 + _e85);
-    vec3 _e88 = albedo;
-    vec3 _e89 = light;
-    vec3 _e95 = _group_0_binding_0_fs.frame.medium.irradiance;
-    vec3 reflected = (((_e88 * _e89) * _e95) * 0.31830987);
+    vec3 _e58 = light;
+    MoonShadow _e62 = _group_0_binding_0_fs.eclipse;
+    vec3 _e67 = _group_0_binding_0_fs.frame.sun;
+    vec3 _e68 = sun_left(_group_0_binding_1_fs, _e62, in_.position, _e67);
+    light = (_e58 * _e68);
+    Tables _e73 = _group_0_binding_0_fs.tables;
+    vec3 _e75 = ground_irradiance(_group_0_binding_2_fs, _e73, in_.sun);
+    sky = (_e75 * (0.5 + (0.5 * in_.surface.y)));
+    vec3 _e84 = sky;
+    MoonShadow _e88 = _group_0_binding_0_fs.eclipse;
+    vec3 _e93 = _group_0_binding_0_fs.frame.sun;
+    vec3 _e94 = sun_left_around(_group_0_binding_1_fs, _e88, in_.position, _e93);
+    sky = (_e84 * _e94);
+    vec3 _e96 = light;
+    vec3 _e97 = sky;
+    light = (_e96 + _e97);
+    vec3 _e100 = albedo;
+    vec3 _e101 = light;
+    vec3 _e107 = _group_0_binding_0_fs.frame.medium.irradiance;
+    vec3 reflected = (((_e100 * _e101) * _e107) * 0.31830987);
     out_.color = vec4(min(reflected, vec3(32000.0)), 1.0);
-    DepthCode _e109 = _group_0_binding_0_fs.frame.depth;
-    vec3 _e113 = _group_0_binding_0_fs.axis;
-    float _e117 = depth_of(_e109, max(dot(in_.position, _e113), 1e-9));
-    out_.depth = clamp(_e117, 0.0, 1.0);
-    Shaded _e121 = out_;
-    _fs2p_location0 = _e121.color;
-    gl_FragDepth = _e121.depth;
+    DepthCode _e121 = _group_0_binding_0_fs.frame.depth;
+    vec3 _e125 = _group_0_binding_0_fs.axis;
+    float _e129 = depth_of(_e121, max(dot(in_.position, _e125), 1e-9));
+    out_.depth = clamp(_e129, 0.0, 1.0);
+    Shaded _e133 = out_;
+    _fs2p_location0 = _e133.color;
+    gl_FragDepth = _e133.depth;
     return;
 }
 

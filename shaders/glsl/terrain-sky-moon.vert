@@ -71,10 +71,6 @@ struct MoonShadow {
     float tangent;
     float least;
     float rate;
-    float limb;
-    float pad0_;
-    float pad1_;
-    float pad2_;
 };
 struct Terrain {
     Frame frame;
@@ -246,18 +242,18 @@ float lattice(ivec3 p) {
 
 vec4 noise(vec3 p_1) {
     vec3 cell = floor(p_1);
-    ivec3 i_2 = ivec3(cell);
+    ivec3 i_1 = ivec3(cell);
     vec3 f = (p_1 - cell);
     vec3 w = (((f * f) * f) * ((f * ((f * 6.0) - vec3(15.0))) + vec3(10.0)));
     vec3 dw = (((30.0 * f) * f) * ((f * (f - vec3(2.0))) + vec3(1.0)));
-    float _e27 = lattice(i_2);
-    float _e33 = lattice((i_2 + ivec3(1, 0, 0)));
-    float _e39 = lattice((i_2 + ivec3(0, 1, 0)));
-    float _e45 = lattice((i_2 + ivec3(1, 1, 0)));
-    float _e51 = lattice((i_2 + ivec3(0, 0, 1)));
-    float _e57 = lattice((i_2 + ivec3(1, 0, 1)));
-    float _e63 = lattice((i_2 + ivec3(0, 1, 1)));
-    float _e69 = lattice((i_2 + ivec3(1, 1, 1)));
+    float _e27 = lattice(i_1);
+    float _e33 = lattice((i_1 + ivec3(1, 0, 0)));
+    float _e39 = lattice((i_1 + ivec3(0, 1, 0)));
+    float _e45 = lattice((i_1 + ivec3(1, 1, 0)));
+    float _e51 = lattice((i_1 + ivec3(0, 0, 1)));
+    float _e57 = lattice((i_1 + ivec3(1, 0, 1)));
+    float _e63 = lattice((i_1 + ivec3(0, 1, 1)));
+    float _e69 = lattice((i_1 + ivec3(1, 1, 1)));
     float x00_ = mix(_e27, _e33, w.x);
     float x10_ = mix(_e39, _e45, w.x);
     float x01_ = mix(_e51, _e57, w.x);
@@ -267,147 +263,6 @@ vec4 noise(vec3 p_1) {
     float dx = mix(mix((_e33 - _e27), (_e45 - _e39), w.y), mix((_e57 - _e51), (_e69 - _e63), w.y), w.z);
     float dy = mix((x10_ - x00_), (x11_ - x01_), w.z);
     return vec4((vec3(dx, dy, (y1_ - y0_)) * dw), mix(y0_, y1_, w.z));
-}
-
-vec3 limb_exponents() {
-    return vec3(0.397, 0.503, 0.652);
-}
-
-float quarter_atan(float y, float x_5) {
-    float q = (min(x_5, y) / max(max(x_5, y), 1e-30));
-    float s_1 = (q * q);
-    float p_2 = (1.0 + (s_1 * (-0.33333147 + (s_1 * (0.19993551 + (s_1 * (-0.142089 + (s_1 * (0.10656264 + (s_1 * (-0.07528964 + (s_1 * (0.042909615 + (s_1 * (-0.016165737 + (s_1 * 0.0028662258))))))))))))))));
-    return ((y > x_5) ? (1.5707964 - (q * p_2)) : (q * p_2));
-}
-
-vec2 half_angle(float own, float apart, float other) {
-    float more = (other - own);
-    float opposite = ((more + apart) * ((other + own) - apart));
-    float adjacent = ((apart - more) * ((own + apart) + other));
-    return sqrt(max(vec2(opposite, adjacent), vec2(0.0)));
-}
-
-float segment(vec2 half_) {
-    float _e3 = quarter_atan(half_.x, half_.y);
-    float a = (2.0 * _e3);
-    if ((a < 0.5)) {
-        float y2_ = ((4.0 * a) * a);
-        return (((a * y2_) * 0.16666667) * (1.0 - ((y2_ * 0.05) * (1.0 - ((y2_ * 0.023809524) * (1.0 - (y2_ * 0.013888889)))))));
-    }
-    float sum_2 = dot(half_, half_);
-    return (a - ((((2.0 * half_.x) * half_.y) * ((half_.y * half_.y) - (half_.x * half_.x))) / (sum_2 * sum_2)));
-}
-
-float visible_share(float moon, float apart_1) {
-    if ((apart_1 >= (1.0 + moon))) {
-        return 1.0;
-    }
-    if ((apart_1 <= (moon - 1.0))) {
-        return 0.0;
-    }
-    if ((apart_1 <= (1.0 - moon))) {
-        return ((1.0 - moon) * (1.0 + moon));
-    }
-    vec2 _e19 = half_angle(1.0, apart_1, moon);
-    vec2 _e22 = half_angle(moon, apart_1, 1.0);
-    float _e23 = segment(_e22);
-    float of_moon = ((moon * moon) * _e23);
-    if ((_e19.y < _e19.x)) {
-        float _e29 = segment(_e19.yx);
-        return clamp(((_e29 - of_moon) / HALF_TURN), 0.0, 1.0);
-    }
-    float _e36 = segment(_e19);
-    return clamp((1.0 - ((_e36 + of_moon) / HALF_TURN)), 0.0, 1.0);
-}
-
-vec3 hidden_ring(float moon_1, float apart_2, float mu) {
-    float r = sqrt(max(((1.0 - mu) * (1.0 + mu)), 0.0));
-    vec2 _e11 = half_angle(r, apart_2, moon_1);
-    float _e15 = quarter_atan(_e11.x, _e11.y);
-    vec3 _e17 = limb_exponents();
-    vec3 _e23 = limb_exponents();
-    return (((0.63661975 * _e15) * (_e17 + vec3(2.0))) * pow(vec3(mu), (_e23 + vec3(1.0))));
-}
-
-vec3 visible_light(float moon_2, float apart_3) {
-    vec3 light_1 = vec3(1.0);
-    uint i_1 = 0u;
-    if ((apart_3 >= (1.0 + moon_2))) {
-        return vec3(1.0);
-    }
-    if ((apart_3 <= (moon_2 - 1.0))) {
-        return vec3(0.0);
-    }
-    float inner = abs((moon_2 - apart_3));
-    float outer = min((moon_2 + apart_3), 1.0);
-    float high = sqrt(max(((1.0 - inner) * (1.0 + inner)), 0.0));
-    float low_2 = sqrt(max(((1.0 - outer) * (1.0 + outer)), 0.0));
-    if ((moon_2 > apart_3)) {
-        vec3 _e38 = limb_exponents();
-        light_1 = pow(vec3(high), (_e38 + vec3(2.0)));
-    }
-    float middle = (0.5 * (high + low_2));
-    float half_1 = (0.5 * (high - low_2));
-    bool loop_init_1 = true;
-    while(true) {
-        if (!loop_init_1) {
-            uint _e74 = i_1;
-            i_1 = (_e74 + 1u);
-        }
-        loop_init_1 = false;
-        uint _e51 = i_1;
-        if ((_e51 < LIMB_NODES)) {
-        } else {
-            break;
-        }
-        {
-            uint _e55 = i_1;
-            vec2 node = LIMB_RULE[_e55];
-            vec3 _e60 = hidden_ring(moon_2, apart_3, (middle + (half_1 * node.x)));
-            vec3 _e64 = hidden_ring(moon_2, apart_3, (middle - (half_1 * node.x)));
-            vec3 both = (_e60 + _e64);
-            vec3 _e66 = light_1;
-            light_1 = (_e66 - (((2.0 * half_1) * node.y) * both));
-        }
-    }
-    vec3 _e76 = light_1;
-    return clamp(_e76, vec3(0.0), vec3(1.0));
-}
-
-vec2 moon_before_sun(vec2 across, float along, float radius_5, float tangent) {
-    float scale = (1.0 / (max(along, (0.001 * radius_5)) * tangent));
-    return ((along > 0.0) ? (vec2(radius_5, length(across)) * scale) : vec2(0.0, 1000.0));
-}
-
-vec3 sun_left(MoonShadow s, vec3 position, vec3 sun) {
-    vec3 share = vec3(0.0);
-    bool local = false;
-    bool local_1 = false;
-    float beside = dot(position, sun);
-    float apart_4 = length((s.across - (position - (sun * beside))));
-    vec2 _e15 = moon_before_sun(vec2(apart_4, 0.0), (s.along - beside), s.radius, s.tangent);
-    float _e18 = visible_share(_e15.x, _e15.y);
-    share = vec3(_e18);
-    if ((s.limb > 0.0)) {
-        float _e27 = share.x;
-        local = (_e27 > 0.0);
-    } else {
-        local = false;
-    }
-    bool _e31 = local;
-    if (_e31) {
-        float _e35 = share.x;
-        local_1 = (_e35 < 1.0);
-    } else {
-        local_1 = false;
-    }
-    bool _e39 = local_1;
-    if (_e39) {
-        vec3 _e42 = visible_light(_e15.x, _e15.y);
-        share = _e42;
-    }
-    vec3 _e43 = share;
-    return max(_e43, vec3(s.least));
 }
 
 vec4 height_field(vec3 n, float amplitude, float rate, float sea, float spacing) {
@@ -439,13 +294,13 @@ vec4 height_field(vec3 n, float amplitude, float rate, float sea, float spacing)
     float belt = (0.1 + (((0.9 * t_1) * t_1) * (3.0 - (2.0 * t_1))));
     vec3 d_belt = (belt_noise.xyz * (((5.4 * t_1) * (1.0 - t_1)) * 4.0));
     frequency = rate;
-    bool loop_init_2 = true;
+    bool loop_init_1 = true;
     while(true) {
-        if (!loop_init_2) {
+        if (!loop_init_1) {
             int _e183 = octave;
             octave = (_e183 + 1);
         }
-        loop_init_2 = false;
+        loop_init_1 = false;
         int _e117 = octave;
         if ((_e117 < 6)) {
         } else {
@@ -460,10 +315,10 @@ vec4 height_field(vec3 n, float amplitude, float rate, float sea, float spacing)
                 vec4 _e139 = noise(((n * _e131) + vec3((float(_e133) * 17.0))));
                 float _e140 = frequency;
                 vec4 v = (_e139 * vec4(vec3(_e140), 1.0));
-                float s_2 = ((v.w < 0.5) ? 2.0 : -2.0);
+                float s = ((v.w < 0.5) ? 2.0 : -2.0);
                 vec4 _e151 = ridge;
                 float _e163 = gain;
-                ridge = (_e151 + (vec4((v.xyz * s_2), (1.0 - abs(((2.0 * v.w) - 1.0)))) * (_e163 * seen)));
+                ridge = (_e151 + (vec4((v.xyz * s), (1.0 - abs(((2.0 * v.w) - 1.0)))) * (_e163 * seen)));
             }
             float _e168 = ridge.w;
             float _e169 = gain;
@@ -496,9 +351,9 @@ void main() {
     uint ring = ((index / 772u) + (k & 1u));
     float azimuth = ((TAU * float(((k / 2u) % SEGMENTS))) / 384.0);
     float _e35 = _group_0_binding_0_vs.arc_rate;
-    float s_3 = (_e35 * float(ring));
+    float s_1 = (_e35 * float(ring));
     float _e40 = _group_0_binding_0_vs.arc_scale;
-    float t_2 = ((_e40 * 0.5) * (exp(s_3) - exp(-(s_3))));
+    float t_2 = ((_e40 * 0.5) * (exp(s_1) - exp(-(s_1))));
     vec3 _e50 = _group_0_binding_0_vs.grid_x;
     vec3 _e55 = _group_0_binding_0_vs.grid_y;
     vec3 flat_ = normalize(((_e50 * cos(azimuth)) + (_e55 * sin(azimuth))));
@@ -513,8 +368,8 @@ void main() {
     float _e97 = _group_0_binding_0_vs.arc_rate;
     float _e102 = _group_0_binding_0_vs.arc_scale;
     float _e105 = _group_0_binding_0_vs.arc_scale;
-    float along_1 = (((2.0 * _e97) * sqrt(((_e102 * _e105) + (t_2 * t_2)))) / (1.0 + (t_2 * t_2)));
-    float spacing_1 = max(along_1, (sin_arc * 0.016362462));
+    float along = (((2.0 * _e97) * sqrt(((_e102 * _e105) + (t_2 * t_2)))) / (1.0 + (t_2 * t_2)));
+    float spacing_1 = max(along, (sin_arc * 0.016362462));
     float _e120 = _group_0_binding_0_vs.amplitude;
     float _e123 = _group_0_binding_0_vs.mountain_rate;
     float _e126 = _group_0_binding_0_vs.sea;
@@ -522,7 +377,7 @@ void main() {
     float h_3 = _e127.w;
     float _e130 = m.radius;
     float _e137 = m.radius;
-    vec3 position_1 = ((flat_ * ((_e130 + h_3) * sin_arc)) + (up * ((h_3 - f_1.camera_altitude) - ((_e137 + h_3) * drop))));
+    vec3 position = ((flat_ * ((_e130 + h_3) * sin_arc)) + (up * ((h_3 - f_1.camera_altitude) - ((_e137 + h_3) * drop))));
     vec3 _e145 = _group_0_binding_0_vs.planet_x;
     vec3 _e150 = _group_0_binding_0_vs.planet_y;
     vec3 _e156 = _group_0_binding_0_vs.planet_z;
@@ -549,28 +404,24 @@ void main() {
         vec3 _e206 = sun_transmittance(_e198, _e200, _e202, _e204, _e171, sun_b_1, 8u);
         light = (_e196 + (_e206 * (visible * max(dot(normal, f_1.sun), 0.0))));
     }
-    vec3 _e214 = light;
-    MoonShadow _e217 = _group_0_binding_0_vs.eclipse;
-    vec3 _e219 = sun_left(_e217, position_1, f_1.sun);
-    light = (_e214 * _e219);
-    vec3 _e224 = _group_0_binding_0_vs.axis;
-    float z = dot(position_1, _e224);
-    float _e234 = _group_0_binding_0_vs.offset_x;
-    float right = ((dot(position_1, f_1.ray_right) / dot(f_1.ray_right, f_1.ray_right)) - (_e234 * z));
-    float _e245 = _group_0_binding_0_vs.offset_y;
-    float top = ((dot(position_1, f_1.ray_up) / dot(f_1.ray_up, f_1.ray_up)) - (_e245 * z));
+    vec3 _e217 = _group_0_binding_0_vs.axis;
+    float z = dot(position, _e217);
+    float _e227 = _group_0_binding_0_vs.offset_x;
+    float right = ((dot(position, f_1.ray_right) / dot(f_1.ray_right, f_1.ray_right)) - (_e227 * z));
+    float _e238 = _group_0_binding_0_vs.offset_y;
+    float top = ((dot(position, f_1.ray_up) / dot(f_1.ray_up, f_1.ray_up)) - (_e238 * z));
     out_.clip = vec4(right, top, (0.5 * z), z);
-    out_.position = position_1;
-    vec3 _e254 = light;
-    out_.light = _e254;
+    out_.position = position;
+    vec3 _e247 = light;
+    out_.light = _e247;
     out_.surface = vec2(h_3, dot(normal, n_1));
     out_.sun = dot(n_1, f_1.sun);
-    Varyings _e261 = out_;
-    gl_Position = _e261.clip;
-    _vs2fs_location0 = _e261.position;
-    _vs2fs_location1 = _e261.light;
-    _vs2fs_location2 = _e261.surface;
-    _vs2fs_location3 = _e261.sun;
+    Varyings _e254 = out_;
+    gl_Position = _e254.clip;
+    _vs2fs_location0 = _e254.position;
+    _vs2fs_location1 = _e254.light;
+    _vs2fs_location2 = _e254.surface;
+    _vs2fs_location3 = _e254.sun;
     gl_Position.yz = vec2(-gl_Position.y, gl_Position.z * 2.0 - gl_Position.w);
     return;
 }

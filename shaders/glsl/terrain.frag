@@ -71,10 +71,6 @@ struct MoonShadow {
     float tangent;
     float least;
     float rate;
-    float limb;
-    float pad0_;
-    float pad1_;
-    float pad2_;
 };
 struct Terrain {
     Frame frame;

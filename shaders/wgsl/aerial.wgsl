@@ -29,19 +29,23 @@ struct Uniforms {
 //#endif
 //#if BLEND
 @group(0) @binding(1) var depth: texture_2d<f32>;
+//#if ECLIPSE
+@group(0) @binding(2) var shade: texture_2d<f32>;
+//#endif
 //#if TABLES
-@group(0) @binding(2) var columns: texture_2d<f32>;
-@group(0) @binding(3) var moments: texture_2d<f32>;
-@group(0) @binding(4) var shade: texture_2d<f32>;
+@group(0) @binding(3) var columns: texture_2d<f32>;
+@group(0) @binding(4) var moments: texture_2d<f32>;
 //#endif
 //#endif
 //#if READ
 @group(0) @binding(1) var scene: texture_2d<f32>;
 @group(0) @binding(2) var depth: texture_2d<f32>;
+//#if ECLIPSE
+@group(0) @binding(3) var shade: texture_2d<f32>;
+//#endif
 //#if TABLES
-@group(0) @binding(3) var columns: texture_2d<f32>;
-@group(0) @binding(4) var moments: texture_2d<f32>;
-@group(0) @binding(5) var shade: texture_2d<f32>;
+@group(0) @binding(4) var columns: texture_2d<f32>;
+@group(0) @binding(5) var moments: texture_2d<f32>;
 //#endif
 //#endif
 
@@ -81,7 +85,7 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let s = single_scattering(
         m, ray, end, 0.5 * dot(offset, offset), frame.view_samples, frame.light_samples,
         //#if ECLIPSE
-        dir, frame.sun, uniforms.eclipse,
+        dir, frame.sun, uniforms.eclipse, shade,
         //#endif
     );
     //#endif

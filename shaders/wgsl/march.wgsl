@@ -78,7 +78,7 @@ fn gather_direct(
             let path = columns_to_top(columns, radius, thickness, lit_x, lit_h, ray.sun_b + ray.nu * lit.y);
             var source = (gas * lit_d.x + aerosol * lit_d.y) * exp(-extinction(coefficients, path));
             //#if ECLIPSE
-            source *= sun_left(eclipse, dir * (ray.start + lit.y), sun);
+            source *= sun_left(shade, eclipse, dir * (ray.start + lit.y), sun);
             //#endif
             out.radiance += share * source * lit.x;
         }

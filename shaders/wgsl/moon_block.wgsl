@@ -6,9 +6,5 @@ struct MoonShadow {
     radius: f32,     // of the moon, km
     tangent: f32,    // of the sun's angular radius
     least: f32,      // least share of sunlight, 0 to 1
-    rate: f32,       // texels of the shade per km from the shadow's axis
-    limb: f32,       // 1: the sun's edge is darker than its middle
-    pad0: f32,
-    pad1: f32,
-    pad2: f32,
+    rate: f32,       // share of the shade's first row per km from the shadow's axis
 }

@@ -25,7 +25,7 @@ struct Scattered {
 fn single_scattering(
     m: Medium, ray: AirRay, length: f32, away: f32, view_samples: u32, light_samples: u32,
     //#if ECLIPSE
-    dir: vec3f, sun: vec3f, eclipse: MoonShadow,
+    dir: vec3f, sun: vec3f, eclipse: MoonShadow, shade: texture_2d<f32>,
     //#endif
 ) -> Scattered {
     var out: Scattered;
@@ -88,7 +88,7 @@ fn single_scattering(
             source *= sun_transmittance(
                 coefficients, layers, m.radius, m.thickness, x, ray.sun_b + ray.nu * lit_t, light_samples);
             //#if ECLIPSE
-            source *= sun_left(eclipse, dir * (ray.start + lit_t), sun);
+            source *= sun_left(shade, eclipse, dir * (ray.start + lit_t), sun);
             //#endif
             out.radiance += out.transmittance * mean_transmittance(tau) * source * (step - dark);
         }

@@ -23,11 +23,11 @@ struct Uniforms {
 }
 
 @group(0) @binding(0) var<uniform> uniforms: Uniforms;
+@group(0) @binding(1) var shade: texture_2d<f32>;
 //#endif
 //#if TABLES
-@group(0) @binding(1) var columns: texture_2d<f32>;
-@group(0) @binding(2) var moments: texture_2d<f32>;
-@group(0) @binding(3) var shade: texture_2d<f32>;
+@group(0) @binding(2) var columns: texture_2d<f32>;
+@group(0) @binding(3) var moments: texture_2d<f32>;
 //#endif
 
 @fragment
@@ -52,7 +52,7 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
         let s = single_scattering(
             m, ray, ray.length, 0.5 * dot(offset, offset), frame.view_samples, frame.light_samples,
             //#if ECLIPSE
-            dir, frame.sun, uniforms.eclipse,
+            dir, frame.sun, uniforms.eclipse, shade,
             //#endif
         );
         //#endif

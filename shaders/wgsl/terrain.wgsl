@@ -40,10 +40,15 @@ struct Terrain {
 }
 
 @group(0) @binding(0) var<uniform> terrain: Terrain;
+//#if MOON
+@group(0) @binding(1) var shade: texture_2d<f32>;
+//#if SKYLIGHT
+@group(0) @binding(2) var moments: texture_2d<f32>;
+//#endif
+//#endif
+//#if OPEN
 //#if SKYLIGHT
 @group(0) @binding(1) var moments: texture_2d<f32>;
-//#if MOON
-@group(0) @binding(2) var shade: texture_2d<f32>;
 //#endif
 //#endif
 
@@ -147,10 +152,6 @@ fn vertex_main(@builtin(vertex_index) index: u32) -> Varyings {
         light += sun_transmittance(coefficients_of(m), layers_of(m), m.radius, m.thickness, x, sun_b, 8u) * (visible * max(dot(normal, f.sun), 0.0));
     }
 
-    //#if MOON
-    light *= sun_left(terrain.eclipse, position, f.sun);
-    //#endif
-
     var out: Varyings;
     let z = dot(position, terrain.axis);
     let right = dot(position, f.ray_right) / dot(f.ray_right, f.ray_right) - terrain.offset_x * z;
@@ -180,6 +181,9 @@ fn fragment_main(in: Varyings) -> Shaded {
     // Open water: dark, slightly blue (albedo of clear water away from the glint, about 0.03 to 0.06).
     albedo = mix(albedo, vec3f(0.02, 0.04, 0.06), terrain.sea * (1.0 - smoothstep(0.0, 0.004, h)));
     var light = in.light;
+    //#if MOON
+    light *= sun_left(shade, terrain.eclipse, in.position, terrain.frame.sun);
+    //#endif
     //#if SKYLIGHT
     // On level ground; a slope sees less of the sky.
     var sky = ground_irradiance(moments, terrain.tables, in.sun) * (0.5 + 0.5 * in.surface.y);

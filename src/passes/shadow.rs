@@ -18,8 +18,6 @@ block! {
         tangent: f32,
         least: f32,
         rate: f32,
-        limb: f32,
-        pad: [f32; 3],
     }
 }
 
@@ -66,8 +64,10 @@ pub(crate) fn misses(view: &ZenithView, p: &AtmosphereParams, center: glam::DVec
 const AROUND: f64 = 5.0;
 
 /// The block, and the shade: share of sunlight by the distance from the shadow's axis, as a mean over points all around
-/// whose distances are distributed like `exp(-x / length)`. Red, green, blue, unused; per texel.
-pub(crate) fn shadow(view: &ZenithView, p: &AtmosphereParams, moon: &Moon) -> (ShadowUniform, [f32; 4 * TEXELS]) {
+/// whose distances are distributed like `exp(-x / length)`. In a second row what a darker edge of the sun makes of the
+/// share: over that of a uniform disk, by the distance of the disks' middles, from 0 to where they part. Red, green,
+/// blue, unused; per texel.
+pub(crate) fn shadow(view: &ZenithView, p: &AtmosphereParams, moon: &Moon) -> (ShadowUniform, [f32; 8 * TEXELS]) {
     let (across, along) = offset(view, moon);
     // At the planet's middle: over the planet the cones change by a percent.
     let middle = -(p.planet_radius + view.altitude) * view.sun.z;
@@ -96,8 +96,9 @@ pub(crate) fn shadow(view: &ZenithView, p: &AtmosphereParams, moon: &Moon) -> (S
     const TURNS: usize = 8;
     let rings: [f64; RINGS] = std::array::from_fn(|i| -length * (1.0 - (i as f64 + 0.5) / RINGS as f64).ln());
     let turns: [f64; TURNS] = std::array::from_fn(|i| ((i as f64 + 0.5) / TURNS as f64 * PI).cos());
-    let mut shade = [1.0; 4 * TEXELS];
-    for (i, texel) in shade.chunks_exact_mut(4).enumerate() {
+    let mut shade = [1.0; 8 * TEXELS];
+    let (around, limb) = shade.split_at_mut(4 * TEXELS);
+    for (i, texel) in around.chunks_exact_mut(4).enumerate() {
         let d = i as f64 * step;
         let mut sum = [0.0; 3];
         for x in rings {
@@ -108,15 +109,28 @@ pub(crate) fn shadow(view: &ZenithView, p: &AtmosphereParams, moon: &Moon) -> (S
         }
         (0..3).for_each(|c| texel[c] = (sum[c] / (RINGS * TURNS) as f64) as f32);
     }
+    // From outside, so that the umbra, where both are 0, has what its edge has.
+    let (moon_radius, mut factor) = ((moon.radius / behind).min(1.0).asin(), [1.0; 3]);
+    for i in (0..TEXELS).rev().filter(|_| moon.limb_darkening) {
+        // `limb_place` in `moon_shadow.wgsl`, the other way.
+        let t = i as f64 / (TEXELS - 1) as f64;
+        let inner = (p.sun_angular_radius - moon_radius).abs();
+        let across = 2.0 * p.sun_angular_radius.min(moon_radius);
+        let apart = if t < 0.25 { 4.0 * t * inner } else { inner + across * ((t - 0.25) / 0.75).powi(2) };
+        let seen = Disks { sun: p.sun_angular_radius, moon: moon_radius, apart };
+        let uniform = seen.visible();
+        if uniform > 0.0 {
+            factor = seen.visible_limb_darkened().map(|v| (v / uniform) as f32);
+        }
+        limb[4 * i..4 * i + 3].copy_from_slice(&factor);
+    }
     let uniform = ShadowUniform {
         across: (across * 1e-3).as_vec3().to_array(),
         along: (along * 1e-3) as f32,
         radius: (moon.radius * 1e-3) as f32,
         tangent: p.sun_angular_radius.tan() as f32,
         least: moon.floor as f32,
-        rate: (1e3 / step) as f32,
-        limb: if moon.limb_darkening { 1.0 } else { 0.0 },
-        pad: [0.0; 3],
+        rate: (1e3 / reach) as f32,
     };
     (uniform, shade)
 }

@@ -318,12 +318,9 @@ impl SkyRenderer {
             let mut target = target;
             let (program, textures, uniform) = match (&plan.tables, program) {
                 (wanted, Program::EclipseSky { .. }) => {
-                    let (uniform, [columns, moments, shade]) =
-                        match self.eclipse(backend, scene, &view, drawn, wanted.as_ref())? {
-                            (uniform, Some(textures)) => (uniform, textures.map(Some)),
-                            (uniform, None) => (uniform, [None; 3]),
-                        };
-                    (program, [columns, moments, shade, None, None, None], uniform)
+                    let (uniform, [shade, columns, moments]) =
+                        self.eclipse(backend, scene, &view, drawn, wanted.as_ref())?;
+                    (program, [shade, columns, moments, None, None, None], uniform)
                 }
                 (Some(wanted), Program::SkyLut { mie, .. }) => {
                     let passes = &mut self.passes;
@@ -466,8 +463,8 @@ impl SkyRenderer {
         Ok(())
     }
 
-    /// The block of a pass under the moon's shadow, and the tables that it reads: columns, moments, shade. The passes that
-    /// fill them are appended.
+    /// The block of a pass under the moon's shadow, and what it reads: the shade, and where the plan has tables columns and
+    /// moments. The passes that fill them are appended.
     fn eclipse(
         &mut self,
         backend: &mut dyn Backend,
@@ -475,40 +472,36 @@ impl SkyRenderer {
         view: &ZenithView,
         frame: FrameUniform,
         wanted: Option<&TablePlan>,
-    ) -> Result<(Uniform, Option<[TextureId; 3]>)> {
+    ) -> Result<(Uniform, [Option<TextureId>; 3])> {
+        let (eclipse, shade) = self.moon_shadow(backend, view, &scene.atmosphere)?;
         let mut tables = TablesUniform::default();
-        let mut textures = None;
+        let mut textures = [Some(shade), None, None];
         if let Some(wanted) = wanted {
-            let (columns, made) = self.luts.of_medium(backend, &scene.atmosphere, wanted, false, &mut self.passes)?;
+            let (t, made) = self.luts.of_medium(backend, &scene.atmosphere, wanted, false, &mut self.passes)?;
             tables = TablesUniform { steps: wanted.settings.sky_steps, ..made };
-            textures = self.luts.moments().map(|(moments, ..)| [columns.columns(), moments]);
+            textures[1..].copy_from_slice(&[Some(t.columns()), self.luts.moments().map(|(moments, ..)| moments)]);
         }
-        let (eclipse, shade) = self.moon_shadow(backend, view, &scene.atmosphere, textures.is_some())?;
-        let textures = textures.zip(shade).map(|([columns, moments], shade)| [columns, moments, shade]);
         Ok((Uniform::new(&EclipseUniform { frame, tables, eclipse }), textures))
     }
 
-    /// The moon's shadow as passes are told of it, and its shade where `diffuse` light is drawn.
+    /// The moon's shadow as passes are told of it, and its shade.
     fn moon_shadow(
         &mut self,
         backend: &mut dyn Backend,
         view: &ZenithView,
         params: &AtmosphereParams,
-        diffuse: bool,
-    ) -> Result<(ShadowUniform, Option<TextureId>)> {
-        let Some(moon) = &view.moon else { return Ok((ShadowUniform::default(), None)) };
+    ) -> Result<(ShadowUniform, TextureId)> {
+        let moon =
+            view.moon.as_ref().ok_or_else(|| Error::invalid("moon", "none", "a moon whose shadow is asked for"))?;
         let (uniform, texels) = shadow(view, params, moon);
-        if !diffuse {
-            return Ok((uniform, None));
-        }
-        let desc = TextureDesc::new(SHADE, TEXELS as u32, 1, Format::Rgba32Float);
+        let desc = TextureDesc::new(SHADE, TEXELS as u32, 2, Format::Rgba32Float);
         let shade = match self.shade.filter(|&id| backend.texture(id) == Some(desc)) {
             Some(shade) => shade,
             None => backend.create_texture(&desc)?,
         };
         self.shade = Some(shade);
         backend.write_texture(shade, &texels)?;
-        Ok((uniform, Some(shade)))
+        Ok((uniform, shade))
     }
 
     /// Light of the sky for ground that is drawn before the air: the passes that fill its table, to be run first, and
@@ -531,8 +524,7 @@ impl SkyRenderer {
             light.moments = self.luts.moments().map(|(moments, ..)| moments);
         }
         if plan.eclipse {
-            let shadow = self.moon_shadow(backend, &view, &scene.atmosphere, light.moments.is_some())?;
-            light.shadow = Some(shadow);
+            light.shadow = Some(self.moon_shadow(backend, &view, &scene.atmosphere)?);
         }
         Ok((&self.passes, light))
     }
@@ -599,8 +591,8 @@ pub struct GroundLight {
     /// The sky's light, where the method or the plan has a table of it.
     pub(crate) moments: Option<TextureId>,
     pub(crate) tables: TablesUniform,
-    /// The moon's shadow, where one falls on what is seen; with the shade where there are moments.
-    pub(crate) shadow: Option<(ShadowUniform, Option<TextureId>)>,
+    /// The moon's shadow with its shade, where one falls on what is seen.
+    pub(crate) shadow: Option<(ShadowUniform, TextureId)>,
 }
 
 /// Label of the shade.

@@ -219,12 +219,11 @@ impl TerrainStyle {
             tables: light.tables,
             eclipse: light.shadow.map(|(block, _)| block).unwrap_or_default(),
         };
-        let shade = light.shadow.and_then(|(_, shade)| shade);
-        let textures = match (light.moments, shade) {
-            (Some(moments), Some(shade)) => reads([moments, shade]),
-            (Some(moments), None) => reads([moments]),
-            (None, _) => reads([]),
-        };
+        let mut textures = reads([]);
+        for (slot, id) in textures.iter_mut().zip(light.shadow.map(|(_, shade)| shade).into_iter().chain(light.moments))
+        {
+            *slot = Some(id);
+        }
         let program = Program::Terrain { sky: light.moments.is_some(), moon: light.shadow.is_some() };
         Ok(Pass {
             label: "terrain",

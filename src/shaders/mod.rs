@@ -443,7 +443,7 @@ impl Program {
                 flags.push("DIFFUSE");
                 if let Self::Terrain { sky, moon } = self {
                     flags.push(if sky { "SKYLIGHT" } else { "ROUGH" });
-                    flags.extend(moon.then_some("MOON"));
+                    flags.push(if moon { "MOON" } else { "OPEN" });
                 }
             }
             Self::Upsample | Self::Copy => {}
@@ -471,9 +471,9 @@ impl Program {
     pub fn textures(self) -> usize {
         match self {
             Self::Sky { .. } | Self::Sun { .. } | Self::Moon { .. } | Self::LutColumns => 0,
-            Self::Terrain { sky, moon } => usize::from(sky) * (1 + usize::from(moon)),
-            Self::EclipseSky { tables, .. } => 3 * usize::from(tables),
-            Self::EclipseAerial { tables, blend, .. } => 2 - usize::from(blend) + 3 * usize::from(tables),
+            Self::Terrain { sky, moon } => usize::from(sky) + usize::from(moon),
+            Self::EclipseSky { tables, .. } => 1 + 2 * usize::from(tables),
+            Self::EclipseAerial { tables, blend, .. } => 3 - usize::from(blend) + 2 * usize::from(tables),
             Self::Upsample | Self::ToneMap { .. } | Self::Copy | Self::LutMoments | Self::LutScan { .. } => 1,
             Self::SkyLut { mie, .. } => 1 + usize::from(mie.is_some()),
             Self::LutRadiance => 2,

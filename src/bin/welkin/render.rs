@@ -41,11 +41,12 @@ fn contact_sheet(args: &RenderArgs) -> anyhow::Result<()> {
     let output = Output::new(&args.output, true)?;
     let [panels @ .., compared] = &views::VIEWS;
     let start = Instant::now();
+    // Before one is kept open: NVIDIA's EGL does not survive that others come and go meanwhile.
+    let backends = draw::available();
     let mut drawer = Drawer::open(args.backend)?;
     let size = [sheet::PANEL_WIDTH, sheet::PANEL_HEIGHT];
     let choice = Choice::of(args.wish(), args.mode(), &mut drawer, size)?;
     let shot = |view: &View| args.shot(view, Place::DEFAULT, size, choice.sky);
-    let backends = draw::available();
     let progress = Progress::new(panels.len() + backends.len());
 
     let panels = panels.iter().map(|view| {
