@@ -61,11 +61,11 @@ pub(super) static PARTS: &[&str] = &[
 ];
 
 pub(super) static GLSL: &[Glsl] = &[
-    Glsl { name: "probe-geometry", vertex: &[181, 0], fragment: &[1, 4, 16, 11, 3, 12, 313, 124, 39, 116, 145, 247, 280, 282, 168, 300, 293, 32, 35, 174, 154, 346, 338, 329, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-medium", vertex: &[181, 0], fragment: &[1, 325, 57, 319, 129, 221, 241, 151, 71, 335, 331, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-path", vertex: &[181, 0], fragment: &[1, 312, 124, 39, 115, 158, 57, 73, 129, 306, 229, 285, 336, 330, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-tables", vertex: &[181, 0], fragment: &[1, 4, 16, 11, 3, 18, 17, 8, 311, 124, 320, 322, 345, 354, 355, 327, 359, 358, 309, 310, 324, 306, 303, 316, 317, 314, 347, 353, 279, 349, 318, 315, 348, 362, 357, 141, 341, 352, 337, 328, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-scatter_hg", vertex: &[181, 0], fragment: &[1, 4, 16, 11, 3, 12, 13, 312, 124, 39, 116, 145, 247, 280, 282, 169, 300, 293, 32, 35, 175, 249, 158, 57, 88, 129, 306, 303, 342, 221, 241, 151, 356, 350, 339, 332, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-scatter_cs", vertex: &[181, 0], fragment: &[1, 4, 16, 11, 3, 12, 13, 312, 124, 39, 116, 145, 247, 280, 282, 169, 300, 293, 32, 35, 175, 249, 158, 57, 88, 129, 306, 303, 342, 221, 241, 151, 71, 356, 351, 339, 333, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-eclipse", vertex: &[181, 0], fragment: &[326, 343, 321, 344, 361, 323, 360, 340, 334, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-geometry", vertex: &[181, 0], fragment: &[1, 4, 16, 11, 3, 12, 316, 125, 40, 116, 146, 248, 282, 284, 168, 303, 295, 33, 36, 174, 154, 349, 341, 332, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-medium", vertex: &[181, 0], fragment: &[1, 328, 58, 322, 130, 221, 241, 151, 72, 338, 334, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-path", vertex: &[181, 0], fragment: &[1, 315, 125, 40, 115, 158, 58, 74, 130, 309, 229, 287, 339, 333, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-tables", vertex: &[181, 0], fragment: &[1, 4, 16, 11, 3, 18, 17, 8, 314, 125, 323, 325, 348, 357, 358, 330, 362, 361, 312, 313, 327, 309, 306, 319, 320, 317, 350, 356, 281, 352, 321, 318, 351, 365, 360, 142, 344, 355, 340, 331, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-scatter_hg", vertex: &[181, 0], fragment: &[1, 4, 16, 11, 3, 12, 13, 315, 125, 40, 116, 146, 248, 282, 284, 169, 303, 295, 33, 36, 175, 250, 158, 58, 89, 130, 309, 306, 345, 221, 241, 151, 359, 353, 342, 335, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-scatter_cs", vertex: &[181, 0], fragment: &[1, 4, 16, 11, 3, 12, 13, 315, 125, 40, 116, 146, 248, 282, 284, 169, 303, 295, 33, 36, 175, 250, 158, 58, 89, 130, 309, 306, 345, 221, 241, 151, 72, 359, 354, 342, 336, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-eclipse", vertex: &[181, 0], fragment: &[329, 346, 324, 347, 364, 326, 363, 343, 337, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
 ];
