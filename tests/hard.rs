@@ -11,13 +11,15 @@ use std::sync::OnceLock;
 
 use common::lines::{Line, along};
 use common::{View, on_both};
-use welkin::backend::{Backend, Format, Target, TextureDesc};
+use glam::{DVec2, DVec3};
+use welkin::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, Uniform, reads};
 use welkin::passes::lut::TablesUniform;
 use welkin::reference::multiple::{Orders, Settings};
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering, transmittance};
+use welkin::shaders::Program;
 use welkin::{
-    AtmosphereParams, LutSettings, Method, PictureRenderer, PictureSettings, Quality, Scene, SkyRenderer, SkySettings,
-    probe,
+    AtmosphereParams, Camera, LutSettings, Method, PictureRenderer, PictureSettings, Pose, Quality, Scene, SkyRenderer,
+    SkySettings, TerrainStyle, probe,
 };
 
 // --- frames
@@ -223,6 +225,266 @@ fn single_scattering_is_continuous_along_lines() {
 fn tables_are_continuous_along_lines() {
     let Method::Lut(medium) = SkySettings::from(Quality::MEDIUM).method else { panic!("tables are the default") };
     continuous(Method::Lut(medium), |line| BOUNDS.iter().find(|b| b.0 == line).unwrap().2);
+}
+
+// --- lines across edges of the scene
+
+/// A line of pixels and the scene in them: metres along each pixel's ray, infinite where there is none.
+struct Edge {
+    name: &'static str,
+    scene: Scene,
+    size: [u32; 2],
+    /// What a depth buffer holds.
+    stored: Vec<f32>,
+    ends: Vec<f64>,
+}
+
+impl Edge {
+    /// With a scene at the given distances along the pixels' rays, metres.
+    fn new(name: &'static str, view: &View, size: [u32; 2], ends: impl Fn(usize, &RayQuery) -> f64) -> Self {
+        let scene = view.scene();
+        let rays = along(&scene, size);
+        let stored = rays.iter().zip(steepness(&scene, size)).enumerate().map(|(i, (ray, per_depth))| {
+            let end = ends(i, ray);
+            (if end.is_finite() { scene.depth.encode(end / per_depth) } else { scene.depth.background() }) as f32
+        });
+        Self::stored(name, scene.clone(), size, stored.collect())
+    }
+
+    /// With the scene of a depth buffer.
+    fn stored(name: &'static str, scene: Scene, size: [u32; 2], stored: Vec<f32>) -> Self {
+        let lengths = steepness(&scene, size);
+        let ends = stored.iter().zip(lengths).map(|(d, l)| scene.depth.decode(f64::from(*d)) * l).collect();
+        Self { name, scene, size, stored, ends }
+    }
+
+    /// Light and transmittance of the air before the scene.
+    fn truth(&self, method: Method) -> [Vec<[f64; 3]>; 2] {
+        let tolerance = Tolerance { relative: 1e-5 };
+        let rays = along(&self.scene, self.size);
+        let at = |(ray, end): (RayQuery, &f64)| {
+            let query = ray.ended_at(*end);
+            let through = transmittance(&self.scene.atmosphere, &query, tolerance).unwrap();
+            (truth(&self.scene, &query, method), through)
+        };
+        let (light, through) = rays.into_iter().zip(&self.ends).map(at).unzip();
+        [light, through]
+    }
+
+    /// The same, drawn: the sky, the scene over it, and the air before both.
+    fn draw(&self, b: &mut dyn Backend, sky: &mut SkyRenderer) -> [Vec<[f64; 3]>; 2] {
+        let [w, h] = self.size;
+        let [color, out, depth] = [Format::Rgba32Float, Format::Rgba32Float, Format::R32Float]
+            .map(|format| b.create_texture(&TextureDesc::new("edge", w, h, format)).unwrap());
+        b.write_texture(depth, &self.stored).unwrap();
+        let [black, white] = [0.0, 1.0].map(|behind| {
+            let clear = [behind, behind, behind, 1.0];
+            b.write_texture(color, &clear.repeat((w * h) as usize)).unwrap();
+            let passes = sky.background(b, &self.scene, Target::color(color)).unwrap().to_vec();
+            b.run(&passes).unwrap();
+            let mut pixels = b.read(color).unwrap();
+            for (pixel, end) in pixels.chunks_exact_mut(4).zip(&self.ends) {
+                if end.is_finite() {
+                    pixel.copy_from_slice(&clear);
+                }
+            }
+            b.write_texture(color, &pixels).unwrap();
+            let passes = sky.aerial(b, &self.scene, color, depth, out).unwrap().to_vec();
+            b.run(&passes).unwrap();
+            let pixels = b.read(if passes.is_empty() { color } else { out }).unwrap();
+            assert!(pixels.iter().all(|v| v.is_finite() && *v >= 0.0), "{}", self.name);
+            pixels.chunks_exact(4).map(|p| [0, 1, 2].map(|c| f64::from(p[c]))).collect::<Vec<_>>()
+        });
+        [color, out, depth].into_iter().for_each(|t| b.destroy_texture(t));
+        let through = black.iter().zip(&white).map(|(b, w)| [0, 1, 2].map(|c| w[c] - b[c])).collect();
+        [black, through]
+    }
+}
+
+/// Metres along each pixel's ray per metre of depth.
+fn steepness(scene: &Scene, [w, h]: [u32; 2]) -> Vec<f64> {
+    let basis = scene.camera.basis().unwrap();
+    let share = |i: u32, n: u32| (f64::from(i) + 0.5) / f64::from(n) * 2.0 - 1.0;
+    (0..w * h).map(|i| basis.ray(DVec2::new(share(i % w, w), -share(i / w, h))).length()).collect()
+}
+
+/// Where a ray from outside meets the sphere at an altitude, metres; infinite where it passes.
+fn sphere(ray: &RayQuery, altitude: f64, radius: f64) -> f64 {
+    let (r, above) = (radius + ray.altitude, ray.altitude - altitude);
+    let (b, c) = (r * ray.direction.z, above * (2.0 * r - above));
+    let square = b * b - c;
+    if b < 0.0 && square > 0.0 { c / (square.sqrt() - b) } else { f64::INFINITY }
+}
+
+/// Where a ray from within leaves the sphere at an altitude, metres.
+fn leaves(ray: &RayQuery, altitude: f64, radius: f64) -> f64 {
+    let (r, below) = (radius + ray.altitude, altitude - ray.altitude);
+    let b = r * ray.direction.z;
+    (b * b + below * (2.0 * r + below)).sqrt() - b
+}
+
+fn edges() -> Vec<Edge> {
+    let mut all = Vec::new();
+    let (radius, top) = (View::default().params.planet_radius, View::default().params.thickness());
+    let column = |v: View| View { aspect: 1.0 / f64::from(N), ..v };
+    let row = |v: View| View { fov: v.fov / f64::from(N), aspect: f64::from(N), ..v };
+    let dip = |altitude: f64, up: f64| -((radius + up) / (radius + altitude)).acos().to_degrees();
+    // Posts of five pixels, before the sky and before the ground.
+    let posts = |distance: f64| move |i: usize, _: &RayQuery| if i / 5 % 2 == 1 { distance } else { f64::INFINITY };
+    for (altitude, sun_elevation) in [(100.0, 20.0), (100.0, -4.0), (3e4, 20.0), (3e4, 2.0)] {
+        for distance in [0.01, 1e3, 1e5] {
+            for above in [1.0, -0.7] {
+                let pitch = dip(altitude, 0.0) + above;
+                let view = View { altitude, pitch, fov: 2.0, heading: 90.0, sun_elevation, ..View::default() };
+                all.push(Edge::new("posts", &row(view), [N, 1], posts(distance)));
+            }
+        }
+    }
+    // The limb from orbit, with something before the air, in it and behind it.
+    for distance in [1e3, 2e6, 3e6] {
+        let (high, low) = (dip(4e5, 6e4), dip(4e5, -1e4));
+        let (pitch, fov) = (0.5 * (high + low), high - low);
+        let view = View { altitude: 4e5, pitch, fov, sun_elevation: 25.0, ..View::default() };
+        all.push(Edge::new("posts from orbit", &column(view), [1, N], posts(distance)));
+    }
+    for sun_elevation in [20.0, 2.0, -4.0] {
+        let view = View { altitude: 2e3, heading: 90.0, sun_elevation, ..View::default() };
+        // A plain 500 m high to its horizon, and one that ends 50 km away, the ground behind.
+        let plain = View { pitch: dip(2e3, 500.0), fov: 0.4, ..view.clone() };
+        all.push(Edge::new("plain's horizon", &column(plain), [1, N], |_, ray| sphere(ray, 500.0, radius)));
+        let pitch = -(1500.0_f64 / 50e3).atan().to_degrees() - 0.22;
+        let table = View { pitch, fov: 0.4, ..view.clone() };
+        let ends = |_: usize, ray: &RayQuery| Some(sphere(ray, 500.0, radius)).filter(|t| *t < 50e3);
+        all.push(Edge::new("plain's end", &column(table), [1, N], move |i, ray| ends(i, ray).unwrap_or(f64::INFINITY)));
+        // Farther and farther, to the far end of the air and on, then nothing.
+        let wide = |pitch| row(View { pitch, fov: 60.0, ..view.clone() });
+        let step = |i: usize| i as f64 / (f64::from(N) - 4.0);
+        let far = |i: usize, end: f64| if step(i) > 1.0 { f64::INFINITY } else { end };
+        all.push(Edge::new("into the sky", &wide(3.0), [N, 1], |i, ray| {
+            far(i, leaves(ray, top, radius) * (0.4 + 0.8 * step(i)))
+        }));
+        all.push(Edge::new("onto the ground", &wide(-5.0), [N, 1], |i, ray| {
+            far(i, sphere(ray, 0.0, radius) * (0.96 + 0.04 * step(i)))
+        }));
+    }
+    all
+}
+
+/// The demonstration's mountains, as the backend draws them from 600 m above one: lines across their skyline.
+fn mountains(b: &mut dyn Backend) -> Vec<Edge> {
+    let style = TerrainStyle::earth();
+    let (latitude, longitude) = ((-20.0_f64).to_radians(), 30.0_f64.to_radians());
+    let up = DVec3::new(latitude.cos() * longitude.cos(), latitude.cos() * longitude.sin(), latitude.sin());
+    let north = DVec3::new(-latitude.sin() * longitude.cos(), -latitude.sin() * longitude.sin(), latitude.cos());
+    let mut all = Vec::new();
+    for (sun_elevation, [w, h]) in [(20.0_f64, [1, N]), (20.0, [N, 1]), (2.0, [1, N]), (2.0, [N, 1])] {
+        let view = View::default();
+        let altitude = style.height(up, view.params.planet_radius).0 + 600.0;
+        let fov = (if h == 1 { 40.0 / f64::from(N) } else { 4.0_f64 }).to_radians();
+        let pitch = (if h == 1 { 1.0_f64 } else { 0.0 }).to_radians();
+        let pose = Pose { altitude, pitch, heading: (if h == 1 { -5.0_f64 } else { -15.0 }).to_radians(), fov_y: fov };
+        let aspect = f64::from(w) / f64::from(h);
+        let camera = Camera::above(DVec3::ZERO, view.params.planet_radius, up, north, pose, aspect).unwrap();
+        let (sin, cos) = sun_elevation.to_radians().sin_cos();
+        let scene = Scene { camera, sun_direction: up * sin + up.cross(north) * cos, ..view.scene() };
+        let [color, depth, copy] = [Format::Rgba32Float, Format::Depth32Float, Format::R32Float]
+            .map(|format| b.create_texture(&TextureDesc::new("mountains", w, h, format)).unwrap());
+        let clear_depth = Some(scene.depth.background() as f32);
+        let target = Target { color, clear: Some([0.0; 4]), depth: Some(depth), clear_depth };
+        let copied = Pass {
+            label: "copy",
+            program: Some(b.create_program(Program::Copy).unwrap()),
+            textures: reads([depth]),
+            uniform: Uniform::NONE,
+            target: Target::color(copy),
+            depth: DepthUse::Always,
+        };
+        let drawn = style.pass(b, &scene, target, None).unwrap();
+        b.run(&[drawn, copied]).unwrap();
+        let stored = b.read(copy).unwrap();
+        [color, depth, copy].into_iter().for_each(|t| b.destroy_texture(t));
+        let edge = Edge::stored("mountains", scene, [w, h], stored);
+        let sky = edge.ends.iter().filter(|end| end.is_infinite()).count();
+        assert!((4..28).contains(&sky), "no skyline: {:?}", edge.ends);
+        all.push(edge);
+    }
+    all
+}
+
+/// Bounds as in [`BOUNDS`], then the largest error of light over the light, or over a thousandth of the line's brightest
+/// where it has less, and the largest of transmittance. Single scattering, then tables.
+const EDGE_BOUNDS: [(&str, [f64; 4], [f64; 4]); 7] = [
+    ("posts", [2e-3, 2.0, 2e-3, 1e-4], [0.2, 8.0, 0.2, 0.045]),
+    ("posts from orbit", [2e-3, 2.0, 2e-3, 1e-4], [0.06, 3.0, 0.05, 0.08]),
+    ("plain's horizon", [2e-3, 2.0, 2e-3, 1e-4], [0.09, 6.0, 0.08, 0.035]),
+    ("plain's end", [2e-3, 2.0, 2e-3, 1e-4], [0.02, 2.0, 0.03, 0.02]),
+    ("into the sky", [2e-3, 2.0, 2e-3, 1e-4], [0.02, 2.0, 0.04, 0.01]),
+    // What `scene_reach` takes for the ground is a sixteenth of a pixel farther than it is.
+    ("onto the ground", [3e-3, 2.0, 0.016, 6e-3], [3e-3, 2.0, 0.07, 0.01]),
+    ("mountains", [2e-3, 2.0, 2e-3, 1e-4], [0.1, 5.0, 0.21, 0.025]),
+];
+
+fn continuous_across_edges(method: Method, bounds: impl Fn(&str) -> [f64; 4]) {
+    let edges = edges();
+    let want: Vec<_> = edges.iter().map(|e| e.truth(method)).collect();
+    let settings = SkySettings { method, sun_disk: false, ..SkySettings::default() };
+    on_both(|b| {
+        let name = b.info().backend;
+        let mut sky = SkyRenderer::new(settings).unwrap();
+        let mut worst: Vec<(&str, [f64; 4])> = Vec::new();
+        let mut judge = |edge: &Edge, [light, through]: [Vec<[f64; 3]>; 2], want: &[Vec<[f64; 3]>; 2]| {
+            let line = Line { got: &light, want: &want[0] };
+            // The background dims what is behind the sky by the mean of the channels.
+            let mean = |v: &[f64; 3]| v.iter().sum::<f64>() / 3.0;
+            let dims = through.iter().zip(&want[1]).zip(&edge.ends).map(|((got, want), end)| match end.is_finite() {
+                true => (0..3).map(|c| (got[c] - want[c]).abs()).fold(0.0, f64::max),
+                false => (mean(got) - mean(want)).abs(),
+            });
+            let levels = line.levels().max(line.levels_at(1e5));
+            let figures = [line.bend(), levels, line.off(), dims.fold(0.0, f64::max)];
+            if !worst.iter().any(|w| w.0 == edge.name) {
+                worst.push((edge.name, [0.0; 4]));
+            }
+            let entry = worst.iter_mut().find(|w| w.0 == edge.name).unwrap();
+            for i in 0..4 {
+                entry.1[i] = entry.1[i].max(figures[i]);
+            }
+            if figures.iter().zip(bounds(edge.name)).any(|(f, b)| *f > b) {
+                println!(
+                    "{name} {}: {figures:.4?} at {} m: blue {:.7?}, off by {:.4?}, ends {:.1?}",
+                    edge.name,
+                    along(&edge.scene, [1, 1])[0].altitude,
+                    want[0].iter().map(|v| v[2]).collect::<Vec<_>>(),
+                    line.channel(),
+                    edge.ends
+                );
+            }
+        };
+        for (edge, want) in edges.iter().zip(&want) {
+            judge(edge, edge.draw(b, &mut sky), want);
+        }
+        for edge in mountains(b) {
+            judge(&edge, edge.draw(b, &mut sky), &edge.truth(method));
+        }
+        sky.destroy(b);
+        println!("{name} {}: bend, 255ths, light and transmittance off: {worst:.4?}", method.name());
+        for (line, figures) in worst {
+            let allowed = bounds(line);
+            assert!(figures.iter().zip(allowed).all(|(f, b)| *f <= b), "{name} {line}: {figures:.4?}, {allowed:?}");
+        }
+    });
+}
+
+#[test]
+fn single_scattering_is_continuous_across_edges() {
+    let method = Method::Single { view_samples: 256, light_samples: 64 };
+    continuous_across_edges(method, |line| EDGE_BOUNDS.iter().find(|b| b.0 == line).unwrap().1);
+}
+
+#[test]
+fn tables_are_continuous_across_edges() {
+    let Method::Lut(medium) = SkySettings::from(Quality::MEDIUM).method else { panic!("tables are the default") };
+    continuous_across_edges(Method::Lut(medium), |line| EDGE_BOUNDS.iter().find(|b| b.0 == line).unwrap().2);
 }
 
 // --- energy

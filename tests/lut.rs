@@ -1186,7 +1186,7 @@ fn tables_are_freed() {
         let mut world = World::new();
         let before = b.live();
         let mut frame = |b: &mut dyn Backend, i: u32| {
-            world.size = [1 + i % 13, 1 + i % 7];
+            world.size = [1 + i % 12, 1 + i % 8];
             world.sky.render_scale = if i.is_multiple_of(3) { 0.5 } else { 1.0 };
             // Now and then other tables, and another medium's.
             world.lut = LutSettings { sky: [8 + i % 100 / 50, 12], ..TINY };

@@ -124,7 +124,8 @@ float scene_reach(float start, float length_, float b, bool ground, float distan
     }
     float slant = max((abs((b + length_)) / radius), 0.05);
     float snap = (((SUBPIXEL * pixel_angle) * distance_) / slant);
-    return (length_ - ((length_ - reach) * smoothstep((0.5 * snap), snap, (length_ - reach))));
+    float before = smoothstep((0.5 * snap), snap, (length_ - reach));
+    return ((length_ * (1.0 - before)) + (reach * before));
 }
 
 float altitude_of(float x, float radius_1) {

@@ -140,7 +140,8 @@ float scene_reach(float start, float length_, float b, bool ground, float distan
     }
     float slant = max((abs((b + length_)) / radius), 0.05);
     float snap = (((SUBPIXEL * pixel_angle) * distance_) / slant);
-    return (length_ - ((length_ - reach) * smoothstep((0.5 * snap), snap, (length_ - reach))));
+    float before_1 = smoothstep((0.5 * snap), snap, (length_ - reach));
+    return ((length_ * (1.0 - before_1)) + (reach * before_1));
 }
 
 float altitude_of(float x, float radius_1) {
@@ -151,69 +152,74 @@ float excess_of(float h, float radius_2) {
     return (h * ((2.0 * radius_2) + h));
 }
 
-float distance_to_top(float x_1, float b_1, float x_top) {
-    float c_2 = max((x_top - x_1), 0.0);
-    float root_1 = sqrt(((b_1 * b_1) + c_2));
-    if ((b_1 > 0.0)) {
-        return (c_2 / (b_1 + root_1));
-    }
-    return (root_1 - b_1);
+float altitude_after(float x_1, float b_1, float t, float radius_3) {
+    float _e9 = altitude_of((x_1 + (t * ((2.0 * b_1) + t))), radius_3);
+    return max(_e9, 0.0);
 }
 
-float half_chord2_(float b_2, float above, float depth_1, float p) {
+float distance_to_top(float x_2, float b_2, float x_top) {
+    float c_2 = max((x_top - x_2), 0.0);
+    float root_1 = sqrt(((b_2 * b_2) + c_2));
+    if ((b_2 > 0.0)) {
+        return (c_2 / (b_2 + root_1));
+    }
+    return (root_1 - b_2);
+}
+
+float half_chord2_(float b_3, float above, float depth_1, float p) {
     float sphere = (depth_1 + p);
-    if ((abs(b_2) < sphere)) {
-        return ((b_2 * b_2) - above);
+    if ((abs(b_3) < sphere)) {
+        return ((b_3 * b_3) - above);
     }
     return (depth_1 * (sphere + p));
 }
 
-Line line_past(vec3 dir, float h_1, float radius_3) {
-    bool local_3 = false;
-    float r = (radius_3 + h_1);
-    float b_6 = (r * dir.z);
+Line line_past(vec3 dir, float h_1, float radius_4) {
+    bool local_7 = false;
+    float r = (radius_4 + h_1);
+    float b_7 = (r * dir.z);
     float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
-    float _e11 = excess_of(h_1, radius_3);
-    float _e13 = half_chord2_(b_6, _e11, (radius_3 - p_1), p_1);
-    if ((b_6 < 0.0)) {
-        local_3 = (_e13 >= 0.0);
+    float _e11 = excess_of(h_1, radius_4);
+    float _e13 = half_chord2_(b_7, _e11, (radius_4 - p_1), p_1);
+    if ((b_7 < 0.0)) {
+        local_7 = (_e13 >= 0.0);
     } else {
-        local_3 = false;
+        local_7 = false;
     }
-    bool _e22 = local_3;
-    return Line(b_6, p_1, -(_e13), _e22);
+    bool _e22 = local_7;
+    return Line(b_7, p_1, -(_e13), _e22);
 }
 
-float top_half_chord2_(Line line, float h_2, float radius_4, float thickness) {
+float top_half_chord2_(Line line, float h_2, float radius_5, float thickness) {
     float b2_ = (line.b * line.b);
-    float _e7 = excess_of(thickness, radius_4);
-    float above_1 = ((h_2 - thickness) * (((2.0 * radius_4) + thickness) + h_2));
+    float _e7 = excess_of(thickness, radius_5);
+    float above_1 = ((h_2 - thickness) * (((2.0 * radius_5) + thickness) + h_2));
     return ((b2_ < _e7) ? (b2_ - above_1) : (_e7 - line.x_closest));
 }
 
-float to_ground(float x_2, float b_3, float root) {
-    return min((x_2 / (root - b_3)), -(b_3));
+float to_ground(float x_3, float b_4, float root) {
+    return min((x_3 / (root - b_4)), -(b_4));
 }
 
-AirPath air_path(Line line_1, float h_3, float radius_5, float thickness_1) {
-    bool local_4 = false;
-    float _e4 = excess_of(thickness_1, radius_5);
+AirPath air_path(Line line_1, float h_3, float radius_6, float thickness_1) {
+    bool local_8 = false;
+    float _e4 = excess_of(thickness_1, radius_6);
     float ground_root = sqrt(max(-(line_1.x_closest), 0.0));
     if ((h_3 <= thickness_1)) {
-        float _e11 = excess_of(h_3, radius_5);
+        float _e11 = excess_of(h_3, radius_6);
         float _e13 = distance_to_top(_e11, line_1.b, _e4);
         float _e15 = to_ground(_e11, line_1.b, ground_root);
         float reach_1 = (line_1.ground ? _e15 : _e13);
         return AirPath(0.0, reach_1, _e11, line_1.b);
     }
-    float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_5) + thickness_1) + h_3));
-    float _e27 = top_half_chord2_(line_1, h_3, radius_5, thickness_1);
+    float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_6) + thickness_1) + h_3));
+    float _e27 = top_half_chord2_(line_1, h_3, radius_6, thickness_1);
     if (!((line_1.b >= 0.0))) {
-        local_4 = (_e27 <= 0.0);
+        local_8 = (_e27 <= 0.0);
     } else {
-        local_4 = true;
+        local_8 = true;
     }
-    bool _e37 = local_4;
+    bool _e37 = local_8;
     if (_e37) {
         return AirPath(0.0, -1.0, 0.0, 0.0);
     }
@@ -256,20 +262,20 @@ vec2 table_uv(float x_share, float row, vec2 size_2) {
     return ((vec2((x_share * (size_2.x - 1.0)), row) + vec2(0.5)) / size_2);
 }
 
-vec2 columns_share(float x_3, float h_4, float b_4, float radius_6, float thickness_2) {
-    float _e5 = excess_of(thickness_2, radius_6);
-    float rho = sqrt(max(x_3, 0.0));
+vec2 columns_share(float x_4, float h_4, float b_5, float radius_7, float thickness_2) {
+    float _e5 = excess_of(thickness_2, radius_7);
+    float rho = sqrt(max(x_4, 0.0));
     float rho_top = sqrt(_e5);
-    float _e10 = distance_to_top(x_3, b_4, _e5);
+    float _e10 = distance_to_top(x_4, b_5, _e5);
     float shortest = max((thickness_2 - h_4), 0.0);
     return vec2(((_e10 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
 }
 
-vec3 columns_to_top(highp sampler2D table_1, float radius_7, float thickness_3, float x_4, float h_5, float b_5) {
+vec3 columns_to_top(highp sampler2D table_1, float radius_8, float thickness_3, float x_5, float h_5, float b_6) {
     ivec2 size_3 = ivec2(uvec2(textureSize(table_1, 0).xy));
-    vec2 _e8 = columns_share(x_4, h_5, b_5, radius_7, thickness_3);
-    vec2 at_2 = (_e8 * vec2((size_3 - ivec2(1))));
-    Corner _e14 = corner(at_2, size_3);
+    vec2 _e8 = columns_share(x_5, h_5, b_6, radius_8, thickness_3);
+    vec2 at_1 = (_e8 * vec2((size_3 - ivec2(1))));
+    Corner _e14 = corner(at_1, size_3);
     vec4 _e17 = bilinear(table_1, _e14, ivec2(0));
     return exp2(_e17.xyz);
 }
@@ -287,24 +293,24 @@ float azimuth_share(vec3 dir_1) {
     return (s_1 / (large + small));
 }
 
-float zenith_share(Line line_2, float mu, float h_6, float radius_8, float thickness_4, vec4 limb) {
+float zenith_share(Line line_2, float mu, float h_6, float radius_9, float thickness_4, vec4 limb) {
     if (line_2.ground) {
-        float cosine_1 = min((sqrt(max(-(line_2.x_closest), 0.0)) / radius_8), 1.0);
-        float _e26 = crowded((0.5 * cosine_1), ((line_2.p / radius_8) / sqrt((2.0 + (2.0 * cosine_1)))), SQRT_HALF);
+        float cosine_1 = min((sqrt(max(-(line_2.x_closest), 0.0)) / radius_9), 1.0);
+        float _e26 = crowded((0.5 * cosine_1), ((line_2.p / radius_9) / sqrt((2.0 + (2.0 * cosine_1)))), SQRT_HALF);
         return _e26;
     }
     if ((mu >= 0.0)) {
-        float s_2 = ((line_2.p / (radius_8 + h_6)) / sqrt((2.0 + (2.0 * mu))));
+        float s_2 = ((line_2.p / (radius_9 + h_6)) / sqrt((2.0 + (2.0 * mu))));
         float _e48 = crowded((0.5 * (mu + limb.w)), s_2, sqrt((0.5 + (0.5 * limb.w))));
         return (limb.x + (((1.0 - limb.x) * max((_e48 - limb.z), 0.0)) / (1.0 - limb.z)));
     }
     float limit = max(min(h_6, thickness_4), 1e-20);
-    float lowest = (max(line_2.x_closest, 0.0) / (radius_8 + line_2.p));
-    float part = min((lowest / limit), 1.0);
-    float _e78 = top_half_chord2_(line_2, h_6, radius_8, thickness_4);
+    float lowest = (max(line_2.x_closest, 0.0) / (radius_9 + line_2.p));
+    float part_1 = min((lowest / limit), 1.0);
+    float _e78 = top_half_chord2_(line_2, h_6, radius_9, thickness_4);
     float b2_1 = ((h_6 > thickness_4) ? _e78 : (line_2.b * line_2.b));
-    float v_1 = sqrt(clamp((b2_1 / (limit * (((2.0 * radius_8) + limit) + lowest))), 0.0, 1.0));
-    return (limb.x * sqrt(((part * (1.0 + (limb.y * v_1))) / (1.0 + v_1))));
+    float v_1 = sqrt(clamp((b2_1 / (limit * (((2.0 * radius_9) + limit) + lowest))), 0.0, 1.0));
+    return (limb.x * sqrt(((part_1 * (1.0 + (limb.y * v_1))) / (1.0 + v_1))));
 }
 
 float sky_row(float share, bool ground_1, float rows, float ground_rows) {
@@ -316,19 +322,31 @@ vec3 fourth(vec3 v) {
     return (square * square);
 }
 
-float unwarp(float low, float t) {
-    return (sign((t - low)) * sqrt(abs((t - low))));
+float unwarp(float low, float t_1) {
+    return (sign((t_1 - low)) * sqrt(abs((t_1 - low))));
 }
 
-vec3 air_between(highp sampler2D air, vec2 texel, float at_1, float last, int kind, vec2 table_2, float before) {
-    float slice = clamp(floor(at_1), -1.0, (last - 1.0));
-    vec2 scale = (vec2(1.0) / vec2((table_2.x * (last + 1.0)), (table_2.y * 4.0)));
-    vec2 far = (((texel + (table_2 * vec2((slice + 1.0), float(kind)))) + vec2(0.5)) * scale);
-    vec2 near = (far - vec2((table_2.x * scale.x), 0.0));
-    vec4 _e41 = textureLod(air, vec2(near), 0.0);
-    vec3 from = _e41.xyz;
-    vec4 _e48 = textureLod(air, vec2(far), 0.0);
-    return mix(((slice < 0.0) ? vec3(before) : from), _e48.xyz, clamp((at_1 - slice), 0.0, 1.0));
+vec3 mean_transmittance(vec3 tau) {
+    vec3 series = (vec3(1.0) - (tau * (vec3(0.5) - (tau * 0.16666667))));
+    return mix(((vec3(1.0) - exp(-(tau))) / tau), series, lessThan(tau, vec3(0.01)));
+}
+
+vec3 slice_share(vec3 inverse_heights, float from, float here, float to, float part) {
+    vec3 rise = (inverse_heights * (here - from));
+    vec3 whole = (inverse_heights * (to - from));
+    vec3 _e10 = mean_transmittance(abs(rise));
+    vec3 _e12 = mean_transmittance(abs(whole));
+    vec3 ratio = (_e10 / _e12);
+    return clamp(((part * ratio) * exp((max(-(rise), vec3(0.0)) - max(-(whole), vec3(0.0))))), vec3(0.0), vec3(1.0));
+}
+
+vec4 air_at(highp sampler2D air, vec2 texel, float slice_1, float slices, int kind, vec2 table_2, float before) {
+    if ((slice_1 < 0.0)) {
+        return vec4(vec3(before), 0.0);
+    }
+    vec2 scale = (vec2(1.0) / vec2((table_2.x * slices), (table_2.y * 4.0)));
+    vec4 _e31 = textureLod(air, vec2((((texel + (table_2 * vec2(slice_1, float(kind)))) + vec2(0.5)) * scale)), 0.0);
+    return _e31;
 }
 
 void main() {
@@ -341,6 +359,15 @@ void main() {
     vec3 light = vec3(0.0);
     vec3 through = vec3(1.0);
     bool local_2 = false;
+    float slice = 0.0;
+    vec4 near = vec4(0.0);
+    vec4 far = vec4(0.0);
+    int i = 0;
+    bool local_3 = false;
+    bool local_4 = false;
+    int i_1 = 0;
+    bool local_5 = false;
+    bool local_6 = false;
     ivec2 pixel_1 = ivec2(position.xy);
     vec4 behind = vec4(0.0);
     vec2 _e9 = _group_0_binding_0_fs.frame.size;
@@ -354,10 +381,10 @@ void main() {
     float _e32 = depth_distance(_e27, _e30.x, ray_length_1);
     vec3 dir_2 = (_e22 / vec3(ray_length_1));
     float h_7 = _group_0_binding_0_fs.frame.altitude;
-    float radius_9 = _group_0_binding_0_fs.frame.medium.radius;
+    float radius_10 = _group_0_binding_0_fs.frame.medium.radius;
     float thickness_5 = _group_0_binding_0_fs.frame.medium.thickness;
-    Line _e49 = line_past(dir_2, h_7, radius_9);
-    AirPath _e50 = air_path(_e49, h_7, radius_9, thickness_5);
+    Line _e49 = line_past(dir_2, h_7, radius_10);
+    AirPath _e50 = air_path(_e49, h_7, radius_10, thickness_5);
     if (_e49.ground) {
         local = (_e50.length_ >= 0.0);
     } else {
@@ -367,7 +394,7 @@ void main() {
     end = _e50.length_;
     if ((_e32 >= 0.0)) {
         float _e73 = _group_0_binding_0_fs.frame.pixel_angle;
-        float _e74 = scene_reach(_e50.start, _e50.length_, _e50.b, ground_2, _e32, radius_9, _e73);
+        float _e74 = scene_reach(_e50.start, _e50.length_, _e50.b, ground_2, _e32, radius_10, _e73);
         end = _e74;
     } else {
         if (!(ground_2)) {
@@ -391,7 +418,7 @@ void main() {
     }
     float _e94 = azimuth_share(dir_2);
     vec4 _e99 = _group_0_binding_0_fs.frame.limb;
-    float _e100 = zenith_share(_e49, dir_2.z, h_7, radius_9, thickness_5, _e99);
+    float _e100 = zenith_share(_e49, dir_2.z, h_7, radius_10, thickness_5, _e99);
     vec2 size_4 = vec2(uvec2(textureSize(_group_0_binding_2_fs, 0).xy));
     float _e108 = _group_0_binding_0_fs.tables.ground_rows;
     float _e109 = sky_row(_e100, ground_2, size_4.y, _e108);
@@ -410,8 +437,8 @@ void main() {
     if (_e132) {
         bool _e133 = dims;
         if (_e133) {
-            float _e137 = altitude_of(_e50.x, radius_9);
-            vec3 _e139 = columns_to_top(_group_0_binding_4_fs, radius_9, thickness_5, _e50.x, _e137, _e50.b);
+            float _e137 = altitude_of(_e50.x, radius_10);
+            vec3 _e139 = columns_to_top(_group_0_binding_4_fs, radius_10, thickness_5, _e50.x, _e137, _e50.b);
             vec3 _e144 = _group_0_binding_0_fs.frame.medium.rayleigh;
             vec3 _e149 = _group_0_binding_0_fs.frame.medium.mie_extinction;
             vec3 _e154 = _group_0_binding_0_fs.frame.medium.ozone;
@@ -421,33 +448,137 @@ void main() {
         }
     } else {
         uint _e162 = _group_0_binding_0_fs.tables.slices;
-        float slices = float(_e162);
-        vec2 table_3 = (vec2(uvec2(textureSize(_group_0_binding_3_fs, 0).xy)) / vec2(slices, 4.0));
+        float slices_1 = float(_e162);
+        vec2 table_3 = (vec2(uvec2(textureSize(_group_0_binding_3_fs, 0).xy)) / vec2(slices_1, 4.0));
         float _e178 = _group_0_binding_0_fs.tables.air_ground_rows;
         float _e179 = sky_row(_e100, ground_2, table_3.y, _e178);
         vec2 texel_1 = vec2((_e94 * (table_3.x - 1.0)), _e179);
         float low_3 = clamp(-(_e50.b), 0.0, _e50.length_);
         float _e187 = unwarp(low_3, 0.0);
         float _e188 = end;
-        float _e189 = unwarp(low_3, _e188);
-        float _e192 = unwarp(low_3, _e50.length_);
-        float at_3 = ((((_e189 - _e187) / (_e192 - _e187)) * slices) - 1.0);
-        float _e198 = end;
-        if ((_e198 < _e50.length_)) {
-            vec3 _e201 = light;
-            vec3 _e208 = air_between(_group_0_binding_3_fs, texel_1, at_3, (slices - 1.0), AIR_SMOOTH, table_3, 0.0);
-            light = (_e201 * _e208);
+        float share_of = min((_e188 / _e50.length_), 1.0);
+        float _e193 = end;
+        float _e194 = unwarp(low_3, _e193);
+        float _e197 = unwarp(low_3, _e50.length_);
+        slice = clamp(floor((((_e194 - _e187) / (_e197 - _e187)) * slices_1)), 0.0, (slices_1 - 1.0));
+        float _e209 = slice;
+        vec4 _e214 = air_at(_group_0_binding_3_fs, texel_1, (_e209 - 1.0), slices_1, AIR_THROUGH, table_3, 1.0);
+        near = _e214;
+        float _e218 = slice;
+        vec4 _e221 = air_at(_group_0_binding_3_fs, texel_1, _e218, slices_1, AIR_THROUGH, table_3, 1.0);
+        far = _e221;
+        bool loop_init = true;
+        while(true) {
+            if (!loop_init) {
+                int _e254 = i;
+                i = (_e254 + 1);
+            }
+            loop_init = false;
+            int _e225 = i;
+            if ((_e225 < 4)) {
+                float _e231 = far.w;
+                local_3 = (share_of > _e231);
+            } else {
+                local_3 = false;
+            }
+            bool _e234 = local_3;
+            if (_e234) {
+                float _e237 = slice;
+                local_4 = (_e237 < (slices_1 - 1.0));
+            } else {
+                local_4 = false;
+            }
+            bool _e242 = local_4;
+            if (_e242) {
+            } else {
+                break;
+            }
+            {
+                float _e243 = slice;
+                slice = (_e243 + 1.0);
+                vec4 _e246 = far;
+                near = _e246;
+                float _e249 = slice;
+                vec4 _e252 = air_at(_group_0_binding_3_fs, texel_1, _e249, slices_1, AIR_THROUGH, table_3, 1.0);
+                far = _e252;
+            }
         }
-        vec3 _e216 = air_between(_group_0_binding_3_fs, texel_1, at_3, (slices - 1.0), AIR_THROUGH, table_3, 1.0);
-        through = _e216;
+        bool loop_init_1 = true;
+        while(true) {
+            if (!loop_init_1) {
+                int _e288 = i_1;
+                i_1 = (_e288 + 1);
+            }
+            loop_init_1 = false;
+            int _e258 = i_1;
+            if ((_e258 < 4)) {
+                float _e264 = near.w;
+                local_5 = (share_of < _e264);
+            } else {
+                local_5 = false;
+            }
+            bool _e267 = local_5;
+            if (_e267) {
+                float _e270 = slice;
+                local_6 = (_e270 > 0.0);
+            } else {
+                local_6 = false;
+            }
+            bool _e274 = local_6;
+            if (_e274) {
+            } else {
+                break;
+            }
+            {
+                float _e275 = slice;
+                slice = (_e275 - 1.0);
+                vec4 _e278 = near;
+                far = _e278;
+                float _e281 = slice;
+                vec4 _e286 = air_at(_group_0_binding_3_fs, texel_1, (_e281 - 1.0), slices_1, AIR_THROUGH, table_3, 1.0);
+                near = _e286;
+            }
+        }
+        float _e291 = near.w;
+        float _e294 = far.w;
+        float _e296 = near.w;
+        float part_2 = clamp(((share_of - _e291) / max((_e294 - _e296), 1e-9)), 0.0, 1.0);
+        float _e308 = _group_0_binding_0_fs.frame.medium.rayleigh_inv_height;
+        float _e313 = _group_0_binding_0_fs.frame.medium.mie_inv_height;
+        vec3 heights = vec3(_e308, _e313, 0.0);
+        float _e319 = near.w;
+        float _e322 = altitude_after(_e50.x, _e50.b, (_e319 * _e50.length_), radius_10);
+        float _e325 = end;
+        float _e326 = altitude_after(_e50.x, _e50.b, _e325, radius_10);
+        float _e330 = far.w;
+        float _e333 = altitude_after(_e50.x, _e50.b, (_e330 * _e50.length_), radius_10);
+        vec3 _e334 = slice_share(heights, _e322, _e326, _e333, part_2);
+        vec4 _e335 = far;
+        vec4 _e337 = near;
+        vec3 tau_1 = -(log(clamp((_e335.xyz / max(_e337.xyz, vec3(1e-30))), vec3(1e-30), vec3(1.0))));
+        vec3 _e352 = mean_transmittance((tau_1 * _e334.x));
+        vec3 _e353 = mean_transmittance(tau_1);
+        vec3 seen = (_e352 / _e353);
+        float _e355 = end;
+        if ((_e355 < _e50.length_)) {
+            float _e360 = slice;
+            vec4 _e365 = air_at(_group_0_binding_3_fs, texel_1, (_e360 - 1.0), slices_1, AIR_SMOOTH, table_3, 0.0);
+            vec3 lit = _e365.xyz;
+            vec3 _e367 = light;
+            float _e370 = slice;
+            vec4 _e373 = air_at(_group_0_binding_3_fs, texel_1, _e370, slices_1, AIR_SMOOTH, table_3, 0.0);
+            light = (_e367 * mix(lit, _e373.xyz, (_e334.x * seen)));
+        }
+        vec4 _e379 = near;
+        through = (_e379.xyz * exp((-(tau_1) * _e334.x)));
     }
-    vec3 _e217 = light;
-    vec3 _e222 = _group_0_binding_0_fs.frame.medium.irradiance;
-    float _e223 = weight;
-    light = (_e217 * (_e222 * _e223));
-    vec3 _e226 = light;
-    vec3 _e230 = through;
-    _fs2p_location0 = vec4(min(_e226, vec3(32000.0)), (1.0 - dot(_e230, vec3(0.33333334))));
+    vec3 _e386 = light;
+    vec3 _e391 = _group_0_binding_0_fs.frame.medium.irradiance;
+    float _e392 = weight;
+    light = (_e386 * (_e391 * _e392));
+    vec3 _e395 = light;
+    vec3 _e399 = through;
+    _fs2p_location0 = vec4(min(_e395, vec3(32000.0)), (1.0 - dot(_e399, vec3(0.33333334))));
     return;
 }
 

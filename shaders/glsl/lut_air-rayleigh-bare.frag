@@ -580,36 +580,38 @@ void main() {
     TableRay _e38 = table_ray(azimuth_1, (float((_e9.row - first_1)) / float((rows_1 - 1))), ground_2, f.altitude, m_2.radius, m_2.thickness, f.limb, f.sun);
     AirRay ray_4 = _e38.ray;
     if ((ray_4.length_ <= 0.0)) {
-        _fs2p_location0 = vec4(vec3(((_e9.kind >= AIR_BEAM) ? 1.0 : 0.0)), 0.0);
+        _fs2p_location0 = vec4(vec3(((_e9.kind >= AIR_BEAM) ? 1.0 : 0.0)), (float((_e9.slice + 1)) / float(t_5.slices)));
         return;
     }
-    Low _e54 = lowest(ray_4, ray_4.length_, m_2.radius);
-    float _e57 = unwarp(_e54.t, 0.0);
-    float _e60 = unwarp(_e54.t, ray_4.length_);
-    float du_1 = ((_e60 - _e57) / float(t_5.slices));
-    float from = (_e57 + (du_1 * float(_e9.slice)));
+    Low _e60 = lowest(ray_4, ray_4.length_, m_2.radius);
+    float _e63 = unwarp(_e60.t, 0.0);
+    float _e66 = unwarp(_e60.t, ray_4.length_);
+    float du_1 = ((_e66 - _e63) / float(t_5.slices));
+    float from = (_e63 + (du_1 * float(_e9.slice)));
+    float _e77 = warp(_e60.t, (from + du_1));
+    float end = (_e77 / ray_4.length_);
     if ((_e9.kind == AIR_SMOOTH)) {
-        float _e80 = rayleigh_phase(ray_4.nu);
-        gas = (m_2.rayleigh * _e80);
+        float _e91 = rayleigh_phase(ray_4.nu);
+        gas = (m_2.rayleigh * _e91);
     } else {
         aerosol = m_2.mie_scattering;
     }
-    vec3 _e85 = gas;
-    vec3 _e86 = aerosol;
-    Gathered _e87 = gather_direct(_group_0_binding_1_fs, m_2, t_5, ray_4, _e54, from, (from + du_1), _e85, _e86);
+    vec3 _e96 = gas;
+    vec3 _e97 = aerosol;
+    Gathered _e98 = gather_direct(_group_0_binding_1_fs, m_2, t_5, ray_4, _e60, from, (from + du_1), _e96, _e97);
     switch(_e9.kind) {
         case 2: {
-            _fs2p_location0 = vec4(_e87.transmittance, 0.0);
+            _fs2p_location0 = vec4(_e98.transmittance, end);
             return;
         }
         case 3: {
-            mat3x3 _e92 = coefficients_of(m_2);
-            vec3 _e94 = extinction(_e92, _e87.columns);
-            _fs2p_location0 = vec4(exp(-(_e94)), 0.0);
+            mat3x3 _e102 = coefficients_of(m_2);
+            vec3 _e104 = extinction(_e102, _e98.columns);
+            _fs2p_location0 = vec4(exp(-(_e104)), end);
             return;
         }
         default: {
-            _fs2p_location0 = vec4(max(_e87.radiance, vec3(0.0)), 0.0);
+            _fs2p_location0 = vec4(max(_e98.radiance, vec3(0.0)), end);
             return;
         }
     }

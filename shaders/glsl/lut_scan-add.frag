@@ -108,23 +108,29 @@ vec3 air_load(highp sampler2D table, AirTexel a, int kind, int slice) {
     return _e14.xyz;
 }
 
+float air_end(highp sampler2D table_1, AirTexel a_1) {
+    vec4 _e14 = texelFetch(table_1, ivec2(((a_1.slice * a_1.columns) + a_1.column), ((a_1.kind * a_1.rows) + a_1.row)), 0);
+    return _e14.w;
+}
+
 void main() {
     vec4 position = gl_FragCoord;
     Tables t_1 = _group_0_binding_0_fs.tables;
     AirTexel _e5 = air_texel(position.xy, t_1);
     vec3 _e9 = air_load(_group_0_binding_1_fs, _e5, _e5.kind, _e5.slice);
+    float _e11 = air_end(_group_0_binding_1_fs, _e5);
     int nearer = (_e5.slice - int(t_1.shift));
     if ((nearer < 0)) {
-        _fs2p_location0 = vec4(_e9, 0.0);
+        _fs2p_location0 = vec4(_e9, _e11);
         return;
     }
-    vec3 _e20 = air_load(_group_0_binding_1_fs, _e5, _e5.kind, nearer);
+    vec3 _e21 = air_load(_group_0_binding_1_fs, _e5, _e5.kind, nearer);
     if ((_e5.kind >= AIR_BEAM)) {
-        _fs2p_location0 = vec4((_e20 * _e9), 0.0);
+        _fs2p_location0 = vec4((_e21 * _e9), _e11);
         return;
     }
     vec3 _e29 = air_load(_group_0_binding_1_fs, _e5, AIR_BEAM, nearer);
-    _fs2p_location0 = vec4((_e20 + (_e29 * _e9)), 0.0);
+    _fs2p_location0 = vec4((_e21 + (_e29 * _e9)), _e11);
     return;
 }
 

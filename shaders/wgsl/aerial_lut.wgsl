@@ -33,15 +33,23 @@ struct Uniforms {
 
 @group(0) @binding(7) var linear: sampler;
 
-// Between two slices of a kind; `at` counts slices, the first ends at 0. before: the value at the camera. table: of one
-// slice, texels.
-fn air_between(air: texture_2d<f32>, sampling: sampler, texel: vec2f, at: f32, last: f32, kind: i32, table: vec2f, before: f32) -> vec3f {
-    let slice = clamp(floor(at), -1.0, last - 1.0);
-    let scale = 1.0 / vec2f(table.x * (last + 1.0), table.y * f32(AIR_KINDS));
-    let far = (texel + table * vec2f(slice + 1.0, f32(kind)) + 0.5) * scale;
-    let near = far - vec2f(table.x * scale.x, 0.0);
-    let from_ = textureSampleLevel(air, sampling, near, 0.0).xyz;
-    return mix(select(from_, vec3f(before), slice < 0.0), textureSampleLevel(air, sampling, far, 0.0).xyz, clamp(at - slice, 0.0, 1.0));
+// Share of a slice's gas, aerosol and absorber (as if it were even) that lies in a part of its way. Where densities go from
+// exp(-x0) to exp(-x1) and are exponential between, their mean is exp(-min(x0, x1)) times that of exp(-s) over 0..|x1 - x0|.
+fn slice_share(inverse_heights: vec3f, from_: f32, here: f32, to: f32, part: f32) -> vec3f {
+    let rise = inverse_heights * (here - from_);
+    let whole = inverse_heights * (to - from_);
+    let ratio = mean_transmittance(abs(rise)) / mean_transmittance(abs(whole));
+    return clamp(part * ratio * exp(max(-rise, vec3f(0.0)) - max(-whole, vec3f(0.0))), vec3f(0.0), vec3f(1.0));
+}
+
+// At the end of a slice, of a kind; at the camera, where the value is `before`, for slice -1. w: share of the ray's length.
+// table: of one slice, texels.
+fn air_at(air: texture_2d<f32>, sampling: sampler, texel: vec2f, slice: f32, slices: f32, kind: i32, table: vec2f, before: f32) -> vec4f {
+    if slice < 0.0 {
+        return vec4f(vec3f(before), 0.0);
+    }
+    let scale = 1.0 / vec2f(table.x * slices, table.y * f32(AIR_KINDS));
+    return textureSampleLevel(air, sampling, (texel + table * vec2f(slice, f32(kind)) + 0.5) * scale, 0.0);
 }
 
 @fragment
@@ -102,14 +110,43 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
         let texel = vec2f(azimuth * (table.x - 1.0), sky_row(share, ground, table.y, uniforms.tables.air_ground_rows));
         let low = clamp(-path.b, 0.0, path.length);
         let u0 = unwarp(low, 0.0);
-        let at = (unwarp(low, end) - u0) / (unwarp(low, path.length) - u0) * slices - 1.0;
+        let share_of = min(end / path.length, 1.0);
+        var slice = clamp(floor((unwarp(low, end) - u0) / (unwarp(low, path.length) - u0) * slices), 0.0, slices - 1.0);
+        var near = air_at(table_air, linear, texel, slice - 1.0, slices, AIR_THROUGH, table, 1.0);
+        var far = air_at(table_air, linear, texel, slice, slices, AIR_THROUGH, table, 1.0);
+        // Between rows slices end elsewhere.
+        for (var i = 0; i < 4 && share_of > far.w && slice < slices - 1.0; i++) {
+            slice += 1.0;
+            near = far;
+            far = air_at(table_air, linear, texel, slice, slices, AIR_THROUGH, table, 1.0);
+        }
+        for (var i = 0; i < 4 && share_of < near.w && slice > 0.0; i++) {
+            slice -= 1.0;
+            far = near;
+            near = air_at(table_air, linear, texel, slice - 1.0, slices, AIR_THROUGH, table, 1.0);
+        }
+        // Light grows with the air that is passed, not with u: next to the camera u is the distance's root.
+        let part = clamp((share_of - near.w) / max(far.w - near.w, 1e-9), 0.0, 1.0);
+        let heights = vec3f(uniforms.frame.medium.rayleigh_inv_height, uniforms.frame.medium.mie_inv_height, 0.0);
+        let passed = slice_share(
+            heights,
+            altitude_after(path.x, path.b, near.w * path.length, radius),
+            altitude_after(path.x, path.b, end, radius),
+            altitude_after(path.x, path.b, far.w * path.length, radius),
+            part,
+        );
+        // Optical depth grows with the gas that is passed, and light by what it lets through.
+        let tau = -log(clamp(far.xyz / max(near.xyz, vec3f(1e-30)), vec3f(1e-30), vec3f(1.0)));
+        let seen = mean_transmittance(tau * passed.x) / mean_transmittance(tau);
         if end < path.length {
-            light *= air_between(table_air, linear, texel, at, slices - 1.0, AIR_SMOOTH, table, 0.0);
+            let lit = air_at(table_air, linear, texel, slice - 1.0, slices, AIR_SMOOTH, table, 0.0).xyz;
+            light *= mix(lit, air_at(table_air, linear, texel, slice, slices, AIR_SMOOTH, table, 0.0).xyz, passed.x * seen);
             //#if HAZE
-            aerosol *= air_between(table_air, linear, texel, at, slices - 1.0, AIR_AEROSOL, table, 0.0);
+            let hazy = air_at(table_air, linear, texel, slice - 1.0, slices, AIR_AEROSOL, table, 0.0).xyz;
+            aerosol *= mix(hazy, air_at(table_air, linear, texel, slice, slices, AIR_AEROSOL, table, 0.0).xyz, min(passed.y * seen, vec3f(1.0)));
             //#endif
         }
-        through = air_between(table_air, linear, texel, at, slices - 1.0, AIR_THROUGH, table, 1.0);
+        through = near.xyz * exp(-tau * passed.x);
     }
     //#if HAZE
     light += aerosol;

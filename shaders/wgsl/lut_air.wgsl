@@ -27,12 +27,13 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let azimuth = f32(a.column) / f32(a.columns - 1);
     let ray = table_ray(azimuth, f32(a.row - first) / f32(rows - 1), ground, f.altitude, m.radius, m.thickness, f.limb, f.sun).ray;
     if ray.length <= 0.0 {
-        return vec4f(vec3f(select(0.0, 1.0, a.kind >= AIR_BEAM)), 0.0);
+        return vec4f(vec3f(select(0.0, 1.0, a.kind >= AIR_BEAM)), f32(a.slice + 1) / f32(t.slices));
     }
     let low = lowest(ray, ray.length, m.radius);
     let u0 = unwarp(low.t, 0.0);
     let du = (unwarp(low.t, ray.length) - u0) / f32(t.slices);
     let from_ = u0 + du * f32(a.slice);
+    let end = warp(low.t, from_ + du) / ray.length;
     var gas = vec3f(0.0);
     var aerosol = vec3f(0.0);
     if a.kind == AIR_SMOOTH {
@@ -47,8 +48,8 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let g = gather_direct(columns, m, t, ray, low, from_, from_ + du, gas, aerosol);
     //#endif
     switch a.kind {
-        case AIR_BEAM: { return vec4f(g.transmittance, 0.0); }
-        case AIR_THROUGH: { return vec4f(exp(-extinction(coefficients_of(m), g.columns)), 0.0); }
-        default: { return vec4f(max(g.radiance, vec3f(0.0)), 0.0); }
+        case AIR_BEAM: { return vec4f(g.transmittance, end); }
+        case AIR_THROUGH: { return vec4f(exp(-extinction(coefficients_of(m), g.columns)), end); }
+        default: { return vec4f(max(g.radiance, vec3f(0.0)), end); }
     }
 }

@@ -15,24 +15,25 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let t = uniforms.tables;
     let a = air_texel(position.xy, t);
     let own = air_load(air, a, a.kind, a.slice);
+    let end = air_end(air, a);
     //#if FINISH
     if a.kind >= AIR_BEAM {
-        return vec4f(own, 0.0);
+        return vec4f(own, end);
     }
     let whole = air_load(air, a, a.kind, i32(t.slices) - 1);
     // Where there is no light its share is that of the slices: the last one's is 1 in any case.
     let even = f32(a.slice + 1) / f32(t.slices);
-    return vec4f(select(vec3f(even), own / max(whole, vec3f(1e-37)), whole > vec3f(1e-30)), 0.0);
+    return vec4f(select(vec3f(even), own / max(whole, vec3f(1e-37)), whole > vec3f(1e-30)), end);
     //#endif
     //#if ADD
     let nearer = a.slice - i32(t.shift);
     if nearer < 0 {
-        return vec4f(own, 0.0);
+        return vec4f(own, end);
     }
     let before = air_load(air, a, a.kind, nearer);
     if a.kind >= AIR_BEAM {
-        return vec4f(before * own, 0.0);
+        return vec4f(before * own, end);
     }
-    return vec4f(before + air_load(air, a, AIR_BEAM, nearer) * own, 0.0);
+    return vec4f(before + air_load(air, a, AIR_BEAM, nearer) * own, end);
     //#endif
 }

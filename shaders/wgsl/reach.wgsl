@@ -13,5 +13,6 @@ fn scene_reach(start: f32, length: f32, b: f32, ground: bool, distance: f32, rad
     // the ray. A scene closer to the ground than that is on it, or a far planet would be speckled.
     let slant = max(abs(b + length) / radius, 0.05); // cosine of the ray's angle to the vertical
     let snap = SUBPIXEL * pixel_angle * distance / slant;
-    return length - (length - reach) * smoothstep(0.5 * snap, snap, length - reach);
+    let before = smoothstep(0.5 * snap, snap, length - reach);
+    return length * (1.0 - before) + reach * before; // reach itself where it is small
 }

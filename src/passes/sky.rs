@@ -478,7 +478,8 @@ impl SkyRenderer {
         let mut textures = [Some(shade), None, None];
         if let Some(wanted) = wanted {
             let (t, made) = self.luts.of_medium(backend, &scene.atmosphere, wanted, false, &mut self.passes)?;
-            tables = TablesUniform { steps: wanted.settings.sky_steps, ..made };
+            // Half of what a texel of the tables gets: here it is for each pixel.
+            tables = TablesUniform { steps: (wanted.settings.sky_steps / 2).max(4), ..made };
             textures[1..].copy_from_slice(&[Some(t.columns()), self.luts.moments().map(|(moments, ..)| moments)]);
         }
         Ok((Uniform::new(&EclipseUniform { frame, tables, eclipse }), textures))

@@ -57,11 +57,11 @@ pub(super) static PARTS: &[&str] = &[
 ];
 
 pub(super) static GLSL: &[Glsl] = &[
-    Glsl { name: "probe-geometry", vertex: &[215, 0], fragment: &[1, 4, 17, 11, 3, 12, 391, 150, 49, 141, 174, 309, 354, 356, 198, 377, 370, 38, 43, 206, 183, 421, 415, 406, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-medium", vertex: &[215, 0], fragment: &[1, 402, 72, 397, 155, 263, 296, 180, 91, 412, 408, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-path", vertex: &[215, 0], fragment: &[1, 390, 150, 49, 140, 187, 72, 94, 155, 384, 274, 362, 413, 407, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-tables", vertex: &[215, 0], fragment: &[1, 4, 17, 11, 3, 19, 18, 8, 389, 150, 398, 399, 420, 429, 430, 404, 434, 433, 387, 388, 401, 384, 380, 394, 395, 392, 422, 428, 352, 424, 396, 393, 423, 436, 432, 169, 417, 427, 414, 405, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-scatter_hg", vertex: &[215, 0], fragment: &[1, 4, 17, 11, 3, 12, 14, 390, 150, 49, 141, 174, 309, 354, 356, 199, 377, 370, 38, 43, 207, 311, 187, 72, 109, 155, 384, 380, 418, 263, 296, 180, 431, 425, 416, 409, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-scatter_cs", vertex: &[215, 0], fragment: &[1, 4, 17, 11, 3, 12, 14, 390, 150, 49, 141, 174, 309, 354, 356, 199, 377, 370, 38, 43, 207, 311, 187, 72, 109, 155, 384, 380, 418, 263, 296, 180, 91, 431, 426, 416, 410, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
-    Glsl { name: "probe-eclipse", vertex: &[215, 0], fragment: &[403, 419, 172, 302, 383, 400, 435, 265, 411, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-geometry", vertex: &[215, 0], fragment: &[1, 4, 17, 11, 3, 12, 394, 151, 50, 141, 175, 310, 356, 358, 198, 380, 372, 39, 44, 206, 183, 424, 418, 409, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-medium", vertex: &[215, 0], fragment: &[1, 405, 73, 400, 156, 263, 296, 180, 92, 415, 411, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-path", vertex: &[215, 0], fragment: &[1, 393, 151, 50, 140, 187, 73, 95, 156, 387, 274, 364, 416, 410, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-tables", vertex: &[215, 0], fragment: &[1, 4, 17, 11, 3, 19, 18, 8, 392, 151, 401, 402, 423, 432, 433, 407, 437, 436, 390, 391, 404, 387, 383, 397, 398, 395, 425, 431, 354, 427, 399, 396, 426, 439, 435, 170, 420, 430, 417, 408, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-scatter_hg", vertex: &[215, 0], fragment: &[1, 4, 17, 11, 3, 12, 14, 393, 151, 50, 141, 175, 310, 356, 358, 199, 380, 372, 39, 44, 207, 312, 187, 73, 110, 156, 387, 383, 421, 263, 296, 180, 434, 428, 419, 412, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-scatter_cs", vertex: &[215, 0], fragment: &[1, 4, 17, 11, 3, 12, 14, 393, 151, 50, 141, 175, 310, 356, 358, 199, 380, 372, 39, 44, 207, 312, 187, 73, 110, 156, 387, 383, 421, 263, 296, 180, 92, 434, 429, 419, 413, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
+    Glsl { name: "probe-eclipse", vertex: &[215, 0], fragment: &[406, 422, 173, 303, 386, 403, 438, 265, 414, 0], blocks: ["", ""], textures: &["_group_0_binding_1_fs"] },
 ];

@@ -62,6 +62,13 @@ impl Line<'_> {
             .fold(0.0, f64::max)
     }
 
+    /// Largest error over what the reference has, or over a thousandth of its brightest where that is more.
+    pub fn off(&self) -> f64 {
+        let floor = 1e-3 * self.brightest();
+        let pairs = self.got.iter().flatten().zip(self.want.iter().flatten());
+        pairs.map(|(got, want)| (got - want).abs() / want.max(floor)).fold(0.0, f64::max)
+    }
+
     /// Blue, drawn over the reference's.
     pub fn channel(&self) -> Vec<f64> {
         self.got.iter().zip(self.want).map(|(g, w)| g[2] / w[2] - 1.0).collect()

@@ -21,8 +21,8 @@ use crate::views::{self, Place, View};
 #[command(long_about = "\
 Say what each effect costs: bytes, pipelines and milliseconds
 
-Two pictures for each effect, drawn with a device of their own each: one that calls for it and one that does not, alike \
-otherwise. The table has the difference: bytes of textures, pipelines (on WebGL2: programs), milliseconds of the GPU in a \
+Two pictures for each effect: one that calls for it and one that does not, alike otherwise. Programs and textures are freed \
+after each. The table has the difference: bytes of textures, pipelines (on WebGL2: programs), milliseconds of the GPU in a \
 frame in which camera and sun move, and milliseconds once for each medium. The last columns count what of the effect was there when it was off: passes, and \
 textures or programs more than the plan without it names.")]
 pub struct CostsArgs {
@@ -89,7 +89,8 @@ pub fn run(args: &CostsArgs) -> anyhow::Result<()> {
         None => BackendChoice::Auto,
     };
     let rows = rows(Quality::from_name(&args.quality)?)?;
-    let describe = Drawer::open(choice)?.describe();
+    let mut drawer = Drawer::open(choice)?;
+    let describe = drawer.describe();
     let progress = Progress::of("measuring", 2 * rows.len());
     let [width, height] = args.size;
     let mut text = format!("{describe}\n\n{width}×{height}, {}; on less off:\n\n", args.quality);
@@ -99,7 +100,7 @@ pub fn run(args: &CostsArgs) -> anyhow::Result<()> {
         let mut found = Vec::with_capacity(2);
         for case in &row.cases {
             let tell = progress.step(row.effect);
-            found.push(measure(&mut Drawer::open(choice)?, case, row.effect, args)?);
+            found.push(measure(&mut drawer, case, row.effect, args)?);
             tell(1.0);
         }
         let [on, off] = &found[..] else { continue };
@@ -238,6 +239,7 @@ fn measure(drawer: &mut Drawer, case: &Case, effect: &str, args: &CostsArgs) -> 
         ],
     };
     sky.destroy(backend);
+    programs.into_iter().for_each(|id| backend.destroy_program(id));
     [color, depth, out].into_iter().for_each(|id| backend.destroy_texture(id));
     Ok(found)
 }
