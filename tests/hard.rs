@@ -14,6 +14,7 @@ use common::{View, on_both};
 use glam::{DVec2, DVec3};
 use welkin::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, Uniform, reads};
 use welkin::passes::lut::TablesUniform;
+use welkin::passes::sky::GroundLight;
 use welkin::reference::multiple::{Orders, Settings};
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering, transmittance};
 use welkin::shaders::Program;
@@ -399,7 +400,7 @@ fn mountains(b: &mut dyn Backend) -> Vec<Edge> {
             target: Target::color(copy),
             depth: DepthUse::Always,
         };
-        let drawn = style.pass(b, &scene, target, None).unwrap();
+        let drawn = style.pass(b, &scene, target, &GroundLight::default()).unwrap();
         b.run(&[drawn, copied]).unwrap();
         let stored = b.read(copy).unwrap();
         [color, depth, copy].into_iter().for_each(|t| b.destroy_texture(t));
