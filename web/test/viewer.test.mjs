@@ -300,6 +300,27 @@ for (const backend of ['webgl2', 'webgpu']) {
       assert.equal(difference(earth, await pixels(page, { planet: 'earth' })).max, 0);
     });
 
+    it('lists what the view calls for, and why', async (t) => {
+      const page = await use(t, { backend, hash: 'pitch=20&sunElevation=30' });
+      await page.evaluate(() => { document.getElementById('effects').open = true; });
+      const listed = async (name) => page.evaluate((wanted) => {
+        const rows = [...document.querySelectorAll('#plan > div')];
+        const row = rows.find((r) => r.querySelector('dt').textContent.startsWith(`${wanted}:`));
+        return [row.className, row.querySelector('dd').textContent];
+      }, name);
+      const when = (name, state) => page.waitForFunction(([n, s]) => [...document.querySelectorAll('#plan > div')]
+        .some((r) => r.className === s && r.querySelector('dt').textContent === `${n}: ${s}`), [name, state]);
+      await when('sunlight', 'on');
+      assert.equal((await listed('eclipse'))[1], 'the scene has no moon');
+      assert.equal((await listed('multiple scattering'))[0], 'on');
+      await pixels(page, { sunElevation: -60 });
+      await when('sunlight', 'off');
+      assert.match((await listed('sunlight'))[1], /^night/);
+      await pixels(page, { alt: 4e5, pitch: 60 });
+      await when('atmosphere', 'off');
+      assert.equal((await listed('atmosphere'))[1], 'outside the picture');
+    });
+
     it('darkens when the sun sets', async (t) => {
       const page = await use(t, { backend, hash: 'pitch=60' });
       const levels = [];
