@@ -50,8 +50,8 @@ find_chromium() {
     command -v chromium || command -v chromium-browser || command -v google-chrome
 }
 
-# wasm_is_stale [DIR]: true if the module in DIR (web/pkg) is missing or older than what it is built from.
+# wasm_is_stale DIR: true if the module in DIR is missing or older than what it is built from.
 wasm_is_stale() {
-    local built=$root/${1:-web/pkg}/welkin_bg.wasm
+    local built=$root/$1/welkin_bg.wasm
     [[ ! -f $built || -n $(cd "$root" && find src shaders Cargo.toml Cargo.lock -newer "$built" -type f -print -quit) ]]
 }
