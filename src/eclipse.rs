@@ -24,7 +24,7 @@ pub const LIMB_DARKENING: [f64; 3] = [0.397, 0.503, 0.652];
 /// The moon's mean radius, metres: k = 0.2725076 (IAU 1982) times the Earth's equatorial radius of 6378.137 km.
 pub const MOON_RADIUS: f64 = 0.272_507_6 * 6_378_137.0;
 
-/// The moon's geometric albedo, all channels alike: Allen's Astrophysical Quantities (4th ed., Cox 2000), table 12.1.
+/// The moon's visual geometric albedo, all channels alike: NASA's Moon Fact Sheet.
 pub const MOON_ALBEDO: f64 = 0.12;
 
 /// Brightness of the sun's disk over its mean, for 680, 550 and 440 nm, at `r` sun radii from its middle (0 to 1;

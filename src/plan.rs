@@ -305,8 +305,8 @@ impl EffectPlan {
             samples: [0; 2],
         };
         plan.set(Name::Reduced, false, Reason::of("no sky to draw smaller"));
-        let sun = plan.sun_disk(p, view, settings, &sight, size);
-        let moon = plan.moon_disk(p, view, settings, &sight, size);
+        let sky = Looking { p, view, settings, sight: &sight, size };
+        let (sun, moon) = (plan.sun_disk(&sky), plan.moon_disk(&sky));
         let all = Constituents::of(p);
         let why_not = if !settings.enabled {
             Some("switched off")
@@ -341,68 +341,34 @@ impl EffectPlan {
     }
 
     /// Where in the picture the sun's disk is drawn.
-    fn sun_disk(
-        &mut self,
-        p: &AtmosphereParams,
-        view: &ZenithView,
-        settings: &SkySettings,
-        sight: &Sight,
-        size: [u32; 2],
-    ) -> Option<[f64; 4]> {
-        // With the soft edge of half a pixel.
-        let radius = p.sun_angular_radius + view.basis.up.length() / f64::from(size[1].max(1));
-        let rect = rectangle(&view.basis, view.sun, radius, size);
-        let (on, text) = if !settings.enabled || !settings.sun_disk {
-            (false, "switched off")
-        } else if p.sun_intensity <= 0.0 {
-            (false, "the sun is dark")
-        } else if rect.is_none() {
-            (false, "outside the picture")
-        } else if settings.bound.is_none() {
-            (true, "nothing is to be left out")
-        } else if sight.hides(view.sun, radius) {
-            (false, "behind the planet")
-        } else if disks(p, view).is_some_and(|d| d.phase() == Phase::Total) {
-            (false, "behind the moon")
-        } else {
-            (true, "in the picture")
-        };
-        self.set(Name::SunDisk, on, Reason::of(text));
-        rect.filter(|_| on)
+    fn sun_disk(&mut self, sky: &Looking<'_>) -> Option<[f64; 4]> {
+        let behind_moon = disks(sky.p, sky.view).is_some_and(|d| d.phase() == Phase::Total);
+        let switched_on = sky.settings.sun_disk;
+        let place = sky.disk(sky.view.sun, sky.p.sun_angular_radius, switched_on);
+        let place = place.and_then(|(rect, text)| {
+            let left_out = behind_moon && sky.settings.bound.is_some();
+            if left_out { Err("behind the moon") } else { Ok((rect, text)) }
+        });
+        self.set_disk(Name::SunDisk, place)
     }
 
     /// Where in the picture the moon's disk is drawn.
-    fn moon_disk(
+    fn moon_disk(&mut self, sky: &Looking<'_>) -> Option<[f64; 4]> {
+        let place = sky.view.moon.ok_or("the scene has none").and_then(|moon| {
+            let distance = moon.position.length();
+            sky.disk(moon.position / distance, (moon.radius / distance).min(1.0).asin(), true)
+        });
+        self.set_disk(Name::MoonDisk, place)
+    }
+
+    fn set_disk(
         &mut self,
-        p: &AtmosphereParams,
-        view: &ZenithView,
-        settings: &SkySettings,
-        sight: &Sight,
-        size: [u32; 2],
+        name: Name,
+        place: std::result::Result<([f64; 4], &'static str), &'static str>,
     ) -> Option<[f64; 4]> {
-        let Some(moon) = view.moon else {
-            self.set(Name::MoonDisk, false, Reason::of("the scene has none"));
-            return None;
-        };
-        let distance = moon.position.length();
-        let towards = moon.position / distance;
-        let radius = (moon.radius / distance).min(1.0).asin() + view.basis.up.length() / f64::from(size[1].max(1));
-        let rect = rectangle(&view.basis, towards, radius, size);
-        let (on, text) = if !settings.enabled {
-            (false, "switched off")
-        } else if p.sun_intensity <= 0.0 {
-            (false, "the sun is dark")
-        } else if rect.is_none() {
-            (false, "outside the picture")
-        } else if settings.bound.is_none() {
-            (true, "nothing is to be left out")
-        } else if sight.hides(towards, radius) {
-            (false, "behind the planet")
-        } else {
-            (true, "in the picture")
-        };
-        self.set(Name::MoonDisk, on, Reason::of(text));
-        rect.filter(|_| on)
+        let text = place.map_or_else(|text| text, |(_, text)| text);
+        self.set(name, place.is_ok(), Reason::of(text));
+        place.ok().map(|(rect, _)| rect)
     }
 
     /// Which constituents and which light: everything that needs an upper bound.
@@ -688,6 +654,40 @@ impl EffectPlan {
             add(if blend { "planet shell" } else { "aerial perspective" }, Some(program), Runs::PerFrame, 1);
         }
         passes
+    }
+}
+
+/// A camera that may see a disk in the sky.
+struct Looking<'a> {
+    p: &'a AtmosphereParams,
+    view: &'a ZenithView,
+    settings: &'a SkySettings,
+    sight: &'a Sight,
+    size: [u32; 2],
+}
+
+impl Looking<'_> {
+    /// Where in the picture a disk lit by the sun is and why it is drawn, or why it is not. radius: radians.
+    fn disk(
+        &self,
+        towards: glam::DVec3,
+        radius: f64,
+        switched_on: bool,
+    ) -> std::result::Result<([f64; 4], &'static str), &'static str> {
+        // With the soft edge of half a pixel.
+        let radius = radius + self.view.basis.up.length() / f64::from(self.size[1].max(1));
+        if !self.settings.enabled || !switched_on {
+            return Err("switched off");
+        }
+        if self.p.sun_intensity <= 0.0 {
+            return Err("the sun is dark");
+        }
+        let rect = rectangle(&self.view.basis, towards, radius, self.size).ok_or("outside the picture")?;
+        match self.settings.bound {
+            None => Ok((rect, "nothing is to be left out")),
+            Some(_) if self.sight.hides(towards, radius) => Err("behind the planet"),
+            Some(_) => Ok((rect, "in the picture")),
+        }
     }
 }
 

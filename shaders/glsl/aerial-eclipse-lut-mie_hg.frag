@@ -144,8 +144,6 @@ const float SH20_ = 0.31539157;
 const float SH21_ = 1.0925485;
 const float SH22_ = 0.54627424;
 const float HALF_TURN = 3.1415927;
-const uint LIMB_NODES = 4u;
-const vec2 LIMB_RULE[4] = vec2[4](vec2(0.9980552, 0.004956014), vec2(0.9494254, 0.054841235), vec2(0.7348899, 0.1670947), vec2(0.28416792, 0.27310807));
 const float INV_4PI = 0.07957747;
 
 layout(std140) uniform Uniforms_block_0Fragment { Uniforms _group_0_binding_0_fs; };
@@ -253,11 +251,11 @@ SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start_1, float
     s_2.nu = dot(dir_1, sun_1);
     float _e11 = s_2.nu;
     float same = ((_e11 >= 0.0) ? 1.0 : -1.0);
-    vec3 apart_3 = (dir_1 - (same * sun_1));
-    vec3 side_1 = cross(apart_3, sun_1);
+    vec3 apart_4 = (dir_1 - (same * sun_1));
+    vec3 side_1 = cross(apart_4, sun_1);
     s_2.cross2_ = dot(side_1, side_1);
     vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
-    float there = (-(same) * dot(closest, apart_3));
+    float there = (-(same) * dot(closest, apart_4));
     float here = (r_2 * sun_1.z);
     float _e38 = s_2.nu;
     float _e44 = s_2.nu;
@@ -626,9 +624,9 @@ float visible_share(float moon, float apart_1) {
     return clamp((1.0 - ((_e36 + of_moon) / HALF_TURN)), 0.0, 1.0);
 }
 
-vec2 moon_before_sun(vec2 across, float along_1, float radius_14, float tangent) {
+vec2 moon_before_sun(float apart_2, float along_1, float radius_14, float tangent) {
     float scale = (1.0 / (max(along_1, (0.001 * radius_14)) * tangent));
-    return ((along_1 > 0.0) ? (vec2(radius_14, length(across)) * scale) : vec2(0.0, 1000.0));
+    return ((along_1 > 0.0) ? (vec2(radius_14, apart_2) * scale) : vec2(0.0, 1000.0));
 }
 
 vec3 shade_at(highp sampler2D shade, float share, int row) {
@@ -640,43 +638,43 @@ vec3 shade_at(highp sampler2D shade, float share, int row) {
     return mix(_e17.xyz, _e24.xyz, (at_3 - float(low_5)));
 }
 
-float limb_place(float moon_1, float apart_2) {
+float limb_place(float moon_1, float apart_3) {
     float inner = abs((moon_1 - 1.0));
-    if ((apart_2 < inner)) {
-        return ((0.25 * apart_2) / inner);
+    if ((apart_3 < inner)) {
+        return ((0.25 * apart_3) / inner);
     }
-    return (0.25 + (0.75 * sqrt(((apart_2 - inner) / (2.0 * min(moon_1, 1.0))))));
+    return (0.25 + (0.75 * sqrt(((apart_3 - inner) / (2.0 * min(moon_1, 1.0))))));
 }
 
 vec3 sun_left(highp sampler2D shade_1, MoonShadow s_4, vec3 position_1, vec3 sun_3) {
     vec3 share_1 = vec3(0.0);
     bool local_5 = false;
     float beside = dot(position_1, sun_3);
-    float apart_4 = length((s_4.across - (position_1 - (sun_3 * beside))));
-    vec2 _e16 = moon_before_sun(vec2(apart_4, 0.0), (s_4.along - beside), s_4.radius, s_4.tangent);
-    float _e19 = visible_share(_e16.x, _e16.y);
-    share_1 = vec3(_e19);
-    float _e23 = share_1.x;
-    if ((_e23 > 0.0)) {
-        float _e29 = share_1.x;
-        local_5 = (_e29 < 1.0);
+    float apart_5 = length((s_4.across - (position_1 - (sun_3 * beside))));
+    vec2 _e14 = moon_before_sun(apart_5, (s_4.along - beside), s_4.radius, s_4.tangent);
+    float _e17 = visible_share(_e14.x, _e14.y);
+    share_1 = vec3(_e17);
+    float _e21 = share_1.x;
+    if ((_e21 > 0.0)) {
+        float _e27 = share_1.x;
+        local_5 = (_e27 < 1.0);
     } else {
         local_5 = false;
     }
-    bool _e33 = local_5;
-    if (_e33) {
-        vec3 _e34 = share_1;
-        float _e37 = limb_place(_e16.x, _e16.y);
-        vec3 _e39 = shade_at(shade_1, _e37, 1);
-        share_1 = (_e34 * _e39);
+    bool _e31 = local_5;
+    if (_e31) {
+        vec3 _e32 = share_1;
+        float _e35 = limb_place(_e14.x, _e14.y);
+        vec3 _e37 = shade_at(shade_1, _e35, 1);
+        share_1 = (_e32 * _e37);
     }
-    vec3 _e41 = share_1;
-    return max(_e41, vec3(s_4.least));
+    vec3 _e39 = share_1;
+    return max(_e39, vec3(s_4.least));
 }
 
 vec3 sun_left_around(highp sampler2D shade_2, MoonShadow s_5, vec3 position_2, vec3 sun_4) {
-    float apart_5 = length((s_5.across - (position_2 - (sun_4 * dot(position_2, sun_4)))));
-    vec3 _e13 = shade_at(shade_2, (apart_5 * s_5.rate), 0);
+    float apart_6 = length((s_5.across - (position_2 - (sun_4 * dot(position_2, sun_4)))));
+    vec3 _e13 = shade_at(shade_2, (apart_6 * s_5.rate), 0);
     return max(_e13, vec3(s_5.least));
 }
 
@@ -795,9 +793,9 @@ vec3 henyey_greenstein_phase(float away, float toward, vec3 g) {
 }
 
 vec3 aerosol_phase(vec3 dir_5, vec3 sun_6, vec3 asymmetry) {
-    vec3 apart_6 = (dir_5 - sun_6);
+    vec3 apart_7 = (dir_5 - sun_6);
     vec3 together = (dir_5 + sun_6);
-    float away_1 = (0.5 * dot(apart_6, apart_6));
+    float away_1 = (0.5 * dot(apart_7, apart_7));
     float toward_1 = (0.5 * dot(together, together));
     vec3 _e11 = henyey_greenstein_phase(away_1, toward_1, asymmetry);
     return _e11;

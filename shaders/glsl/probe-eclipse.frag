@@ -4,17 +4,11 @@ precision highp float;
 precision highp int;
 
 const float HALF_TURN = 3.1415927;
-const uint LIMB_NODES = 4u;
-const vec2 LIMB_RULE[4] = vec2[4](vec2(0.9980552, 0.004956014), vec2(0.9494254, 0.054841235), vec2(0.7348899, 0.1670947), vec2(0.28416792, 0.27310807));
 const int CASE_TEXELS = 13;
 
 uniform highp sampler2D _group_0_binding_1_fs;
 
 layout(location = 0) out vec4 _fs2p_location0;
-
-vec3 limb_exponents() {
-    return vec3(0.397, 0.503, 0.652);
-}
 
 float quarter_atan(float y, float x) {
     float q = (min(x, y) / max(max(x, y), 1e-30));
@@ -63,76 +57,21 @@ float visible_share(float moon, float apart_1) {
     return clamp((1.0 - ((_e36 + of_moon) / HALF_TURN)), 0.0, 1.0);
 }
 
-vec3 hidden_ring(float moon_1, float apart_2, float mu) {
-    float r = sqrt(max(((1.0 - mu) * (1.0 + mu)), 0.0));
-    vec2 _e11 = half_angle(r, apart_2, moon_1);
-    float _e15 = quarter_atan(_e11.x, _e11.y);
-    vec3 _e17 = limb_exponents();
-    vec3 _e23 = limb_exponents();
-    return (((0.63661975 * _e15) * (_e17 + vec3(2.0))) * pow(vec3(mu), (_e23 + vec3(1.0))));
-}
-
-vec3 visible_light(float moon_2, float apart_3) {
-    vec3 light = vec3(1.0);
-    uint i = 0u;
-    if ((apart_3 >= (1.0 + moon_2))) {
-        return vec3(1.0);
-    }
-    if ((apart_3 <= (moon_2 - 1.0))) {
-        return vec3(0.0);
-    }
-    float inner = abs((moon_2 - apart_3));
-    float outer = min((moon_2 + apart_3), 1.0);
-    float high = sqrt(max(((1.0 - inner) * (1.0 + inner)), 0.0));
-    float low = sqrt(max(((1.0 - outer) * (1.0 + outer)), 0.0));
-    if ((moon_2 > apart_3)) {
-        vec3 _e38 = limb_exponents();
-        light = pow(vec3(high), (_e38 + vec3(2.0)));
-    }
-    float middle = (0.5 * (high + low));
-    float half_1 = (0.5 * (high - low));
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            uint _e74 = i;
-            i = (_e74 + 1u);
-        }
-        loop_init = false;
-        uint _e51 = i;
-        if ((_e51 < LIMB_NODES)) {
-        } else {
-            break;
-        }
-        {
-            uint _e55 = i;
-            vec2 node = LIMB_RULE[_e55];
-            vec3 _e60 = hidden_ring(moon_2, apart_3, (middle + (half_1 * node.x)));
-            vec3 _e64 = hidden_ring(moon_2, apart_3, (middle - (half_1 * node.x)));
-            vec3 both = (_e60 + _e64);
-            vec3 _e66 = light;
-            light = (_e66 - (((2.0 * half_1) * node.y) * both));
-        }
-    }
-    vec3 _e76 = light;
-    return clamp(_e76, vec3(0.0), vec3(1.0));
-}
-
-vec2 moon_before_sun(vec2 across, float along, float radius, float tangent) {
+vec2 moon_before_sun(float apart_2, float along, float radius, float tangent) {
     float scale = (1.0 / (max(along, (0.001 * radius)) * tangent));
-    return ((along > 0.0) ? (vec2(radius, length(across)) * scale) : vec2(0.0, 1000.0));
+    return ((along > 0.0) ? (vec2(radius, apart_2) * scale) : vec2(0.0, 1000.0));
 }
 
 void main() {
     vec4 position = gl_FragCoord;
     ivec2 pixel = ivec2(position.xy);
     ivec2 first = ivec2((pixel.x * CASE_TEXELS), pixel.y);
-    vec4 moon_3 = texelFetch(_group_0_binding_1_fs, (first + ivec2(6, 0)), 0);
+    vec4 moon_1 = texelFetch(_group_0_binding_1_fs, (first + ivec2(6, 0)), 0);
     vec4 _e21 = texelFetch(_group_0_binding_1_fs, (first + ivec2(7, 0)), 0);
     float fraction = _e21.w;
-    vec2 _e26 = moon_before_sun(moon_3.xy, moon_3.z, moon_3.w, fraction);
-    float _e29 = visible_share(_e26.x, _e26.y);
-    vec3 _e32 = visible_light(_e26.x, _e26.y);
-    _fs2p_location0 = vec4(_e29, _e32);
+    vec2 _e27 = moon_before_sun(length(moon_1.xy), moon_1.z, moon_1.w, fraction);
+    float _e30 = visible_share(_e27.x, _e27.y);
+    _fs2p_location0 = vec4(_e30, _e27, 0.0);
     return;
 }
 

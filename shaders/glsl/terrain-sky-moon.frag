@@ -121,8 +121,6 @@ const float SH20_ = 0.31539157;
 const float SH21_ = 1.0925485;
 const float SH22_ = 0.54627424;
 const float HALF_TURN = 3.1415927;
-const uint LIMB_NODES = 4u;
-const vec2 LIMB_RULE[4] = vec2[4](vec2(0.9980552, 0.004956014), vec2(0.9494254, 0.054841235), vec2(0.7348899, 0.1670947), vec2(0.28416792, 0.27310807));
 const uint RINGS = 256u;
 const uint SEGMENTS = 384u;
 const float TAU = 6.2831855;
@@ -230,9 +228,9 @@ float visible_share(float moon, float apart_1) {
     return clamp((1.0 - ((_e36 + of_moon) / HALF_TURN)), 0.0, 1.0);
 }
 
-vec2 moon_before_sun(vec2 across, float along, float radius, float tangent) {
+vec2 moon_before_sun(float apart_2, float along, float radius, float tangent) {
     float scale = (1.0 / (max(along, (0.001 * radius)) * tangent));
-    return ((along > 0.0) ? (vec2(radius, length(across)) * scale) : vec2(0.0, 1000.0));
+    return ((along > 0.0) ? (vec2(radius, apart_2) * scale) : vec2(0.0, 1000.0));
 }
 
 vec3 shade_at(highp sampler2D shade, float share, int row) {
@@ -244,43 +242,43 @@ vec3 shade_at(highp sampler2D shade, float share, int row) {
     return mix(_e17.xyz, _e24.xyz, (at_2 - float(low_2)));
 }
 
-float limb_place(float moon_1, float apart_2) {
+float limb_place(float moon_1, float apart_3) {
     float inner = abs((moon_1 - 1.0));
-    if ((apart_2 < inner)) {
-        return ((0.25 * apart_2) / inner);
+    if ((apart_3 < inner)) {
+        return ((0.25 * apart_3) / inner);
     }
-    return (0.25 + (0.75 * sqrt(((apart_2 - inner) / (2.0 * min(moon_1, 1.0))))));
+    return (0.25 + (0.75 * sqrt(((apart_3 - inner) / (2.0 * min(moon_1, 1.0))))));
 }
 
 vec3 sun_left(highp sampler2D shade_1, MoonShadow s, vec3 position, vec3 sun) {
     vec3 share_1 = vec3(0.0);
     bool local = false;
     float beside = dot(position, sun);
-    float apart_3 = length((s.across - (position - (sun * beside))));
-    vec2 _e16 = moon_before_sun(vec2(apart_3, 0.0), (s.along - beside), s.radius, s.tangent);
-    float _e19 = visible_share(_e16.x, _e16.y);
-    share_1 = vec3(_e19);
-    float _e23 = share_1.x;
-    if ((_e23 > 0.0)) {
-        float _e29 = share_1.x;
-        local = (_e29 < 1.0);
+    float apart_4 = length((s.across - (position - (sun * beside))));
+    vec2 _e14 = moon_before_sun(apart_4, (s.along - beside), s.radius, s.tangent);
+    float _e17 = visible_share(_e14.x, _e14.y);
+    share_1 = vec3(_e17);
+    float _e21 = share_1.x;
+    if ((_e21 > 0.0)) {
+        float _e27 = share_1.x;
+        local = (_e27 < 1.0);
     } else {
         local = false;
     }
-    bool _e33 = local;
-    if (_e33) {
-        vec3 _e34 = share_1;
-        float _e37 = limb_place(_e16.x, _e16.y);
-        vec3 _e39 = shade_at(shade_1, _e37, 1);
-        share_1 = (_e34 * _e39);
+    bool _e31 = local;
+    if (_e31) {
+        vec3 _e32 = share_1;
+        float _e35 = limb_place(_e14.x, _e14.y);
+        vec3 _e37 = shade_at(shade_1, _e35, 1);
+        share_1 = (_e32 * _e37);
     }
-    vec3 _e41 = share_1;
-    return max(_e41, vec3(s.least));
+    vec3 _e39 = share_1;
+    return max(_e39, vec3(s.least));
 }
 
 vec3 sun_left_around(highp sampler2D shade_2, MoonShadow s_1, vec3 position_1, vec3 sun_1) {
-    float apart_4 = length((s_1.across - (position_1 - (sun_1 * dot(position_1, sun_1)))));
-    vec3 _e13 = shade_at(shade_2, (apart_4 * s_1.rate), 0);
+    float apart_5 = length((s_1.across - (position_1 - (sun_1 * dot(position_1, sun_1)))));
+    vec3 _e13 = shade_at(shade_2, (apart_5 * s_1.rate), 0);
     return max(_e13, vec3(s_1.least));
 }
 

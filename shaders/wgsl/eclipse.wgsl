@@ -1,4 +1,3 @@
-//#include limb
 // The moon before the sun: which share of the sun's light passes it. Radii and distances on the plane at distance 1 across
 // the sun's direction, so that nothing is an angle near 0. No sine, cosine or arc function of the driver's, whose
 // errors may be 5e-4.
@@ -57,54 +56,10 @@ fn visible_share(moon: f32, apart: f32) -> f32 {
     return clamp(1.0 - (segment(at_sun) + of_moon) / HALF_TURN, 0.0, 1.0);
 }
 
-// Gauss's rule of 8 points in an angle from 0 to pi: its cosine, and sine times weight times a half. The share is within 3e-4.
-const LIMB_NODES: u32 = 4u;
-const LIMB_RULE: array<vec2f, 4> = array<vec2f, 4>(
-    vec2f(0.9980552138505069, 0.004956013807543281),
-    vec2f(0.949425384298819, 0.05484123566760754),
-    vec2f(0.7348899387554327, 0.1670946980727445),
-    vec2f(0.28416792390192847, 0.27310805245210357),
-);
-
-// Hidden light of the ring at mu, per unit of mu.
-fn hidden_ring(moon: f32, apart: f32, mu: f32) -> vec3f {
-    let r = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0));
-    let covered = half_angle(r, apart, moon);
-    return (2.0 / HALF_TURN * quarter_atan(covered.x, covered.y)) * (limb_exponents() + 2.0) * pow(vec3f(mu), limb_exponents() + 1.0);
-}
-
-// Share of the sun's light, its edge being darker, that is not covered. Arguments as of `visible_share`.
-fn visible_light(moon: f32, apart: f32) -> vec3f {
-    if apart >= 1.0 + moon {
-        return vec3f(1.0);
-    }
-    if apart <= moon - 1.0 {
-        return vec3f(0.0);
-    }
-    // Rings between these radii are crossed by the moon's edge.
-    let inner = abs(moon - apart);
-    let outer = min(moon + apart, 1.0);
-    let high = sqrt(max((1.0 - inner) * (1.0 + inner), 0.0));
-    let low = sqrt(max((1.0 - outer) * (1.0 + outer), 0.0));
-    var light = vec3f(1.0);
-    // Those inside are hidden if the moon covers the sun's middle.
-    if moon > apart {
-        light = pow(vec3f(high), limb_exponents() + 2.0);
-    }
-    let middle = 0.5 * (high + low);
-    let half = 0.5 * (high - low);
-    for (var i = 0u; i < LIMB_NODES; i++) {
-        let node = LIMB_RULE[i];
-        let both = hidden_ring(moon, apart, middle + half * node.x) + hidden_ring(moon, apart, middle - half * node.x);
-        light -= 2.0 * half * node.y * both;
-    }
-    return clamp(light, vec3f(0.0), vec3f(1.0));
-}
-
-// Radius of the moon and distance of the middles, in radii of the sun, as seen from a point. across, along: the moon's
-// place less the point's, across the sun's direction and along it, km; radius: of the moon, km; tangent: of the sun's
+// Radius of the moon and distance of the middles, in radii of the sun, as seen from a point. apart, along: the moon's
+// distance from the sun's axis through the point, and along it, km; radius: of the moon, km; tangent: of the sun's
 // angular radius. A moon that is not before the point is far beside the sun.
-fn moon_before_sun(across: vec2f, along: f32, radius: f32, tangent: f32) -> vec2f {
+fn moon_before_sun(apart: f32, along: f32, radius: f32, tangent: f32) -> vec2f {
     let scale = 1.0 / (max(along, 1e-3 * radius) * tangent);
-    return select(vec2f(0.0, 1e3), vec2f(radius, length(across)) * scale, along > 0.0);
+    return select(vec2f(0.0, 1e3), vec2f(radius, apart) * scale, along > 0.0);
 }

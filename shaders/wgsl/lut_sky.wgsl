@@ -2,8 +2,9 @@
 //#include skyview
 //#include phase
 // The light of the whole sky around the camera, see `skyview` for the layout. SMOOTH: light scattered by the gas, and
-// all that was scattered before (BARE: without that); alpha: grey transmittance. AEROSOL: sunlight scattered once by the aerosol, without its
-// phase function, which changes too fast near the sun for any table. Over the ray's length where it ends on the ground.
+// all that was scattered before (BARE: without that); alpha: grey transmittance. AEROSOL: sunlight scattered once by the
+// aerosol, without its phase function, which changes too fast near the sun for any table. Over the ray's length where it
+// ends on the ground.
 // Fourth roots: between texels light then changes almost exponentially, as it does with altitude.
 
 struct Uniforms {

@@ -3,9 +3,9 @@
 //#include path
 // The moon's disk with its phase, dimmed by the air like the sun's.
 
-// Radiance per unit of sunlight, 1/sr, of a sphere that scatters light once and alike in all directions (Lommel 1887,
-// Seeliger 1888; Hapke 2012, "Theory of Reflectance and Emittance Spectroscopy", section 8.5.1): 2 albedo / pi mu0 / (mu0 + mu),
-// the geometric albedo being what it has when full. It has no surge of light there. normal, dir, sun: unit.
+// Radiance per unit of sunlight, 1/sr, of a sphere that scatters light once and alike in all directions (law of Lommel and
+// Seeliger): 2 albedo / pi mu0 / (mu0 + mu), scaled so that it has its geometric albedo when full. It has no surge of light
+// there. normal, dir, sun: unit.
 fn lommel_seeliger(normal: vec3f, dir: vec3f, sun: vec3f, albedo_over_pi: f32, earthshine: f32) -> f32 {
     let mu = max(-dot(normal, dir), 1e-4);
     let mu0 = max(dot(normal, sun), 0.0);

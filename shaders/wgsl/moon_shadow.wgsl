@@ -26,7 +26,7 @@ fn limb_place(moon: f32, apart: f32) -> f32 {
 fn sun_left(shade: texture_2d<f32>, s: MoonShadow, position: vec3f, sun: vec3f) -> vec3f {
     let beside = dot(position, sun);
     let apart = length(s.across - (position - sun * beside));
-    let seen = moon_before_sun(vec2f(apart, 0.0), s.along - beside, s.radius, s.tangent);
+    let seen = moon_before_sun(apart, s.along - beside, s.radius, s.tangent);
     var share = vec3f(visible_share(seen.x, seen.y));
     if share.x > 0.0 && share.x < 1.0 {
         share *= shade_at(shade, limb_place(seen.x, seen.y), 1);

@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::frame::{FrameOptions, FrameUniform};
 use super::lut::{FrameTables, IDLE, LutSettings, Luts, TablesUniform};
-use super::shadow::{EclipseUniform, ShadowUniform, TEXELS, shadow};
+use super::shadow::{EclipseUniform, Shade, ShadowUniform, TEXELS, shadow};
 use super::sun::disk_pass;
 use crate::atmosphere::AtmosphereParams;
 use crate::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
@@ -214,8 +214,8 @@ pub struct SkyRenderer {
     luts: Luts,
     /// Frames' passes in a row that called for no tables.
     idle: u32,
-    /// See `shadow`.
-    shade: Option<TextureId>,
+    /// What of the moon's shadow is in a texture, and what that was made for.
+    shade: Option<(TextureId, Shade)>,
     /// What the last passes were made for.
     plan: Option<EffectPlan>,
 }
@@ -494,15 +494,18 @@ impl SkyRenderer {
     ) -> Result<(ShadowUniform, TextureId)> {
         let moon =
             view.moon.as_ref().ok_or_else(|| Error::invalid("moon", "none", "a moon whose shadow is asked for"))?;
-        let (uniform, texels) = shadow(view, params, moon);
+        let shade = Shade::new(view, params, moon);
         let desc = TextureDesc::new(SHADE, TEXELS as u32, 2, Format::Rgba32Float);
-        let shade = match self.shade.filter(|&id| backend.texture(id) == Some(desc)) {
-            Some(shade) => shade,
-            None => backend.create_texture(&desc)?,
+        let id = match self.shade.filter(|&(id, _)| backend.texture(id) == Some(desc)) {
+            Some((id, made_for)) if made_for == shade => id,
+            there => {
+                let id = there.map_or_else(|| backend.create_texture(&desc), |(id, _)| Ok(id))?;
+                backend.write_texture(id, &shade.texels())?;
+                self.shade = Some((id, shade));
+                id
+            }
         };
-        self.shade = Some(shade);
-        backend.write_texture(shade, &texels)?;
-        Ok((uniform, shade))
+        Ok((shadow(view, params, moon, &shade), id))
     }
 
     /// Light of the sky for ground that is drawn before the air: the passes that fill its table, to be run first, and
@@ -559,7 +562,7 @@ impl SkyRenderer {
     }
 
     fn free_shade(&mut self, backend: &mut dyn Backend) {
-        if let Some(shade) = self.shade.take()
+        if let Some((shade, _)) = self.shade.take()
             && backend.texture(shade).is_some_and(|d| d.label == SHADE)
         {
             backend.destroy_texture(shade);

@@ -278,12 +278,14 @@ impl<'a> Flight<'a> {
             let texels = backend.texture(p.target.color).map_or(0, |desc| desc.texels()) as f64;
             if p.program.is_none() { 0.0 } else { texels * if p.label == "sun" { sun } else { 1.0 } }
         };
-        let mut cost = Cost { passes: sky.len(), pixels: sky.iter().map(pixels).sum(), time: f64::INFINITY };
+        let mut cost =
+            Cost { passes: sky.len(), pixels: sky.iter().map(pixels).sum::<f64>() + 0.0, time: f64::INFINITY };
         // Once in whole: that fills the depth buffer, makes pipelines and warms caches. Then the sky's passes alone.
         backend.run(&passes)?;
         let sky: Vec<Pass> = sky.into_iter().copied().collect();
         for _ in 0..self.args.repeat {
-            cost.time = cost.time.min(1e-6 * backend.times(&sky)?.iter().map(|t| t.nanoseconds).sum::<f64>());
+            let time: f64 = backend.times(&sky)?.iter().map(|t| t.nanoseconds).sum();
+            cost.time = cost.time.min(1e-6 * time + 0.0);
         }
         Ok((cost, plan))
     }

@@ -44,7 +44,7 @@ fn diagram(
         .margin(8)
         .x_label_area_size(30)
         .y_label_area_size(48)
-        .build_cartesian_2d(0..last, 0.0..1.15 * top)?;
+        .build_cartesian_2d(0..last, 0.0..1.45 * top)?;
     // Where the camera is.
     let name = |at: &usize| {
         let m = &frames[(*at).min(last)].moment;
