@@ -55,7 +55,7 @@ impl Error {
 }
 
 /// `value` if it is finite and within `lo..=hi`, else an [`Error::Invalid`].
-pub(crate) fn in_range(field: impl fmt::Display, value: f64, lo: f64, hi: f64, unit: &str) -> Result<f64> {
+pub fn in_range(field: impl fmt::Display, value: f64, lo: f64, hi: f64, unit: &str) -> Result<f64> {
     if value.is_finite() && (lo..=hi).contains(&value) {
         return Ok(value);
     }
@@ -64,12 +64,12 @@ pub(crate) fn in_range(field: impl fmt::Display, value: f64, lo: f64, hi: f64, u
 }
 
 /// A number as people write it: 0.3, 6360000, 1e15.
-pub(crate) fn short(v: f64) -> String {
+pub fn short(v: f64) -> String {
     if v == 0.0 || !v.is_finite() || (1e-3..1e7).contains(&v.abs()) { v.to_string() } else { format!("{v:e}") }
 }
 
 /// `v` scaled to length 1, or an [`Error::Invalid`] if it has no direction.
-pub(crate) fn direction(field: &str, v: glam::DVec3) -> Result<glam::DVec3> {
+pub fn direction(field: &str, v: glam::DVec3) -> Result<glam::DVec3> {
     let scale = v.abs().max_element();
     if !v.is_finite() || scale < 1e-150 {
         return Err(Error::invalid(field, v, "a finite vector that is not zero"));

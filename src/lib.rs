@@ -5,7 +5,7 @@
 //!
 //! ```no_run
 //! # #[cfg(feature = "wgpu")] {
-//! use welkin::backend::{Backend, wgpu::WgpuBackend};
+//! use welkin::gpu::{Backend, wgpu::WgpuBackend};
 //! use welkin::{AtmosphereParams, Camera, DepthConvention, PictureRenderer, PictureSettings, Scene};
 //! use glam::DVec3;
 //!
@@ -37,7 +37,7 @@
 //! # #[cfg(feature = "wgpu")]
 //! # fn frame(device: wgpu::Device, queue: wgpu::Queue, mut encoder: wgpu::CommandEncoder,
 //! #          view: wgpu::TextureView, scene: welkin::Scene) -> welkin::Result<()> {
-//! use welkin::backend::{Backend, Format, Target, TextureDesc, wgpu::WgpuBackend};
+//! use welkin::gpu::{Backend, Format, Target, TextureDesc, wgpu::WgpuBackend};
 //! use welkin::{SkyRenderer, SkySettings};
 //!
 //! let mut backend = WgpuBackend::from_device(device, queue, "my adapter")?;
@@ -51,12 +51,12 @@
 //! With WebGL2, in your context, whose state is put back:
 //!
 //! ```no_run
-//! # #[cfg(feature = "glow")]
+//! # #[cfg(feature = "webgl")]
 //! # fn frame(gl: std::rc::Rc<glow::Context>, scene: welkin::Scene) -> welkin::Result<()> {
-//! use welkin::backend::{Backend, Format, RowOrder, Target, TextureDesc, glow::GlowBackend};
+//! use welkin::gpu::{Backend, Format, RowOrder, Target, TextureDesc, webgl::WebGlBackend};
 //! use welkin::{SkyRenderer, SkySettings};
 //!
-//! let mut backend = GlowBackend::new(gl)?;
+//! let mut backend = WebGlBackend::new(gl)?;
 //! let mut sky = SkyRenderer::new(SkySettings::default())?;
 //! let desc = TextureDesc { rows: RowOrder::BottomUp, ..TextureDesc::new("screen", 1280, 720, Format::Rgba8) };
 //! let target = backend.import_framebuffer(None, desc)?;
@@ -74,35 +74,28 @@
 //!
 //! Three wavelengths stand for the spectrum; no polarisation, no refraction.
 
-pub mod atmosphere;
-pub mod backend;
-pub mod eclipse;
 pub mod error;
-pub mod lighting;
-pub mod passes;
-pub mod phase;
-pub mod plan;
+pub mod frame;
+pub mod gpu;
+pub mod model;
 #[cfg(feature = "probe")]
 pub mod probe;
-pub mod quality;
 pub mod reference;
+pub mod render;
+pub mod settings;
 pub mod shaders;
-pub mod view;
 
-pub use atmosphere::{AtmosphereParams, MiePhase};
-pub use eclipse::Moon;
 pub use error::{Error, Result};
-pub use lighting::{AtmosphereConfig, LightingContext, LightingContextUniform, SkyLight};
-pub use passes::lut::LutSettings;
-pub use passes::picture::{PictureRenderer, PictureSettings};
-pub use passes::sky::{Composition, Method, Mode, SkyRenderer, SkySettings};
-pub use passes::terrain::TerrainStyle;
-pub use passes::tone::ToneMap;
-pub use passes::warm::{SkyTargets, WarmUp};
-pub use plan::{Bound, EffectPlan};
-pub use quality::Quality;
+pub use frame::lut::LutSettings;
+pub use frame::plan::{Bound, EffectPlan};
+pub use frame::terrain::TerrainStyle;
+pub use frame::tone_map::ToneMap;
+pub use model::atmosphere::{AtmosphereParams, MiePhase};
+pub use model::moon::Moon;
+pub use model::scene::{Camera, DepthConvention, Pose, Scene};
 pub use reference::{clip_segment, compute_single_scatter, ray_sphere_intersect, ray_sphere_intersect_f32};
-pub use view::{Camera, DepthConvention, Pose, Scene};
-
-#[cfg(all(feature = "web", target_arch = "wasm32"))]
-pub mod web;
+pub use render::picture::{PictureRenderer, PictureSettings};
+pub use render::sky::{Composition, Method, Mode, SkyRenderer, SkySettings};
+pub use render::sky_light::{AtmosphereConfig, LightingContext, LightingContextUniform, SkyLight};
+pub use render::warm_up::{SkyTargets, WarmUp};
+pub use settings::quality::Quality;

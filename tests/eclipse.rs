@@ -8,13 +8,13 @@ use std::f64::consts::PI;
 
 use common::{View, mean, on_both};
 use glam::{DVec2, DVec3};
-use welkin::backend::{Backend, Format, Target, TextureDesc};
-use welkin::eclipse::{Disks, MOON_RADIUS, Moon, limb_darkening};
+use welkin::gpu::{Backend, Format, Target, TextureDesc};
+use welkin::model::moon::{Disks, MOON_RADIUS, Moon, limb_darkening};
 use welkin::probe::{self, Case, Probe};
 use welkin::reference::multiple::{Orders, Settings as Solve};
 use welkin::reference::path::{Settings, path_trace};
-use welkin::reference::picture::render;
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering, transmittance};
+use welkin::render::cpu_picture::render;
 use welkin::{
     AtmosphereParams, Bound, Composition, EffectPlan, Error, LutSettings, Method, PictureSettings, Scene, SkyRenderer,
     SkySettings,

@@ -1,16 +1,16 @@
 //! In somebody else's frame: the user's own device, encoder and views; the user's own context, with its
 //! state as it was; loss; and nothing left behind.
-#![cfg(feature = "cli")]
+#![cfg(all(feature = "egl", feature = "translate", feature = "reference"))]
 #![allow(unsafe_code)] // The test plays the user, who calls OpenGL.
 
 mod common;
 
 use common::{View, on_both};
 use glow::HasContext as _;
-use welkin::backend::glow::GlowBackend;
-use welkin::backend::headless::Headless;
-use welkin::backend::wgpu::WgpuBackend;
-use welkin::backend::{Backend, Format, RowOrder, Target, TextureDesc};
+use welkin::gpu::egl::Headless;
+use welkin::gpu::webgl::WebGlBackend;
+use welkin::gpu::wgpu::WgpuBackend;
+use welkin::gpu::{Backend, Format, RowOrder, Target, TextureDesc};
 use welkin::{Error, Method, PictureRenderer, PictureSettings, Scene, SkyRenderer, SkySettings};
 
 const SIZE: u32 = 32;
@@ -235,7 +235,7 @@ fn a_webgl2_user_gets_the_contexts_state_back() {
         (framebuffer, color)
     };
     let before = state(&gl);
-    let mut backend = GlowBackend::new(gl.clone()).unwrap();
+    let mut backend = WebGlBackend::new(gl.clone()).unwrap();
     assert_eq!(state(&gl), before, "making the backend changed the state");
 
     // The sky into the user's framebuffer, whose rows run upwards.

@@ -1,13 +1,13 @@
 //! Half floats: what a picture loses in 16-bit targets, from the sun's disk to the end of astronomical twilight.
 //!
 //! `cargo test --features cli --test half -- --nocapture` prints it.
-#![cfg(feature = "cli")]
+#![cfg(all(feature = "egl", feature = "translate", feature = "reference"))]
 
 mod common;
 
 use common::{View, on_both};
-use welkin::backend::{Backend, Format};
-use welkin::passes::picture::scale;
+use welkin::gpu::{Backend, Format};
+use welkin::render::picture::scale;
 use welkin::{
     AtmosphereParams, Composition, LutSettings, Method, PictureRenderer, PictureSettings, Scene, SkySettings,
 };

@@ -2,7 +2,7 @@
 //! across every seam, and no energy comes or goes. On both backends, from one body.
 //!
 //! `cargo test --features cli --test hard -- --nocapture` prints the figures.
-#![cfg(feature = "cli")]
+#![cfg(all(feature = "egl", feature = "translate", feature = "reference"))]
 #![allow(clippy::needless_range_loop)] // Loops over the three channels index several arrays.
 
 mod common;
@@ -12,11 +12,11 @@ use std::sync::OnceLock;
 use common::lines::{Line, along};
 use common::{View, on_both};
 use glam::{DVec2, DVec3};
-use welkin::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, Uniform, reads};
-use welkin::passes::lut::TablesUniform;
-use welkin::passes::sky::GroundLight;
+use welkin::frame::lut::TablesUniform;
+use welkin::gpu::{Backend, DepthUse, Format, Pass, Target, TextureDesc, Uniform, reads};
 use welkin::reference::multiple::{Orders, Settings};
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering, transmittance};
+use welkin::render::sky::GroundLight;
 use welkin::shaders::Program;
 use welkin::{
     AtmosphereParams, Camera, LutSettings, Method, PictureRenderer, PictureSettings, Pose, Quality, Scene, SkyRenderer,

@@ -1,6 +1,6 @@
 //! Light for a scene of one's own: the seven behaviours of the constants, and the physical light against other
 //! programs' numbers, on both backends.
-#![cfg(feature = "cli")]
+#![cfg(all(feature = "egl", feature = "translate", feature = "reference"))]
 #![allow(clippy::needless_range_loop)] // Loops over the three channels index several arrays.
 
 mod common;
@@ -10,13 +10,13 @@ mod tables;
 use common::{View, on_both};
 use glam::{DVec3, Vec3};
 use tables::{Differences, Table, medium};
-use welkin::backend::Backend;
-use welkin::lighting::{
+use welkin::gpu::Backend;
+use welkin::reference::multiple::{Orders, Settings};
+use welkin::reference::single::{RayQuery, Tolerance};
+use welkin::render::sky_light::{
     AtmosphereConfig, LightingContext, LightingContextUniform, SkyHarmonics, SkyLight, lighting_context_at_altitude,
     modulate_ambient_by_sun, sunlight,
 };
-use welkin::reference::multiple::{Orders, Settings};
-use welkin::reference::single::{RayQuery, Tolerance};
 use welkin::shaders::{MODULES, translate};
 use welkin::{AtmosphereParams, Error, LutSettings, Method, SkyRenderer, SkySettings};
 
@@ -119,7 +119,7 @@ fn gpu_uniform_struct_size() {
 
 /// The light of a medium's sky, from the tables of a frame.
 fn sky_light(b: &mut dyn Backend, params: &AtmosphereParams, lut: LutSettings) -> SkyLight {
-    use welkin::backend::{Format, Target, TextureDesc};
+    use welkin::gpu::{Format, Target, TextureDesc};
     let scene = View { params: params.clone(), pitch: 30.0, ..View::default() }.scene();
     let settings = SkySettings { method: Method::Lut(lut), ..SkySettings::default() };
     let mut sky = SkyRenderer::new(settings).unwrap();
@@ -308,7 +308,7 @@ fn physical_contexts_follow_altitude_and_sun() {
 /// What the demonstration's ground looks like from just above: its albedo times all light that falls on it, over pi.
 #[test]
 fn the_ground_has_the_light_of_its_sky() {
-    use welkin::backend::Format;
+    use welkin::gpu::Format;
     use welkin::{PictureRenderer, PictureSettings, TerrainStyle};
     let table = Table::read("mc_ground_irradiance.csv");
     // White and flat, without a sea.

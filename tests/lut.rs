@@ -2,13 +2,13 @@
 //! hard media, and freed.
 //!
 //! `cargo test --features cli --test lut -- --nocapture` prints the differences.
-#![cfg(feature = "cli")]
+#![cfg(all(feature = "egl", feature = "translate", feature = "reference"))]
 #![allow(unsafe_code)] // The test plays the user, who calls OpenGL.
 #![allow(clippy::needless_range_loop)] // Loops over the three channels index several arrays.
 
 mod common;
 #[allow(dead_code)] // Written for `welkin film`.
-#[path = "../src/bin/welkin/film/path.rs"]
+#[path = "../cli/src/film/path.rs"]
 mod path;
 
 use std::collections::BTreeMap;
@@ -18,10 +18,10 @@ use std::sync::OnceLock;
 use common::{View, on_both};
 use glam::DVec2;
 use glow::HasContext as _;
-use welkin::backend::glow::GlowBackend;
-use welkin::backend::headless::Headless;
-use welkin::backend::wgpu::WgpuBackend;
-use welkin::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
+use welkin::gpu::egl::Headless;
+use welkin::gpu::webgl::WebGlBackend;
+use welkin::gpu::wgpu::WgpuBackend;
+use welkin::gpu::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
 use welkin::reference::multiple::{Orders, Settings};
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
 use welkin::shaders::Program;
@@ -703,7 +703,7 @@ impl User for WgpuUser {
 }
 
 struct GlUser {
-    backend: GlowBackend,
+    backend: WebGlBackend,
     _context: Headless,
 }
 
@@ -788,7 +788,7 @@ fn each_mode_draws_in_a_users_own_frame() {
         .collect();
     let users: [Box<dyn User>; 2] = [Box::new(WgpuUser::new()), {
         let context = Headless::new().expect("EGL with OpenGL ES 3");
-        let backend = GlowBackend::new(context.backend.context().clone()).unwrap();
+        let backend = WebGlBackend::new(context.backend.context().clone()).unwrap();
         Box::new(GlUser { backend, _context: context })
     }];
     for mut user in users {

@@ -2,14 +2,14 @@
 //!
 //! `WELKIN_PLAN_SCENES=2000 cargo test --release --features cli --test plan -- --nocapture` tries more random scenes
 //! and prints the largest changes.
-#![cfg(feature = "cli")]
+#![cfg(all(feature = "egl", feature = "translate", feature = "reference"))]
 
 mod common;
 
 use std::collections::BTreeMap;
 
 use common::{View, on_both};
-use welkin::backend::{Backend, DepthUse, Format, Pass, Target, TextureDesc, Uniform, reads};
+use welkin::gpu::{Backend, DepthUse, Format, Pass, Target, TextureDesc, Uniform, reads};
 use welkin::{
     AtmosphereParams, Bound, Composition, EffectPlan, LutSettings, Method, MiePhase, SkyRenderer, SkySettings,
 };
@@ -316,7 +316,7 @@ fn night_begins_where_the_light_does_not_count() {
 #[test]
 fn eight_bits_show_no_more_than_half_a_step() {
     use welkin::ToneMap;
-    use welkin::passes::tone::{srgb_encode, tone_map};
+    use welkin::frame::tone_map::{srgb_encode, tone_map};
     let mut worst: f64 = 0.0;
     for curve in ToneMap::ALL {
         for exposure in [1e-3, 1.0, 1e4] {

@@ -4,11 +4,12 @@
 mod common;
 
 use common::on_both;
-use welkin::backend::Backend;
-use welkin::passes::frame::MediumUniform;
+use welkin::AtmosphereParams;
+use welkin::frame::uniforms::MediumUniform;
+use welkin::gpu::Backend;
+use welkin::model::phase;
 use welkin::probe::{self, BATCH, Case, Cases, Probe, Quantity, Record, Row, Tally};
 use welkin::reference::single::{RayQuery, Tolerance, transmittance};
-use welkin::{AtmosphereParams, phase};
 
 /// The grid of hard cases, then random ones.
 const CASES: usize = 1_000_000;

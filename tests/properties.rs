@@ -7,10 +7,10 @@ use glam::DVec3;
 use proptest::num::f64::{ANY, NORMAL};
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
-use welkin::backend::RowOrder;
-use welkin::passes::frame::{FrameOptions, FrameUniform};
-use welkin::passes::lut::TablesUniform;
-use welkin::view::Tangents;
+use welkin::frame::lut::TablesUniform;
+use welkin::frame::uniforms::{FrameOptions, FrameUniform};
+use welkin::gpu::RowOrder;
+use welkin::model::scene::Tangents;
 use welkin::{AtmosphereParams, Camera, DepthConvention, Error, LutSettings, MiePhase, Scene};
 
 /// From a range, evenly in the logarithm; or one of its ends, or anything at all.

@@ -1,10 +1,10 @@
 //! Choosing a quality: what was promised is rendered and compared with the f64 reference.
-#![cfg(feature = "cli")]
+#![cfg(all(feature = "egl", feature = "translate", feature = "reference"))]
 
 mod common;
 // The scenes that the table was measured over.
 #[allow(dead_code)]
-#[path = "../src/bin/welkin/accuracy/scenes.rs"]
+#[path = "../cli/src/accuracy/scenes.rs"]
 mod scenes;
 
 use std::time::Duration;
@@ -12,10 +12,10 @@ use std::time::Duration;
 use common::on_both;
 use glam::DVec2;
 use scenes::{Frame, SETUPS, Setup};
-use welkin::backend::{Backend, Format};
-use welkin::quality::{Front, MEDIA};
+use welkin::gpu::{Backend, Format};
 use welkin::reference::multiple::{Orders, Settings};
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
+use welkin::settings::quality::{Front, MEDIA};
 use welkin::{PictureRenderer, PictureSettings, Quality, Scene, SkySettings};
 
 /// The reference's radiance at a frame's pixels: of all orders of scattering, and scattered once.

@@ -84,7 +84,7 @@ fn single_scattering_has_the_plane_parallel_limit() {
     for c in 0..3 {
         let tau = params.rayleigh_scattering[c] * 1000.0 * -f64::exp_m1(-20.0);
         let path = 1.0 / mu + 1.0 / mu_sun;
-        let exact = welkin::phase::rayleigh(nu) / mu * -(-tau * path).exp_m1() / path;
+        let exact = welkin::model::phase::rayleigh(nu) / mu * -(-tau * path).exp_m1() / path;
         assert!((ours.per_irradiance[c] / exact - 1.0).abs() < 1e-4, "{c}: {} {exact}", ours.per_irradiance[c]);
     }
 }

@@ -1,5 +1,5 @@
 //! Wrong input: each is refused with a message that names field, value and range, before anything is made.
-#![cfg(feature = "cli")]
+#![cfg(all(feature = "egl", feature = "translate", feature = "reference"))]
 
 mod common;
 
@@ -7,8 +7,8 @@ use std::time::Duration;
 
 use common::{View, on_both};
 use glam::DVec3;
-use welkin::backend::{Backend, Format, Pass, Target, TextureDesc, Uniform, reads};
-use welkin::quality::Front;
+use welkin::gpu::{Backend, Format, Pass, Target, TextureDesc, Uniform, reads};
+use welkin::settings::quality::Front;
 use welkin::shaders::Program;
 use welkin::{
     AtmosphereParams, DepthConvention, Error, Method, PictureRenderer, PictureSettings, Quality, Scene, SkySettings,

@@ -3,11 +3,11 @@
 
 use std::path::Path;
 
-use welkin::passes::frame::{DepthUniform, FrameUniform, MediumUniform};
-use welkin::passes::lut::TablesUniform;
-use welkin::passes::shadow::ShadowUniform;
-use welkin::passes::terrain::TerrainUniform;
-use welkin::passes::tone::ToneUniform;
+use welkin::frame::eclipse::ShadowUniform;
+use welkin::frame::lut::TablesUniform;
+use welkin::frame::terrain::TerrainUniform;
+use welkin::frame::tone_map::ToneUniform;
+use welkin::frame::uniforms::{DepthUniform, FrameUniform, MediumUniform};
 use welkin::shaders::{Program, translate};
 
 #[test]

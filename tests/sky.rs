@@ -1,5 +1,5 @@
 //! What is drawn: the same bodies on both backends, judged by physics and by the f64 reference.
-#![cfg(feature = "cli")]
+#![cfg(all(feature = "egl", feature = "translate", feature = "reference"))]
 #![allow(clippy::needless_range_loop)] // Loops over the three channels index several arrays.
 
 mod common;
@@ -7,9 +7,9 @@ mod common;
 use common::lines::along;
 use common::{View, mean, on_both};
 use glam::{DQuat, DVec2, DVec3};
-use welkin::backend::{Backend, DepthUse, Format, Pass, RowOrder, Target, TextureDesc, TextureId, Uniform, reads};
-use welkin::passes::sky::background_weight;
+use welkin::gpu::{Backend, DepthUse, Format, Pass, RowOrder, Target, TextureDesc, TextureId, Uniform, reads};
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering, transmittance};
+use welkin::render::sky::background_weight;
 use welkin::shaders::Program;
 use welkin::{
     AtmosphereParams, Bound, Composition, DepthConvention, LutSettings, Method, MiePhase, PictureRenderer,

@@ -1,12 +1,12 @@
 //! From radiance to display values: the curves are the twin's, dither hides bands and keeps every mean.
-#![cfg(feature = "cli")]
+#![cfg(all(feature = "egl", feature = "translate", feature = "reference"))]
 
 mod common;
 
 use common::{View, on_both};
-use welkin::backend::{Backend, Format, TextureDesc};
-use welkin::passes::tone::{dither, srgb_encode, tone_map, tone_pass};
-use welkin::reference::picture::render;
+use welkin::frame::tone_map::{dither, srgb_encode, tone_map, tone_pass};
+use welkin::gpu::{Backend, Format, TextureDesc};
+use welkin::render::cpu_picture::render;
 use welkin::shaders::Program;
 use welkin::{PictureRenderer, PictureSettings, Scene, SkySettings, ToneMap};
 

@@ -7,8 +7,8 @@ use fastrand::Rng;
 use glam::DVec3;
 
 use super::Case;
-use crate::atmosphere::AtmosphereParams;
-use crate::passes::frame::MediumUniform;
+use crate::frame::uniforms::MediumUniform;
+use crate::model::atmosphere::AtmosphereParams;
 
 const KM: f64 = 1000.0;
 /// Farthest camera from the planet's centre, metres: what `Scene::validate` accepts.

@@ -7,13 +7,13 @@ use fastrand::Rng;
 use glam::{DQuat, DVec3};
 
 use super::cases;
-use crate::atmosphere::{AtmosphereParams, MiePhase};
-use crate::backend::{Backend, Format, Pass, Target, TextureDesc, TextureId};
 use crate::error::Result;
-use crate::passes::lut::LutSettings;
-use crate::passes::sky::{Composition, Method, SkyRenderer, SkySettings};
-use crate::plan::Bound;
-use crate::view::{Camera, DepthConvention, Pose, Scene};
+use crate::frame::lut::LutSettings;
+use crate::frame::plan::Bound;
+use crate::gpu::{Backend, Format, Pass, Target, TextureDesc, TextureId};
+use crate::model::atmosphere::{AtmosphereParams, MiePhase};
+use crate::model::scene::{Camera, DepthConvention, Pose, Scene};
+use crate::render::sky::{Composition, Method, SkyRenderer, SkySettings};
 
 /// A scene, how it is drawn, and what stands before the camera.
 #[derive(Clone, Debug, PartialEq)]
@@ -242,7 +242,7 @@ fn pictures(
                 label: "clear",
                 program: None,
                 textures: Default::default(),
-                uniform: crate::backend::Uniform::NONE,
+                uniform: crate::gpu::Uniform::NONE,
                 target,
                 depth: Default::default(),
             });

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use super::truth::{Air, Air64, Input, LAYERS, Promise, RESOLUTION, brightest_source, scattering, wide};
 use super::{Case, Probe};
-use crate::atmosphere::MiePhase;
-use crate::phase;
+use crate::model::atmosphere::MiePhase;
+use crate::model::phase;
 use crate::reference::parallel;
 
 macro_rules! quantities {

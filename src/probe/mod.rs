@@ -21,11 +21,11 @@ pub use report::{NUMBERS, Record, side_by_side};
 pub use shrink::{Shrink, shrink};
 pub use truth::{Promise, RESOLUTION};
 
-use crate::atmosphere::{AtmosphereParams, MiePhase};
-use crate::backend::{Backend, Format, Pass, ReadId, Target, TextureDesc, TextureId, Uniform};
 use crate::error::Result;
-use crate::passes::frame::{FrameUniform, MediumUniform};
-use crate::passes::lut::{LutSettings, TablesUniform};
+use crate::frame::lut::{LutSettings, TablesUniform};
+use crate::frame::uniforms::{FrameUniform, MediumUniform};
+use crate::gpu::{Backend, Format, Pass, ReadId, Target, TextureDesc, TextureId, Uniform};
+use crate::model::atmosphere::{AtmosphereParams, MiePhase};
 use crate::shaders::Program;
 
 /// Which functions a probe runs.

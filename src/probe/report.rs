@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::fmt::{self, Display, Formatter};
 
 use super::{Finding, Quantity, Row, Tally, describe};
-use crate::backend::AdapterInfo;
 use crate::error::{Error, Result};
+use crate::gpu::AdapterInfo;
 
 /// A tally, and where it comes from.
 #[derive(Clone, Debug, Default)]

@@ -1,10 +1,10 @@
 //! From a case that breaks a promise to the plainest one that breaks it too.
 
 use super::{Case, Finding, judge, run};
-use crate::atmosphere::AtmosphereParams;
-use crate::backend::Backend;
 use crate::error::Result;
-use crate::passes::frame::MediumUniform;
+use crate::frame::uniforms::MediumUniform;
+use crate::gpu::Backend;
+use crate::model::atmosphere::AtmosphereParams;
 
 /// Most rounds. Each makes at least one input plainer; there are a few dozen steps at most.
 const ROUNDS: u32 = 64;

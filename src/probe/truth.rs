@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::Case;
-use crate::phase;
+use crate::model::phase;
 use crate::reference::geometry::{Chord, RayEnd};
 
 /// How far apart two directions, altitudes or positions may be and still be the same to f32: two units in the

@@ -6,7 +6,7 @@
 
 use std::f64::consts::PI;
 
-use crate::atmosphere::MiePhase;
+use crate::model::atmosphere::MiePhase;
 
 /// How many `(l, m)` there are with `0 ≤ m ≤ l ≤ degree`.
 pub(crate) fn count(degree: usize) -> usize {
@@ -73,7 +73,7 @@ pub(crate) fn rayleigh_moment(l: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::phase;
+    use crate::model::phase;
     use crate::reference::quadrature::gauss_legendre;
 
     #[test]

@@ -2,8 +2,8 @@
 
 use super::geometry::Chord;
 use super::quadrature::{gauss_4, gauss_6, gauss_10, gauss_16};
-use crate::atmosphere::AtmosphereParams;
-use crate::phase;
+use crate::model::atmosphere::AtmosphereParams;
+use crate::model::phase;
 
 /// How well a column is integrated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -7,7 +7,6 @@
 //! * [`single`]: transmittance and single scattering, adaptive to a stated [`single::Tolerance`].
 //! * [`multiple`]: all orders of scattering and the ground, solved once for an atmosphere, then quick for any ray.
 //! * [`path`]: the same by Monte Carlo, with its standard error: slow, and without any table.
-//! * `picture` (feature `reference`): whole pictures on all cores.
 //!
 //! `multiple` and `path` use all cores with the cargo feature `reference`. How well all this agrees with other
 //! programs: `cargo run --release --features reference --example reference_table`.
@@ -25,8 +24,6 @@ mod medium;
 pub mod multiple;
 pub(crate) mod parallel;
 pub mod path;
-#[cfg(all(feature = "reference", not(target_arch = "wasm32")))]
-pub mod picture;
 pub(crate) mod quadrature;
 pub mod single;
 

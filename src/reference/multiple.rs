@@ -28,8 +28,8 @@ use super::medium::{ColumnRule, Medium};
 use super::parallel;
 use super::quadrature::{gauss_legendre, integrate};
 use super::single::{Line, RayQuery, SmallAngles, SunLine, Tolerance, scatter, view_breaks};
-use crate::atmosphere::AtmosphereParams;
 use crate::error::{Error, Result, in_range};
+use crate::model::atmosphere::AtmosphereParams;
 
 #[cfg(all(feature = "reference", not(target_arch = "wasm32")))]
 pub use stored::NotRestored;

@@ -14,10 +14,10 @@ use super::geometry::{Chord, RayEnd};
 use super::medium::{ColumnRule, Medium};
 use super::parallel;
 use super::single::{Line, RayQuery, Tolerance, scatter};
-use crate::atmosphere::{AtmosphereParams, MiePhase};
-use crate::eclipse::Moon;
 use crate::error::{Result, in_range};
-use crate::phase;
+use crate::model::atmosphere::{AtmosphereParams, MiePhase};
+use crate::model::moon::Moon;
+use crate::model::phase;
 
 /// How much to trace.
 #[derive(Clone, Copy, Debug, PartialEq)]

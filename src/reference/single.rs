@@ -13,9 +13,9 @@ use super::geometry::{Chord, RayEnd};
 use super::harmonics;
 use super::medium::{ColumnRule, Medium, Phases};
 use super::quadrature::{fixed, gauss_legendre, integrate};
-use crate::atmosphere::AtmosphereParams;
-use crate::eclipse::Moon;
 use crate::error::{Error, Result, direction, in_range};
+use crate::model::atmosphere::AtmosphereParams;
+use crate::model::moon::Moon;
 
 /// A ray through a planet's air, in the zenith frame of its origin: z points away from the planet's
 /// centre, and the origin's altitude is a number of its own, so nothing is a difference of two radii.

@@ -9,16 +9,16 @@
 //! An effect that is off is therefore not in the text that a driver sees. [`Program::all`] is the finite
 //! list of variants; `welkin shaders` translates each of them into `shaders/glsl/`.
 
-#[cfg(feature = "glow")]
+#[cfg(feature = "webgl")]
 #[rustfmt::skip]
 mod generated;
-#[cfg(all(feature = "glow", feature = "probe"))]
+#[cfg(all(feature = "webgl", feature = "probe"))]
 #[rustfmt::skip]
 mod generated_probe;
 #[cfg(feature = "translate")]
 pub mod translate;
 
-use crate::atmosphere::{AtmosphereParams, MiePhase};
+use crate::model::atmosphere::{AtmosphereParams, MiePhase};
 
 /// Which constituents of the air a shader holds.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -496,11 +496,11 @@ impl Program {
 
     /// Size of its uniform block at binding 0 in bytes; 0 for none.
     pub fn uniform_size(self) -> usize {
-        use crate::passes::{frame::FrameUniform, lut, terrain::TerrainUniform, tone::ToneUniform};
+        use crate::frame::{lut, terrain::TerrainUniform, tone_map::ToneUniform, uniforms::FrameUniform};
         match self {
             Self::Sky { .. } | Self::Aerial { .. } | Self::Upsample => size_of::<FrameUniform>(),
-            Self::Sun { .. } | Self::Moon { .. } => size_of::<crate::passes::sun::DiskUniform>(),
-            Self::EclipseSky { .. } | Self::EclipseAerial { .. } => size_of::<crate::passes::shadow::EclipseUniform>(),
+            Self::Sun { .. } | Self::Moon { .. } => size_of::<crate::frame::disks::DiskUniform>(),
+            Self::EclipseSky { .. } | Self::EclipseAerial { .. } => size_of::<crate::frame::eclipse::EclipseUniform>(),
             Self::Terrain { .. } => size_of::<TerrainUniform>(),
             Self::ToneMap { .. } => size_of::<ToneUniform>(),
             Self::LutColumns | Self::LutRadiance | Self::LutMoments => size_of::<lut::MediumTables>(),
@@ -540,7 +540,7 @@ impl Program {
     }
 
     /// The translated shaders and the names naga gave to what they bind.
-    #[cfg(feature = "glow")]
+    #[cfg(feature = "webgl")]
     pub(crate) fn glsl(self) -> Option<&'static Glsl> {
         let name = self.name();
         #[cfg(feature = "probe")]
@@ -552,7 +552,7 @@ impl Program {
 }
 
 /// A program in GLSL ES 3.00. Shaders are lists of indices into the generated table's parts.
-#[cfg(feature = "glow")]
+#[cfg(feature = "webgl")]
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct Glsl {
     name: &'static str,
@@ -564,7 +564,7 @@ pub(crate) struct Glsl {
     pub textures: &'static [&'static str],
 }
 
-#[cfg(feature = "glow")]
+#[cfg(feature = "webgl")]
 impl Glsl {
     /// Text of the vertex shader.
     pub fn vertex(&self) -> String {
@@ -578,7 +578,7 @@ impl Glsl {
 }
 
 /// A part of the generated table; the probe's own follow those of the pictures.
-#[cfg(feature = "glow")]
+#[cfg(feature = "webgl")]
 fn part(index: u16) -> &'static str {
     let index = usize::from(index);
     #[cfg(feature = "probe")]
@@ -741,7 +741,7 @@ mod tests {
     }
 
     #[test]
-    #[cfg(feature = "glow")]
+    #[cfg(feature = "webgl")]
     fn glsl_parts_are_stored_once_and_all_used() {
         let mut used = vec![false; generated::PARTS.len()];
         for &part in generated::GLSL.iter().flat_map(|g| g.vertex.iter().chain(g.fragment)) {

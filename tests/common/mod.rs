@@ -4,7 +4,7 @@
 pub mod lines;
 
 use glam::DVec3;
-use welkin::backend::{Backend, headless::Headless, wgpu::WgpuBackend};
+use welkin::gpu::{Backend, egl::Headless, wgpu::WgpuBackend};
 use welkin::{AtmosphereParams, Camera, DepthConvention, Pose, Scene};
 
 /// Runs the same body on both backends. A test binary prints which adapters it ran on.

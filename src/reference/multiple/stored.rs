@@ -6,8 +6,8 @@
 use xxhash_rust::xxh3::xxh3_128;
 
 use super::{Interpolant, Orders, Progress, Settings, harmonics};
-use crate::atmosphere::{AtmosphereParams, MiePhase};
 use crate::error::Error;
+use crate::model::atmosphere::{AtmosphereParams, MiePhase};
 
 /// Raise this when solutions change for a reason that is not in [`SOURCES`]: a dependency, say.
 const VERSION: u32 = 1;
@@ -22,9 +22,9 @@ const SOURCES: [&str; 11] = [
     include_str!("../parallel.rs"),
     include_str!("../quadrature.rs"),
     include_str!("../single.rs"),
-    include_str!("../../atmosphere.rs"),
+    include_str!("../../model/atmosphere.rs"),
     include_str!("../../error.rs"),
-    include_str!("../../phase.rs"),
+    include_str!("../../model/phase.rs"),
 ];
 
 /// How every stored solution begins.

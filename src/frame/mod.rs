@@ -1,0 +1,10 @@
+//! One frame: what a scene calls for and why, and the passes that draw it.
+
+pub mod disks;
+pub mod eclipse;
+pub mod lut;
+mod omit;
+pub mod plan;
+pub mod terrain;
+pub mod tone_map;
+pub mod uniforms;

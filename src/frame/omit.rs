@@ -1,0 +1,241 @@
+//! What a picture sees of a planet, and upper bounds of what its air does to light.
+
+use std::f64::consts::PI;
+
+use super::plan::{Bound, MARGIN};
+use crate::model::atmosphere::{AtmosphereParams, MiePhase};
+use crate::model::scene::ZenithView;
+
+/// What part of a bound something uses up.
+pub(crate) fn share(change: f64, bound: f64) -> f64 {
+    if change <= 0.0 { 0.0 } else { change / bound }
+}
+
+/// What a picture sees: the cone around its middle that holds its corners, and the planet. Radians and metres.
+pub(crate) struct Sight {
+    pub radius: f64,
+    pub top: f64,
+    /// Of the camera; ground level where it is below that.
+    pub r: f64,
+    pub altitude: f64,
+    /// Half angle under which the planet is seen.
+    pub planet: f64,
+    pub sun_elevation: f64,
+    /// Whether air can be in the picture; rays that end on the ground; rays through air that do not.
+    pub air: bool,
+    pub ground: bool,
+    pub sky: bool,
+    /// Lowest altitude of the air in the picture.
+    pub lowest: f64,
+}
+
+impl Sight {
+    pub fn new(p: &AtmosphereParams, view: &ZenithView) -> Self {
+        let b = &view.basis;
+        let axis = b.forward.normalize_or_zero();
+        let corners = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
+        let corners = corners.map(|(x, y)| (b.forward + b.right * x + b.up * y).normalize_or_zero());
+        let most = |of: glam::DVec3| corners.iter().map(|&c| angle(c, of)).fold(0.0, f64::max);
+        // Beyond a right angle the cone does not hold what lies between its corners.
+        let widest = Some(most(axis)).filter(|w| *w < 0.5 * PI).unwrap_or(PI);
+        let (radius, top) = (p.planet_radius, p.atmosphere_radius);
+        let altitude = view.altitude.max(0.0);
+        let r = radius + altitude;
+        let planet = (radius / r).min(1.0).asin();
+        let shell = if r > top { (top / r).asin() } else { PI };
+        // Angles from straight down to the picture: no nearer than its cone and than each of its four sides.
+        let down = -glam::DVec3::Z;
+        let side = |i: usize| {
+            let inward = corners[i].cross(corners[(i + 1) % 4]).normalize_or_zero();
+            let inward = if inward.dot(axis) < 0.0 { -inward } else { inward };
+            (-inward.dot(down)).clamp(0.0, 1.0).asin()
+        };
+        let nearest = (0..4).map(side).fold(angle(axis, down) - widest, f64::max) - MARGIN;
+        let (nearest, farthest) = (nearest.max(0.0), most(down) + MARGIN);
+        let air = nearest <= shell;
+        let ground = nearest <= planet;
+        let lowest = match nearest {
+            _ if ground => 0.0,
+            n if n < 0.5 * PI => (r * n.sin() - radius).max(0.0),
+            _ => altitude,
+        };
+        Self {
+            radius,
+            top,
+            r,
+            altitude,
+            planet,
+            sun_elevation: view.sun.z.clamp(-1.0, 1.0).asin(),
+            air,
+            ground,
+            sky: air && farthest >= planet,
+            lowest,
+        }
+    }
+
+    /// Whether the planet hides all of a disk. radius: radians.
+    pub fn hides(&self, towards: glam::DVec3, radius: f64) -> bool {
+        angle(towards, -glam::DVec3::Z) + radius + MARGIN < self.planet
+    }
+
+    /// Distance to the farthest air that a straight line from the camera reaches before the ground or space, metres.
+    pub fn farthest(&self) -> f64 {
+        let to = |r: f64| ((r - self.radius) * (r + self.radius)).max(0.0).sqrt();
+        to(self.r) + to(self.top)
+    }
+
+    /// Angle at the planet's centre from the camera to the farthest air above an altitude that it sees.
+    pub fn reach(&self, low: f64) -> f64 {
+        let a = self.radius + low;
+        (a / self.r).min(1.0).acos() + (a / self.top).min(1.0).acos()
+    }
+}
+
+/// Of two unit vectors.
+fn angle(a: glam::DVec3, b: glam::DVec3) -> f64 {
+    a.dot(b).clamp(-1.0, 1.0).acos()
+}
+
+/// Upper bounds of optical depths and of light, for the air above an altitude.
+pub(crate) struct Scattering<'a> {
+    p: &'a AtmosphereParams,
+    low: f64,
+    /// Densities along the longest path in sight, and of a sunbeam to it, metres.
+    seen: [f64; 3],
+    sunbeam: [f64; 3],
+}
+
+impl<'a> Scattering<'a> {
+    pub fn new(p: &'a AtmosphereParams, sight: &Sight, low: f64) -> Self {
+        let seen = longest(p, low);
+        // Where the sun stands above the horizon of all air in sight, no beam comes from below.
+        let below = sight.sun_elevation < sight.reach(low);
+        Self { p, low, seen, sunbeam: if below { longest(p, 0.0) } else { seen } }
+    }
+
+    pub fn extinction(&self, i: usize) -> [f64; 3] {
+        [self.p.rayleigh_scattering, self.p.mie_extinction(), self.p.ozone_absorption][i]
+    }
+
+    pub fn scattering(&self, i: usize) -> [f64; 3] {
+        [self.p.rayleigh_scattering, self.p.mie_scattering, [0.0; 3]][i]
+    }
+
+    /// Optical depth of a constituent along the longest path in sight, at most.
+    pub fn depth(&self, i: usize) -> f64 {
+        largest(self.extinction(i)) * self.seen[i]
+    }
+
+    /// Optical depth of all scattering along that path.
+    pub fn total(&self) -> f64 {
+        (0..2).map(|i| largest(self.scattering(i)) * self.seen[i]).sum()
+    }
+
+    pub fn scatters(&self) -> bool {
+        self.p.sun_intensity > 0.0 && (0..2).any(|i| largest(self.scattering(i)) > 0.0)
+    }
+
+    /// Least and largest value of a constituent's phase function, any channel, 1/sr.
+    pub fn phase(&self, i: usize) -> [f64; 2] {
+        if i == 0 {
+            return [3.0 / (16.0 * PI), 3.0 / (8.0 * PI)];
+        }
+        let g = self.p.mie_asymmetry.iter().fold(0.0_f64, |a, g| a.max(g.abs()));
+        let hg = [(1.0 - g) / (1.0 + g).powi(2), (1.0 + g) / (1.0 - g).powi(2)].map(|v| v / (4.0 * PI));
+        match self.p.mie_phase {
+            MiePhase::HenyeyGreenstein => hg,
+            // 1.5 (1 + cos²) / (2 + g²) of it.
+            MiePhase::CornetteShanks => [hg[0] * 0.5, hg[1] * 1.5],
+        }
+    }
+
+    /// The share of a bound that leaving a constituent out uses up.
+    ///
+    /// Without its extinction, light on the way to the eye and on the way from the sun is brighter by at most the
+    /// exponential of its optical depth along both. The light that it scatters is at most its optical depth
+    /// times its largest phase function times the light that there is; and against the other constituent, at most
+    /// the largest ratio of what both scatter at any altitude in any direction. Light that comes from elsewhere
+    /// counts as three times the sun's: that of a white ground and of the air.
+    pub fn without(&self, i: usize, bound: Bound) -> f64 {
+        let depth = largest(self.extinction(i)) * (self.seen[i] + self.sunbeam[i]);
+        let scattering = self.scattering(i);
+        let [_, most] = self.phase(i);
+        let light = 4.0 * self.p.sun_intensity * largest(scattering) * self.seen[i] * most;
+        let j = 1 - i.min(1);
+        let [least, _] = self.phase(j);
+        let other = self.scattering(j);
+        let ends = [self.low, self.p.thickness()].map(|h| self.p.densities(h));
+        let mut ratio: f64 = 0.0;
+        for c in 0..3 {
+            for d in ends {
+                let (own, others) = (scattering[c] * d[i] * most, other[c] * d[j] * least);
+                ratio = ratio.max(if own <= 0.0 { 0.0 } else { own / others });
+            }
+        }
+        share(depth.exp_m1(), bound.relative) + share(light, bound.absolute).min(share(2.0 * ratio, bound.relative))
+    }
+
+    /// Radiance of light that was scattered more than once, at most: what is scattered into a ray of all that the sun
+    /// and the ground send, twice where the air is thin enough for this to matter.
+    pub fn multiple(&self) -> f64 {
+        let again = (0..2).map(|i| largest(self.scattering(i)) * longest(self.p, 0.0)[i]).sum::<f64>();
+        let ground = 2.0 * largest(self.p.ground_albedo);
+        let field = self.p.sun_intensity * (ground + 4.0 * again) / (1.0 - (ground + again).min(0.9));
+        let phase = (0..2).map(|i| largest(self.scattering(i)) * self.seen[i] * self.phase(i)[1]).sum::<f64>();
+        phase * field
+    }
+
+    /// Radiance of the air in sight where the sun is far below the horizon, at most; infinite otherwise.
+    ///
+    /// Scattered once, there is none where the planet's shadow covers all air in sight. Of all orders: the lowest
+    /// lit point that a horizontal ray meets is at `z = R (1 / cos(d / 2) - 1)` for a sun `d` below the horizon, and
+    /// the light falls with the scale heights `x` that this is up. The exponential lies above
+    /// the all-orders tables of every preset from `x = 4` on, by 1.6 (Mars) and more; tests hold it to that.
+    pub fn night(&self, sight: &Sight, tables: bool) -> f64 {
+        let depression = -sight.sun_elevation - (sight.radius / sight.r).acos();
+        let dip = (sight.radius / sight.top).acos();
+        if !tables && depression > 2.0 * dip + MARGIN {
+            return 0.0;
+        }
+        let p = self.p;
+        let heights = [p.rayleigh_scale_height, p.mie_scale_height];
+        let there = |i: usize| largest(self.scattering(i)) > 0.0;
+        let height = (0..2).filter(|&i| there(i)).map(|i| heights[i]).fold(0.0, f64::max);
+        if depression <= 0.0 || height <= 0.0 {
+            return if height <= 0.0 { 0.0 } else { f64::INFINITY };
+        }
+        let x = sight.radius * (1.0 / (0.5 * depression).cos() - 1.0) / height;
+        if x < 4.0 {
+            return f64::INFINITY;
+        }
+        let depth: f64 = (0..2).map(|i| largest(self.scattering(i)) * heights[i]).sum();
+        p.sun_intensity * NIGHT_LIGHT * depth.max(NIGHT_DEPTH) * (-NIGHT_FALL * x).exp()
+    }
+}
+
+/// Radiance per irradiance and optical depth that the light at night begins with, 1/sr; how fast it falls with the scale
+/// heights up to the lit air; and the least depth that counts. See `Scattering::night`.
+const NIGHT_LIGHT: f64 = 1.1e-3;
+const NIGHT_FALL: f64 = 0.7;
+const NIGHT_DEPTH: f64 = 0.2;
+
+fn largest(v: [f64; 3]) -> f64 {
+    v.into_iter().fold(0.0, f64::max)
+}
+
+/// Densities integrated along a straight line that comes down to an altitude, from top to top: at most. Metres.
+///
+/// Of an exponential: its Chapman function for a horizontal ray, `sqrt(2 pi r H) (1 + 3 H / (8 r))` and less, and
+/// no more than the line is long. Of the absorber: its largest density times the length within it.
+fn longest(p: &AtmosphereParams, low: f64) -> [f64; 3] {
+    let a = p.planet_radius + low;
+    let half = |h: f64| ((h - low) * (p.planet_radius + h + a)).max(0.0).sqrt();
+    let line = 2.0 * half(p.thickness());
+    let exponential =
+        |height: f64| (-low / height).exp() * line.min((2.0 * PI * a * height).sqrt() * (1.0 + 0.375 * height / a));
+    let (center, width) = (p.ozone_center_altitude, p.ozone_half_width);
+    let (from, to) = ((center - width).max(low), (center + width).min(p.thickness()));
+    let densest = (1.0 - (low - center).max(0.0) / width).max(0.0);
+    let layer = if to > from { 2.0 * (half(to) - half(from)) * densest } else { 0.0 };
+    [exponential(p.rayleigh_scale_height), exponential(p.mie_scale_height), layer]
+}

@@ -1,0 +1,173 @@
+//! The uniform block of the atmosphere's passes; its WGSL twin is `struct Frame` in `frame.wgsl`.
+
+use glam::DVec3;
+
+use crate::gpu::RowOrder;
+use crate::model::atmosphere::AtmosphereParams;
+use crate::model::scene::{Scene, ZenithView};
+
+/// Per-metre to per-kilometre, and metres to kilometres by division.
+const KM: f64 = 1000.0;
+
+macro_rules! block {
+    ($(#[$doc:meta])* $name:ident { $($(#[$field_doc:meta])* $field:ident: $ty:ty,)* }) => {
+        $(#[$doc])*
+        #[repr(C)]
+        #[derive(Clone, Copy, Debug, Default, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+        pub struct $name { $($(#[$field_doc])* pub $field: $ty,)* }
+
+        impl $name {
+            /// Name and byte offset of every field, for the check against naga's layout.
+            pub fn offsets() -> Vec<(&'static str, u32)> {
+                vec![$((stringify!($field), std::mem::offset_of!($name, $field) as u32),)*]
+            }
+        }
+    };
+}
+pub(crate) use block;
+
+block! {
+    /// `struct Medium`: kilometres and 1/km.
+    #[allow(missing_docs)]
+    MediumUniform {
+        rayleigh: [f32; 3],
+        rayleigh_inv_height: f32,
+        mie_scattering: [f32; 3],
+        mie_inv_height: f32,
+        mie_extinction: [f32; 3],
+        ozone_center: f32,
+        mie_asymmetry: [f32; 3],
+        ozone_inv_half_width: f32,
+        ozone: [f32; 3],
+        radius: f32,
+        irradiance: [f32; 3],
+        thickness: f32,
+    }
+}
+
+block! {
+    /// `struct DepthCode`: see [`crate::DepthConvention`].
+    #[allow(missing_docs)]
+    DepthUniform {
+        scale: f32,
+        bias: f32,
+        log: f32,
+        background: f32,
+    }
+}
+
+block! {
+    /// `struct Frame`: see the fields' comments in `frame.wgsl`.
+    #[allow(missing_docs)]
+    FrameUniform {
+        medium: MediumUniform,
+        ray_forward: [f32; 3],
+        altitude: f32,
+        ray_right: [f32; 3],
+        sky_weight: f32,
+        ray_up: [f32; 3],
+        shell_weight: f32,
+        sun: [f32; 3],
+        sun_chord: f32,
+        size: [f32; 2],
+        sun_disk: f32,
+        pixel_angle: f32,
+        depth: DepthUniform,
+        view_samples: u32,
+        light_samples: u32,
+        low_resolution: u32,
+        camera_altitude: f32,
+        limb: [f32; 4],
+    }
+}
+
+impl MediumUniform {
+    /// The medium in kilometres.
+    pub fn new(p: &AtmosphereParams) -> Self {
+        let per_km = |c: [f64; 3]| c.map(|v| (v * KM) as f32);
+        Self {
+            rayleigh: per_km(p.rayleigh_scattering),
+            rayleigh_inv_height: (KM / p.rayleigh_scale_height) as f32,
+            mie_scattering: per_km(p.mie_scattering),
+            mie_inv_height: (KM / p.mie_scale_height) as f32,
+            mie_extinction: per_km(p.mie_extinction()),
+            ozone_center: (p.ozone_center_altitude / KM) as f32,
+            mie_asymmetry: p.mie_asymmetry.map(|g| g as f32),
+            ozone_inv_half_width: (KM / p.ozone_half_width) as f32,
+            ozone: per_km(p.ozone_absorption),
+            radius: (p.planet_radius / KM) as f32,
+            irradiance: [p.sun_intensity as f32; 3],
+            thickness: (p.thickness() / KM) as f32,
+        }
+    }
+}
+
+/// What of the frame is not the scene's.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FrameOptions {
+    /// Pixels.
+    pub size: [u32; 2],
+    /// Which end of the picture the target's first row is.
+    pub rows: RowOrder,
+    /// Steps along the view ray.
+    pub view_samples: u32,
+    /// Steps towards the sun.
+    pub light_samples: u32,
+    /// Share of the background pass, 0 to 1; the depth-aware pass takes the rest.
+    pub sky_weight: f64,
+    /// Mark planet pixels instead of discarding them.
+    pub low_resolution: bool,
+}
+
+fn vec3(v: DVec3) -> [f32; 3] {
+    v.as_vec3().to_array()
+}
+
+impl FrameUniform {
+    /// How the sky table shares its rows above the horizon, at an altitude (metres): the part for rays that go down and
+    /// pass the ground, how far that part is spaced as seen from outside (0 to 1), evenly in the altitude that a
+    /// ray passes, and the share that it has near the ground, as many rows as crowding at the horizon alone would give
+    /// it. Last: the horizon's cosine of the zenith angle with its sign changed.
+    pub(crate) fn limb(altitude: f64, p: &AtmosphereParams) -> [f32; 4] {
+        let radius = p.planet_radius;
+        let horizon = (altitude * (2.0 * radius + altitude)).sqrt() / (radius + altitude);
+        let s_max = (0.5 + 0.5 * horizon).sqrt();
+        let near = (0.5 * horizon / (s_max * (s_max + std::f64::consts::FRAC_1_SQRT_2))).sqrt();
+        let bend = (altitude / p.thickness()).min(1.0).powi(4);
+        [near + (1.0 - near) * bend, bend, near, horizon].map(|v| v as f32)
+    }
+
+    /// From a scene and its [`Scene::validate`]d view. The camera's altitude counts as 0 below the ground.
+    pub fn new(scene: &Scene, view: &ZenithView, options: &FrameOptions) -> Self {
+        let p = &scene.atmosphere;
+        let flip = if options.rows == RowOrder::BottomUp { -1.0 } else { 1.0 };
+        let [scale, bias, log, background] = scene.depth.coefficients();
+        let chord = 2.0 * (0.5 * p.sun_angular_radius).sin();
+        Self {
+            medium: MediumUniform::new(p),
+            ray_forward: vec3(view.basis.forward),
+            altitude: (view.altitude.max(0.0) / KM) as f32,
+            ray_right: vec3(view.basis.right),
+            sky_weight: options.sky_weight as f32,
+            ray_up: vec3(view.basis.up * flip),
+            shell_weight: (1.0 - options.sky_weight) as f32,
+            sun: vec3(view.sun),
+            sun_chord: chord as f32,
+            size: options.size.map(|s| s as f32),
+            // Uniform disk: irradiance 1 over its solid angle, 2 pi (1 - cos) = pi chord^2.
+            sun_disk: (1.0 / (std::f64::consts::PI * chord * chord)) as f32,
+            pixel_angle: (2.0 * view.basis.up.length() / f64::from(options.size[1].max(1))) as f32,
+            depth: DepthUniform {
+                scale: (scale * KM) as f32,
+                bias: (bias * KM) as f32,
+                log: log as f32,
+                background: background as f32,
+            },
+            view_samples: options.view_samples,
+            light_samples: options.light_samples,
+            low_resolution: options.low_resolution.into(),
+            camera_altitude: (view.altitude / KM) as f32,
+            limb: Self::limb(view.altitude.max(0.0), p),
+        }
+    }
+}

@@ -1,0 +1,417 @@
+//! A backend is a small machine that runs a list of passes. It knows no physics.
+//!
+//! A [`Pass`] is data: a program, the textures and the one uniform block that it reads, and its target.
+//! Passes are full-screen triangles (or, for the demonstration's terrain, one strip made in the vertex
+//! shader). [`wgpu::WgpuBackend`] and [`glow::WebGlBackend`] run the same passes with the same result.
+
+#[cfg(feature = "egl")]
+pub mod egl;
+#[cfg(feature = "webgl")]
+pub mod webgl;
+#[cfg(feature = "wgpu")]
+pub mod wgpu;
+
+use crate::error::{Error, Result};
+use crate::shaders::Program;
+
+slotmap::new_key_type! {
+    /// A texture of a backend.
+    pub struct TextureId;
+    /// A program of a backend.
+    pub struct ProgramId;
+    /// A read-back that was begun.
+    pub struct ReadId;
+    /// A list of passes that is being timed.
+    pub struct TimerId;
+}
+
+/// What a texel holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Format {
+    /// Four bytes, 0 to 1, no encoding of their own.
+    Rgba8,
+    /// As [`Self::Rgba8`], blue first: what many window systems present. WebGPU only.
+    Bgra8,
+    /// Four 16-bit floats: largest 65504, smallest 6e-8.
+    Rgba16Float,
+    /// Four 32-bit floats.
+    Rgba32Float,
+    /// One 32-bit float.
+    R32Float,
+    /// A 32-bit float depth buffer.
+    Depth32Float,
+}
+
+impl Format {
+    /// Values per texel.
+    pub fn channels(self) -> usize {
+        match self {
+            Self::R32Float | Self::Depth32Float => 1,
+            _ => 4,
+        }
+    }
+
+    /// Bytes per texel.
+    pub fn bytes(self) -> usize {
+        match self {
+            Self::Rgba8 | Self::Bgra8 | Self::R32Float | Self::Depth32Float => 4,
+            Self::Rgba16Float => 8,
+            Self::Rgba32Float => 16,
+        }
+    }
+}
+
+/// Which end of a picture its first row is. Passes draw [`RowOrder::TopDown`] textures; the framebuffer
+/// of an OpenGL user is [`RowOrder::BottomUp`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum RowOrder {
+    /// Row 0 is the top of the picture.
+    #[default]
+    TopDown,
+    /// Row 0 is the bottom of the picture.
+    BottomUp,
+}
+
+/// Size, format and name of a texture. It can be read by passes, drawn to and read back.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct TextureDesc {
+    /// For debuggers and errors.
+    pub label: &'static str,
+    /// Texels, 1 to [`AdapterInfo::max_texture_size`].
+    pub width: u32,
+    /// Texels, 1 to [`AdapterInfo::max_texture_size`].
+    pub height: u32,
+    /// What a texel holds.
+    pub format: Format,
+    /// Which end the first row is.
+    pub rows: RowOrder,
+}
+
+impl TextureDesc {
+    /// A top-down texture.
+    pub fn new(label: &'static str, width: u32, height: u32, format: Format) -> Self {
+        Self { label, width, height, format, rows: RowOrder::TopDown }
+    }
+
+    pub(crate) fn validate(&self, max: u32) -> Result<()> {
+        for (name, v) in [("width", self.width), ("height", self.height)] {
+            if v == 0 || v > max {
+                return Err(Error::invalid(
+                    format_args!("{}.{name}", self.label),
+                    v,
+                    format_args!("from 1 to {max} texels"),
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    /// Texels.
+    pub fn texels(&self) -> usize {
+        self.width as usize * self.height as usize
+    }
+}
+
+/// What a pass does with depth.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum DepthUse {
+    /// Test ALWAYS, no write: a background.
+    #[default]
+    Always,
+    /// Nearer wins and is written; `reversed` where nearer is larger.
+    Nearer {
+        /// See [`crate::DepthConvention::is_reversed`].
+        reversed: bool,
+    },
+}
+
+/// Where a pass draws.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Target {
+    /// Colour.
+    pub color: TextureId,
+    /// Depth, if the pass is drawn together with a scene's.
+    pub depth: Option<TextureId>,
+    /// Colour to clear to first; what is there stays otherwise.
+    pub clear: Option<[f32; 4]>,
+    /// Depth to clear to first.
+    pub clear_depth: Option<f32>,
+}
+
+impl Target {
+    /// A colour texture, kept as it is where the pass draws nothing.
+    pub fn color(color: TextureId) -> Self {
+        Self { color, depth: None, clear: None, clear_depth: None }
+    }
+}
+
+/// Most textures that a pass reads.
+pub const TEXTURES_MAX: usize = 6;
+
+/// Where shaders find the sampler: bilinear, clamped to the edges.
+#[cfg(feature = "wgpu")]
+pub(crate) const SAMPLER_BINDING: u32 = TEXTURES_MAX as u32 + 1;
+
+/// What a pass reads, at bindings 1, 2, …
+pub type Textures = [Option<TextureId>; TEXTURES_MAX];
+
+/// Textures at bindings 1, 2, …
+pub fn reads<const N: usize>(ids: [TextureId; N]) -> Textures {
+    const { assert!(N <= TEXTURES_MAX, "more textures than TEXTURES_MAX") };
+    let mut textures = [None; TEXTURES_MAX];
+    textures.iter_mut().zip(ids).for_each(|(slot, id)| *slot = Some(id));
+    textures
+}
+
+/// Largest uniform block, bytes.
+pub const UNIFORM_MAX: usize = 768;
+
+/// A uniform block's bytes, held in place: a frame allocates nothing.
+#[derive(Clone, Copy, PartialEq)]
+pub struct Uniform {
+    bytes: [u8; UNIFORM_MAX],
+    len: usize,
+}
+
+impl std::fmt::Debug for Uniform {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "Uniform({} bytes)", self.len)
+    }
+}
+
+impl Uniform {
+    /// No block.
+    pub const NONE: Self = Self { bytes: [0; UNIFORM_MAX], len: 0 };
+
+    /// The bytes of a block; its size is checked when compiling.
+    pub fn new<T: bytemuck::Pod>(block: &T) -> Self {
+        const { assert!(size_of::<T>() <= UNIFORM_MAX, "uniform block is larger than UNIFORM_MAX") };
+        let mut uniform = Self::NONE;
+        uniform.len = size_of::<T>();
+        uniform.bytes[..uniform.len].copy_from_slice(bytemuck::bytes_of(block));
+        uniform
+    }
+
+    /// The bytes.
+    pub fn bytes(&self) -> &[u8] {
+        &self.bytes[..self.len]
+    }
+}
+
+/// One draw, as data.
+#[derive(Clone, Copy, Debug)]
+pub struct Pass {
+    /// For debuggers and timings.
+    pub label: &'static str,
+    /// What to run; `None` only clears the target.
+    pub program: Option<ProgramId>,
+    /// Textures at bindings 1, 2, …
+    pub textures: Textures,
+    /// The block at binding 0.
+    pub uniform: Uniform,
+    /// Where it draws.
+    pub target: Target,
+    /// What it does with the target's depth.
+    pub depth: DepthUse,
+}
+
+/// How a backend measures a pass.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TimerKind {
+    /// Vulkan or WebGPU timestamps around the pass.
+    Timestamps,
+    /// `EXT_disjoint_timer_query` around the pass.
+    TimerQuery,
+    /// A wall clock around a pass that is waited for; includes what submitting costs.
+    Clock,
+    /// This backend cannot wait (WebGPU in a browser without timestamps).
+    None,
+}
+
+impl std::fmt::Display for TimerKind {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Timestamps => "gpu timestamps",
+            Self::TimerQuery => "EXT_disjoint_timer_query",
+            Self::Clock => "synchronised clock",
+            Self::None => "none",
+        })
+    }
+}
+
+/// What draws.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AdapterInfo {
+    /// `webgpu` or `webgl2`.
+    pub backend: &'static str,
+    /// The adapter's own name.
+    pub adapter: String,
+    /// Driver or API behind it.
+    pub driver: String,
+    /// How passes are timed.
+    pub timer: TimerKind,
+    /// Largest texture side, texels.
+    pub max_texture_size: u32,
+    /// Whether it interpolates between texels of 32-bit floats. Where it does not, the sky tables have 16 bits.
+    pub filters_f32: bool,
+}
+
+impl std::fmt::Display for AdapterInfo {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}: {}, {}, timer: {}", self.backend, self.adapter, self.driver, self.timer)
+    }
+}
+
+/// Time of a pass.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PassTime {
+    /// [`Pass::label`].
+    pub label: &'static str,
+    /// Nanoseconds, by [`AdapterInfo::timer`].
+    pub nanoseconds: f64,
+}
+
+/// Live objects of a backend, for leak tests.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub struct Live {
+    pub textures: usize,
+    /// Of all textures, without what a driver adds.
+    pub texture_bytes: usize,
+    pub programs: usize,
+    pub framebuffers: usize,
+    pub pipelines: usize,
+    pub bind_groups: usize,
+}
+
+/// A machine that runs passes.
+pub trait Backend {
+    /// Which adapter and driver it runs on.
+    fn info(&self) -> &AdapterInfo;
+
+    /// A new texture; its content is undefined.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] for a side of 0 or beyond [`AdapterInfo::max_texture_size`]; [`Error::Driver`].
+    fn create_texture(&mut self, desc: &TextureDesc) -> Result<TextureId>;
+
+    /// What a texture was made with.
+    fn texture(&self, id: TextureId) -> Option<TextureDesc>;
+
+    /// Frees a texture; unknown ids are ignored.
+    fn destroy_texture(&mut self, id: TextureId);
+
+    /// Fills a texture: [`Format::channels`] values per texel, rows in memory order.
+    /// [`Format::Depth32Float`] cannot be written; make a [`Format::R32Float`] instead.
+    fn write_texture(&mut self, id: TextureId, texels: &[f32]) -> Result<()>;
+
+    /// A compiled program; asking again gives the same one.
+    fn create_program(&mut self, program: Program) -> Result<ProgramId>;
+
+    /// Frees a program; unknown ids are ignored.
+    fn destroy_program(&mut self, id: ProgramId);
+
+    /// Runs passes in order.
+    fn run(&mut self, passes: &[Pass]) -> Result<()>;
+
+    /// Asks for a texture's content; see [`Self::poll_read`].
+    fn begin_read(&mut self, id: TextureId) -> Result<ReadId>;
+
+    /// The content once it is there: [`Format::channels`] values per texel, rows in memory order. Natively
+    /// this waits; in a browser it answers `None` until the page has been left to itself for a while.
+    fn poll_read(&mut self, id: ReadId) -> Result<Option<Vec<f32>>>;
+
+    /// Runs passes and measures each; see [`Self::poll_times`].
+    fn begin_times(&mut self, passes: &[Pass]) -> Result<TimerId>;
+
+    /// The times once they are there; waits natively, as [`Self::poll_read`].
+    fn poll_times(&mut self, id: TimerId) -> Result<Option<Vec<PassTime>>>;
+
+    /// Why the device is gone, if it is.
+    fn lost(&self) -> Option<String>;
+
+    /// What exists now.
+    fn live(&self) -> Live;
+
+    /// [`Self::begin_read`] and [`Self::poll_read`] in one, where waiting is possible.
+    fn read(&mut self, id: TextureId) -> Result<Vec<f32>> {
+        let read = self.begin_read(id)?;
+        self.poll_read(read)?.ok_or_else(|| cannot_wait(self.info().backend))
+    }
+
+    /// [`Self::begin_times`] and [`Self::poll_times`] in one, where waiting is possible.
+    fn times(&mut self, passes: &[Pass]) -> Result<Vec<PassTime>> {
+        let timer = self.begin_times(passes)?;
+        self.poll_times(timer)?.ok_or_else(|| cannot_wait(self.info().backend))
+    }
+}
+
+fn cannot_wait(backend: &'static str) -> Error {
+    Error::Unavailable { backend, reason: "this platform cannot wait for the GPU: poll instead".into() }
+}
+
+/// The error for an id that this backend does not (or no longer) know.
+pub(crate) fn unknown(backend: &'static str, what: &str) -> Error {
+    Error::Driver {
+        backend,
+        what: what.to_owned(),
+        reason: "no such object: it was destroyed or belongs to another backend".into(),
+    }
+}
+
+/// Checks that a pass gives its program what it reads.
+#[cfg(any(feature = "wgpu", feature = "webgl"))]
+pub(crate) fn check_pass(backend: &'static str, pass: &Pass, program: Program) -> Result<()> {
+    let textures = pass.textures.iter().flatten().count();
+    if pass.uniform.bytes().len() != program.uniform_size() || textures != program.textures() {
+        return Err(Error::Driver {
+            backend,
+            what: format!("pass {} with program {}", pass.label, program.name()),
+            reason: format!(
+                "{} uniform bytes and {textures} textures given, {} and {} needed",
+                pass.uniform.bytes().len(),
+                program.uniform_size(),
+                program.textures()
+            ),
+        });
+    }
+    if pass.textures.iter().flatten().any(|t| *t == pass.target.color || Some(*t) == pass.target.depth) {
+        return Err(Error::invalid(
+            format_args!("pass {}", pass.label),
+            "a texture that is also the target",
+            "different textures to read and to draw to",
+        ));
+    }
+    Ok(())
+}
+
+/// Reads texels of a format into f32.
+#[cfg(any(feature = "wgpu", feature = "webgl"))]
+pub(crate) fn decode_texels(format: Format, bytes: &[u8], out: &mut Vec<f32>) {
+    match format {
+        Format::Rgba8 => out.extend(bytes.iter().map(|&b| f32::from(b) / 255.0)),
+        Format::Bgra8 => {
+            out.extend(bytes.chunks_exact(4).flat_map(|t| [t[2], t[1], t[0], t[3]]).map(|b| f32::from(b) / 255.0));
+        }
+        Format::Rgba16Float => {
+            out.extend(bytes.chunks_exact(2).map(|b| half::f16::from_le_bytes([b[0], b[1]]).to_f32()));
+        }
+        Format::Rgba32Float | Format::R32Float | Format::Depth32Float => {
+            out.extend(bytes.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])));
+        }
+    }
+}
+
+/// Writes f32 values as texels of a format.
+#[cfg(any(feature = "wgpu", feature = "webgl"))]
+pub(crate) fn encode_texels(format: Format, values: &[f32]) -> Vec<u8> {
+    let byte = |v: f32| (v.clamp(0.0, 1.0) * 255.0).round() as u8;
+    match format {
+        Format::Rgba8 => values.iter().map(|&v| byte(v)).collect(),
+        Format::Bgra8 => values.chunks_exact(4).flat_map(|t| [t[2], t[1], t[0], t[3]]).map(byte).collect(),
+        Format::Rgba16Float => values.iter().flat_map(|&v| half::f16::from_f32(v).to_le_bytes()).collect(),
+        Format::Rgba32Float | Format::R32Float | Format::Depth32Float => {
+            values.iter().flat_map(|v| v.to_le_bytes()).collect()
+        }
+    }
+}

@@ -1,0 +1,8 @@
+//! Renderers: what a user plugs in.
+
+#[cfg(all(feature = "reference", not(target_arch = "wasm32")))]
+pub mod cpu_picture;
+pub mod picture;
+pub mod sky;
+pub mod sky_light;
+pub mod warm_up;
