@@ -5,15 +5,17 @@
 
 use glam::{DVec3, IVec3};
 
-use super::eclipse::ShadowUniform;
-use super::lut::TablesUniform;
-use super::uniforms::{FrameOptions, FrameUniform, block};
-use crate::error::Result;
-use crate::gpu::{Backend, DepthUse, Pass, Target, Uniform, reads};
+use super::eclipse::{MOON_SHADOW, ShadowUniform};
+use super::graph::{Node, Resource, Stage, reads};
+use super::luts::TablesUniform;
+use super::uniforms::{FrameUniform, block};
+use super::{Air, Frame};
+use crate::gpu::{DepthUse, Uniform};
 use crate::model::atmosphere::AtmosphereParams;
-use crate::model::scene::Scene;
-use crate::render::sky::{GroundLight, texture};
-use crate::shaders::{Program, TERRAIN_RINGS};
+use crate::shaders::terrain;
+
+/// Rings of the mesh; `RINGS` in `terrain.wgsl`.
+const RINGS: u32 = 256;
 
 block! {
     /// `struct Terrain` in `terrain.wgsl`.
@@ -163,20 +165,10 @@ impl TerrainStyle {
         })
     }
 
-    /// The pass that draws the ground with depth, after the sky. `target.depth` must be there and cleared to
-    /// [`crate::DepthConvention::background`]. `light`: what [`crate::SkyRenderer::ground_light`] says.
-    pub fn pass(&self, backend: &mut dyn Backend, scene: &Scene, target: Target, light: &GroundLight) -> Result<Pass> {
-        let view = scene.validate()?;
-        let desc = texture(backend, target.color)?;
-        let options = FrameOptions {
-            size: [desc.width, desc.height],
-            rows: desc.rows,
-            view_samples: 1,
-            light_samples: 1,
-            sky_weight: 1.0,
-            low_resolution: false,
-        };
-        let frame = FrameUniform::new(scene, &view, &options);
+    /// The node that draws the ground with depth, after the sky. The target's depth must be cleared to
+    /// [`crate::DepthConvention::background`].
+    pub(crate) fn node(&self, of: &Frame) -> Node {
+        let (scene, view, frame) = (&of.scene, &of.view, of.uniform);
         let rows = view.world_to_zenith;
         let to_zenith = |v: DVec3| (rows * v).as_vec3().to_array();
         let (radius, h) = (scene.atmosphere.planet_radius, view.altitude.max(1.0));
@@ -203,7 +195,7 @@ impl TerrainStyle {
             grid_x: to_zenith(east),
             arc_scale: arc_scale as f32,
             grid_y: to_zenith(up.cross(east)),
-            arc_rate: (((0.5 * arc_max).tan() / arc_scale).asinh() / f64::from(TERRAIN_RINGS)) as f32,
+            arc_rate: (((0.5 * arc_max).tan() / arc_scale).asinh() / f64::from(RINGS)) as f32,
             planet_x: row(0),
             sea: if self.sea { 1.0 } else { 0.0 },
             planet_y: row(1),
@@ -216,22 +208,18 @@ impl TerrainStyle {
             snow_line: (self.snow_line / 1000.0).min(1e6) as f32,
             sky_share: color(Self::sky_share(&scene.atmosphere)),
             pad: 0.0,
-            tables: light.tables,
-            eclipse: light.shadow.map(|(block, _)| block).unwrap_or_default(),
+            tables: if of.rounds() > 0 { of.tables } else { TablesUniform::default() },
+            eclipse: of.moon_shadow_block().unwrap_or_default(),
         };
-        let mut textures = reads([]);
-        for (slot, id) in textures.iter_mut().zip(light.shadow.map(|(_, shade)| shade).into_iter().chain(light.moments))
-        {
-            *slot = Some(id);
-        }
-        let program = Program::Terrain { sky: light.moments.is_some(), moon: light.shadow.is_some() };
-        Ok(Pass {
-            label: "terrain",
-            program: Some(backend.create_program(program)?),
-            textures,
+        let light = of.multi_scattering();
+        let shadow = of.moon_shadow().map(|_| MOON_SHADOW);
+        let all = Air { rayleigh: true, mie: true, ozone: true };
+        let program = all.program(&terrain::INFO, [("SKY_LIGHT", light.is_some()), ("MOON", shadow.is_some())]);
+        Node {
             uniform: Uniform::new(&uniform),
-            target,
+            reads: reads([("moon_shadow_lut", shadow), ("multi_scattering_lut", light)]),
             depth: DepthUse::Nearer { reversed: scene.depth.is_reversed() },
-        })
+            ..Node::draw("terrain", Stage::Scene, program, Resource::Background)
+        }
     }
 }

@@ -1,10 +1,11 @@
 //! Exposure, tone mapping, sRGB encoding and dither: the pass, and the same formulas on the CPU.
 
+use super::graph::{Node, Resource, Stage, reads};
 use super::uniforms::block;
 use crate::error::{Error, Result, in_range};
-use crate::gpu::{Backend, DepthUse, Format, Pass, Target, TextureId, Uniform, reads};
-use crate::shaders::Program;
-pub use crate::shaders::ToneMap;
+use crate::gpu::{Backend, DepthUse, Format, Inputs, Pass, Program, Target, TextureId, Uniform};
+use crate::settings::ToneMap;
+use crate::shaders::tone_map;
 
 block! {
     /// `struct Tone` in `tonemap.wgsl`.
@@ -13,6 +14,37 @@ block! {
         exposure: f32,
         flipped: u32,
         pad: [f32; 2],
+    }
+}
+
+/// How a picture's radiance becomes display values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Display {
+    pub tone_map: ToneMap,
+    /// Display units per unit of radiance, 0 to 1e9.
+    pub exposure: f64,
+    /// Adds [`dither`] before an 8-bit target rounds, so that gradients show no bands.
+    pub dither: bool,
+    /// Whether the rows of radiance and display are in opposite order.
+    pub flipped: bool,
+}
+
+impl Display {
+    /// The node that tone-maps the finished radiance.
+    pub(crate) fn node(&self) -> Node {
+        let on = [
+            (tone_map::ACES, self.tone_map == ToneMap::Aces),
+            (tone_map::AGX, self.tone_map == ToneMap::AgX),
+            (tone_map::DITHER, self.dither),
+        ];
+        let constants = on.into_iter().filter(|(_, on)| *on).fold(0, |all, (bit, _)| all | bit);
+        let program = Program::new(&tone_map::INFO, constants);
+        let block = ToneUniform { exposure: self.exposure as f32, flipped: self.flipped.into(), pad: [0.0; 2] };
+        Node {
+            uniform: Uniform::new(&block),
+            reads: reads([("scene_color", Some(Resource::Radiance))]),
+            ..Node::draw("tone mapping", Stage::Display, program, Resource::Display)
+        }
     }
 }
 
@@ -32,7 +64,7 @@ pub fn tone_pass(
     to: TextureId,
 ) -> Result<Pass> {
     in_range("exposure", exposure, 0.0, 1e9, "")?;
-    let [source, target] = [crate::render::sky::texture(backend, from)?, crate::render::sky::texture(backend, to)?];
+    let [source, target] = [crate::gpu::known(backend, from)?, crate::gpu::known(backend, to)?];
     if (source.width, source.height) != (target.width, target.height) {
         return Err(Error::invalid(
             "tone mapping target",
@@ -40,16 +72,24 @@ pub fn tone_pass(
             format_args!("as large as the radiance: {} × {}", source.width, source.height),
         ));
     }
-    let flipped = (source.rows != target.rows).into();
-    let bytes = matches!(target.format, Format::Rgba8 | Format::Bgra8);
+    let node = Display {
+        tone_map: map,
+        exposure,
+        dither: dither && is_8_bit(target.format),
+        flipped: source.rows != target.rows,
+    }
+    .node();
     Ok(Pass {
-        label: "tone mapping",
-        program: Some(backend.create_program(Program::ToneMap { map, dither: dither && bytes })?),
-        textures: reads([from]),
-        uniform: Uniform::new(&ToneUniform { exposure: exposure as f32, flipped, pad: [0.0; 2] }),
-        target: Target::color(to),
-        depth: DepthUse::Always,
+        program: node.work.program().map(|p| backend.create_program(p)).transpose()?,
+        inputs: Inputs::new([("scene_color", Some(from))]),
+        uniform: node.uniform,
+        ..Pass::clear(node.label, Target::color(to))
     })
+}
+
+/// Whether a target rounds to 8 bits.
+pub(crate) fn is_8_bit(format: Format) -> bool {
+    matches!(format, Format::Rgba8 | Format::Bgra8)
 }
 
 /// Rows times a column.
@@ -58,9 +98,9 @@ fn mul(m: [[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
 }
 
 /// Display value (linear, 0 to 1 once clamped) of exposed radiance; sources in `tonemap.wgsl`.
-pub fn tone_map(tone_map: ToneMap, color: [f64; 3]) -> [f64; 3] {
+pub fn tone_map(curve: ToneMap, color: [f64; 3]) -> [f64; 3] {
     let color = color.map(|c| c.max(0.0));
-    match tone_map {
+    match curve {
         ToneMap::Aces => {
             let v = mul([[0.59719, 0.35458, 0.04823], [0.07600, 0.90834, 0.01566], [0.02840, 0.13383, 0.83777]], color);
             let fit = v.map(|v| (v * (v + 0.0245786) - 0.000090537) / (v * (0.983729 * v + 0.4329510) + 0.238081));

@@ -6,13 +6,23 @@
 
 #[cfg(feature = "egl")]
 pub mod egl;
+pub mod pool;
+mod program;
 #[cfg(feature = "webgl")]
 pub mod webgl;
 #[cfg(feature = "wgpu")]
 pub mod wgpu;
 
+#[cfg(any(feature = "wgpu", feature = "webgl"))]
+use std::sync::atomic::{AtomicU64, Ordering};
+
 use crate::error::{Error, Result};
-use crate::shaders::Program;
+pub use pool::{PoolKey, TexturePool};
+#[cfg(feature = "webgl")]
+pub use program::Glsl;
+#[cfg(any(feature = "wgpu", feature = "translate"))]
+pub(crate) use program::SAMPLER_BINDING;
+pub use program::{Inputs, Program, ProgramInfo, TEXTURES_MAX, TextureSlot, Vertices};
 
 slotmap::new_key_type! {
     /// A texture of a backend.
@@ -145,24 +155,6 @@ impl Target {
     }
 }
 
-/// Most textures that a pass reads.
-pub const TEXTURES_MAX: usize = 6;
-
-/// Where shaders find the sampler: bilinear, clamped to the edges.
-#[cfg(feature = "wgpu")]
-pub(crate) const SAMPLER_BINDING: u32 = TEXTURES_MAX as u32 + 1;
-
-/// What a pass reads, at bindings 1, 2, …
-pub type Textures = [Option<TextureId>; TEXTURES_MAX];
-
-/// Textures at bindings 1, 2, …
-pub fn reads<const N: usize>(ids: [TextureId; N]) -> Textures {
-    const { assert!(N <= TEXTURES_MAX, "more textures than TEXTURES_MAX") };
-    let mut textures = [None; TEXTURES_MAX];
-    textures.iter_mut().zip(ids).for_each(|(slot, id)| *slot = Some(id));
-    textures
-}
-
 /// Largest uniform block, bytes.
 pub const UNIFORM_MAX: usize = 768;
 
@@ -205,14 +197,43 @@ pub struct Pass {
     pub label: &'static str,
     /// What to run; `None` only clears the target.
     pub program: Option<ProgramId>,
-    /// Textures at bindings 1, 2, …
-    pub textures: Textures,
+    /// The textures that the program reads, by name.
+    pub inputs: Inputs,
     /// The block at binding 0.
     pub uniform: Uniform,
     /// Where it draws.
     pub target: Target,
     /// What it does with the target's depth.
     pub depth: DepthUse,
+    /// Names what the colour target holds once the pass has run; 0 for nothing that anybody asks for. See
+    /// [`Backend::content`].
+    pub content: u64,
+    /// Names what the depth target holds once a pass that clears or writes it has run.
+    pub depth_content: u64,
+}
+
+impl Pass {
+    /// A pass that clears its target as the target says and draws nothing; fill in the rest for more.
+    pub fn clear(label: &'static str, target: Target) -> Self {
+        Self {
+            label,
+            program: None,
+            inputs: Inputs::NONE,
+            uniform: Uniform::NONE,
+            target,
+            depth: DepthUse::Always,
+            content: 0,
+            depth_content: 0,
+        }
+    }
+
+    /// Which textures hold something else once it has run, and what.
+    #[cfg(any(feature = "wgpu", feature = "webgl"))]
+    pub(crate) fn contents(&self) -> impl Iterator<Item = (TextureId, u64)> {
+        let writes_depth = self.target.clear_depth.is_some() || self.depth != DepthUse::Always;
+        let depth = self.target.depth.filter(|_| writes_depth).map(|id| (id, self.depth_content));
+        std::iter::once((self.target.color, self.content)).chain(depth)
+    }
 }
 
 /// How a backend measures a pass.
@@ -298,6 +319,16 @@ pub trait Backend {
     /// What a texture was made with.
     fn texture(&self, id: TextureId) -> Option<TextureDesc>;
 
+    /// A number that no other backend of this process has. Ids mean nothing on a backend of another epoch.
+    fn epoch(&self) -> u64;
+
+    /// The name of what a texture holds: [`Pass::content`] of the last pass that was run or recorded with it as its target,
+    /// or what [`Self::set_content`] said since. 0 if that is unknown.
+    fn content(&self, id: TextureId) -> u64;
+
+    /// Names what a texture holds, after it was written by other means than a pass.
+    fn set_content(&mut self, id: TextureId, content: u64);
+
     /// Frees a texture; unknown ids are ignored.
     fn destroy_texture(&mut self, id: TextureId);
 
@@ -350,6 +381,18 @@ fn cannot_wait(backend: &'static str) -> Error {
     Error::Unavailable { backend, reason: "this platform cannot wait for the GPU: poll instead".into() }
 }
 
+/// An epoch for a new backend.
+#[cfg(any(feature = "wgpu", feature = "webgl"))]
+pub(crate) fn next_epoch() -> u64 {
+    static EPOCH: AtomicU64 = AtomicU64::new(1);
+    EPOCH.fetch_add(1, Ordering::Relaxed)
+}
+
+/// What a texture was made with, or an error.
+pub(crate) fn known(backend: &dyn Backend, id: TextureId) -> Result<TextureDesc> {
+    backend.texture(id).ok_or_else(|| unknown(backend.info().backend, "texture"))
+}
+
 /// The error for an id that this backend does not (or no longer) know.
 pub(crate) fn unknown(backend: &'static str, what: &str) -> Error {
     Error::Driver {
@@ -359,30 +402,27 @@ pub(crate) fn unknown(backend: &'static str, what: &str) -> Error {
     }
 }
 
-/// Checks that a pass gives its program what it reads.
+/// Checks that a pass gives its program what it reads; answers the textures in the order of the program's slots.
 #[cfg(any(feature = "wgpu", feature = "webgl"))]
-pub(crate) fn check_pass(backend: &'static str, pass: &Pass, program: Program) -> Result<()> {
-    let textures = pass.textures.iter().flatten().count();
-    if pass.uniform.bytes().len() != program.uniform_size() || textures != program.textures() {
-        return Err(Error::Driver {
-            backend,
-            what: format!("pass {} with program {}", pass.label, program.name()),
-            reason: format!(
-                "{} uniform bytes and {textures} textures given, {} and {} needed",
-                pass.uniform.bytes().len(),
-                program.uniform_size(),
-                program.textures()
-            ),
-        });
+pub(crate) fn check_pass(backend: &'static str, pass: &Pass, program: Program) -> Result<program::Bound> {
+    let fault = |reason| Error::Driver {
+        backend,
+        what: format!("pass {} with program {}", pass.label, program.name()),
+        reason,
+    };
+    let (given, needed) = (pass.uniform.bytes().len(), program.info().uniform_size as usize);
+    if given != needed {
+        return Err(fault(format!("{given} uniform bytes given, {needed} needed")));
     }
-    if pass.textures.iter().flatten().any(|t| *t == pass.target.color || Some(*t) == pass.target.depth) {
+    let bound = pass.inputs.by_slot(program.info()).map_err(fault)?;
+    if bound.iter().flatten().any(|t| *t == pass.target.color || Some(*t) == pass.target.depth) {
         return Err(Error::invalid(
             format_args!("pass {}", pass.label),
             "a texture that is also the target",
             "different textures to read and to draw to",
         ));
     }
-    Ok(())
+    Ok(bound)
 }
 
 /// Reads texels of a format into f32.
