@@ -99,10 +99,15 @@ struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 light;
-    vec2 surface;
+    vec3 surface;
 };
 const float HALF_MAX = 32000.0;
+const bool RAYLEIGH = true;
+const bool MIE = true;
+const bool OZONE = true;
 const float INV_4PI = 0.07957747;
+const bool CORNETTE_SHANKS = true;
+const bool SUNLIGHT = true;
 const float LOG_FLOOR = -100.0;
 const int MOMENTS = 6;
 const float SH0_ = 0.2820948;
@@ -110,15 +115,19 @@ const float SH1_ = 0.48860252;
 const float SH20_ = 0.31539157;
 const float SH21_ = 1.0925485;
 const float SH22_ = 0.54627424;
+const float HALF_TURN = 3.1415927;
 const uint RINGS = 256u;
 const uint SEGMENTS = 384u;
 const float TAU = 6.2831855;
+const bool SKY_LIGHT = true;
+const bool MOON = true;
+const uint VERTICES = 197632u;
 
 layout(std140) uniform Terrain_block_0Vertex { Terrain _group_0_binding_0_vs; };
 
 smooth out vec3 _vs2fs_location0;
 smooth out vec3 _vs2fs_location1;
-smooth out vec2 _vs2fs_location2;
+smooth out vec3 _vs2fs_location2;
 
 float altitude_of(float x, float radius) {
     return (x / (radius + sqrt(max(((radius * radius) + x), 0.0))));
@@ -152,23 +161,35 @@ mat3x3 coefficients_of(Medium m_2) {
 
 vec3 densities(vec4 layers, float h_1) {
     vec3 d = vec3(0.0);
-    d.x = exp((-(h_1) * layers.x));
-    d.y = exp((-(h_1) * layers.y));
-    d.z = max(0.0, (1.0 - (abs((h_1 - layers.z)) * layers.w)));
-    vec3 _e25 = d;
-    return _e25;
+    if (RAYLEIGH) {
+        d.x = exp((-(h_1) * layers.x));
+    }
+    if (MIE) {
+        d.y = exp((-(h_1) * layers.y));
+    }
+    if (OZONE) {
+        d.z = max(0.0, (1.0 - (abs((h_1 - layers.z)) * layers.w)));
+    }
+    vec3 _e28 = d;
+    return _e28;
 }
 
 vec3 extinction(mat3x3 coefficients, vec3 d_1) {
     vec3 sum = vec3(0.0);
-    vec3 _e5 = sum;
-    sum = (_e5 + (coefficients[0] * d_1.x));
-    vec3 _e10 = sum;
-    sum = (_e10 + (coefficients[1] * d_1.y));
-    vec3 _e15 = sum;
-    sum = (_e15 + (coefficients[2] * d_1.z));
-    vec3 _e20 = sum;
-    return _e20;
+    if (RAYLEIGH) {
+        vec3 _e6 = sum;
+        sum = (_e6 + (coefficients[0] * d_1.x));
+    }
+    if (MIE) {
+        vec3 _e12 = sum;
+        sum = (_e12 + (coefficients[1] * d_1.y));
+    }
+    if (OZONE) {
+        vec3 _e18 = sum;
+        sum = (_e18 + (coefficients[2] * d_1.z));
+    }
+    vec3 _e23 = sum;
+    return _e23;
 }
 
 float warp(float low, float u) {
@@ -337,84 +358,91 @@ void main() {
     uint index = uint(gl_VertexID);
     Medium m = Medium(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
     vec3 light = vec3(0.0);
-    Varyings out_ = Varyings(vec4(0.0), vec3(0.0), vec3(0.0), vec2(0.0));
+    Varyings out_ = Varyings(vec4(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
     Frame f_1 = _group_0_binding_0_vs.frame;
     m = f_1.medium;
+    if (SKY_LIGHT) {
+        vec3 _e11 = _group_0_binding_0_vs.tables.mie_extinction;
+        m.mie_extinction = _e11;
+    }
     uint k = min((max((index % 772u), 1u) - 1u), (772u - 3u));
     uint ring = ((index / 772u) + (k & 1u));
     float azimuth = ((TAU * float(((k / 2u) % SEGMENTS))) / 384.0);
-    float _e30 = _group_0_binding_0_vs.arc_rate;
-    float s_1 = (_e30 * float(ring));
-    float _e35 = _group_0_binding_0_vs.arc_scale;
-    float t_2 = ((_e35 * 0.5) * (exp(s_1) - exp(-(s_1))));
-    vec3 _e45 = _group_0_binding_0_vs.grid_x;
-    vec3 _e50 = _group_0_binding_0_vs.grid_y;
-    vec3 flat_ = normalize(((_e45 * cos(azimuth)) + (_e50 * sin(azimuth))));
+    float _e36 = _group_0_binding_0_vs.arc_rate;
+    float s_1 = (_e36 * float(ring));
+    float _e41 = _group_0_binding_0_vs.arc_scale;
+    float t_2 = ((_e41 * 0.5) * (exp(s_1) - exp(-(s_1))));
+    vec3 _e51 = _group_0_binding_0_vs.grid_x;
+    vec3 _e56 = _group_0_binding_0_vs.grid_y;
+    vec3 flat_ = normalize(((_e51 * cos(azimuth)) + (_e56 * sin(azimuth))));
     vec3 up = vec3(0.0, 0.0, 1.0);
     float sin_arc = ((2.0 * t_2) / (1.0 + (t_2 * t_2)));
     float drop = (((2.0 * t_2) * t_2) / (1.0 + (t_2 * t_2)));
     vec3 n_1 = ((flat_ * sin_arc) + (up * (1.0 - drop)));
-    vec3 _e79 = _group_0_binding_0_vs.planet_x;
-    vec3 _e83 = _group_0_binding_0_vs.planet_y;
-    vec3 _e87 = _group_0_binding_0_vs.planet_z;
-    vec3 planet_n = vec3(dot(_e79, n_1), dot(_e83, n_1), dot(_e87, n_1));
-    float _e92 = _group_0_binding_0_vs.arc_rate;
-    float _e97 = _group_0_binding_0_vs.arc_scale;
-    float _e100 = _group_0_binding_0_vs.arc_scale;
-    float along = (((2.0 * _e92) * sqrt(((_e97 * _e100) + (t_2 * t_2)))) / (1.0 + (t_2 * t_2)));
+    vec3 _e85 = _group_0_binding_0_vs.planet_x;
+    vec3 _e89 = _group_0_binding_0_vs.planet_y;
+    vec3 _e93 = _group_0_binding_0_vs.planet_z;
+    vec3 planet_n = vec3(dot(_e85, n_1), dot(_e89, n_1), dot(_e93, n_1));
+    float _e98 = _group_0_binding_0_vs.arc_rate;
+    float _e103 = _group_0_binding_0_vs.arc_scale;
+    float _e106 = _group_0_binding_0_vs.arc_scale;
+    float along = (((2.0 * _e98) * sqrt(((_e103 * _e106) + (t_2 * t_2)))) / (1.0 + (t_2 * t_2)));
     float spacing_1 = max(along, (sin_arc * 0.016362462));
-    float _e115 = _group_0_binding_0_vs.amplitude;
-    float _e118 = _group_0_binding_0_vs.mountain_rate;
-    float _e121 = _group_0_binding_0_vs.sea;
-    vec4 _e122 = height_field(planet_n, _e115, _e118, _e121, spacing_1);
-    float h_3 = _e122.w;
-    float _e125 = m.radius;
-    float _e132 = m.radius;
-    vec3 position = ((flat_ * ((_e125 + h_3) * sin_arc)) + (up * ((h_3 - f_1.camera_altitude) - ((_e132 + h_3) * drop))));
-    vec3 _e140 = _group_0_binding_0_vs.planet_x;
-    vec3 _e145 = _group_0_binding_0_vs.planet_y;
-    vec3 _e151 = _group_0_binding_0_vs.planet_z;
-    vec3 g = (((_e140 * _e122.x) + (_e145 * _e122.y)) + (_e151 * _e122.z));
-    float _e159 = m.radius;
-    vec3 tangential = ((g - (n_1 * dot(g, n_1))) / vec3(_e159));
-    vec3 normal = normalize((n_1 - tangential));
+    float _e121 = _group_0_binding_0_vs.amplitude;
+    float _e124 = _group_0_binding_0_vs.mountain_rate;
+    float _e127 = _group_0_binding_0_vs.sea;
+    vec4 _e128 = height_field(planet_n, _e121, _e124, _e127, spacing_1);
+    float h_3 = _e128.w;
+    float _e131 = m.radius;
+    float _e138 = m.radius;
+    vec3 position = ((flat_ * ((_e131 + h_3) * sin_arc)) + (up * ((h_3 - f_1.camera_altitude) - ((_e138 + h_3) * drop))));
+    vec3 _e146 = _group_0_binding_0_vs.planet_x;
+    vec3 _e151 = _group_0_binding_0_vs.planet_y;
+    vec3 _e157 = _group_0_binding_0_vs.planet_z;
+    vec3 g = (((_e146 * _e128.x) + (_e151 * _e128.y)) + (_e157 * _e128.z));
     float _e165 = m.radius;
-    float _e166 = excess_of(h_3, _e165);
-    float _e168 = m.radius;
-    float sun_b_1 = ((_e168 + h_3) * dot(n_1, f_1.sun));
-    float _e175 = m.radius;
-    float dip = (sqrt(_e166) / (_e175 + h_3));
+    vec3 tangential = ((g - (n_1 * dot(g, n_1))) / vec3(_e165));
+    vec3 normal = normalize((n_1 - tangential));
+    float _e171 = m.radius;
+    float _e172 = excess_of(h_3, _e171);
+    float _e174 = m.radius;
+    float sun_b_1 = ((_e174 + h_3) * dot(n_1, f_1.sun));
+    float _e181 = m.radius;
+    float dip = (sqrt(_e172) / (_e181 + h_3));
     float above_1 = ((dot(n_1, f_1.sun) + dip) / f_1.sun_chord);
     float visible = smoothstep(-1.0, 1.0, above_1);
-    vec3 _e191 = _group_0_binding_0_vs.sky_share;
-    light = ((_e191 * clamp(((dot(n_1, f_1.sun) + 0.1) / 1.1), 0.0, 1.0)) * (0.5 + (0.5 * dot(normal, n_1))));
-    if ((visible > 0.0)) {
-        vec3 _e210 = light;
-        Medium _e211 = m;
-        mat3x3 _e212 = coefficients_of(_e211);
-        Medium _e213 = m;
-        vec4 _e214 = layers_of(_e213);
-        float _e216 = m.radius;
-        float _e218 = m.thickness;
-        vec3 _e220 = sun_transmittance(_e212, _e214, _e216, _e218, _e166, sun_b_1, 8u);
-        light = (_e210 + (_e220 * (visible * max(dot(normal, f_1.sun), 0.0))));
+    if (SKY_LIGHT) {
+    } else {
+        vec3 _e198 = _group_0_binding_0_vs.sky_share;
+        light = ((_e198 * clamp(((dot(n_1, f_1.sun) + 0.1) / 1.1), 0.0, 1.0)) * (0.5 + (0.5 * dot(normal, n_1))));
     }
-    vec3 _e231 = _group_0_binding_0_vs.axis;
-    float z = dot(position, _e231);
-    float _e241 = _group_0_binding_0_vs.offset_x;
-    float right = ((dot(position, f_1.ray_right) / dot(f_1.ray_right, f_1.ray_right)) - (_e241 * z));
-    float _e252 = _group_0_binding_0_vs.offset_y;
-    float top = ((dot(position, f_1.ray_up) / dot(f_1.ray_up, f_1.ray_up)) - (_e252 * z));
+    if ((visible > 0.0)) {
+        vec3 _e217 = light;
+        Medium _e218 = m;
+        mat3x3 _e219 = coefficients_of(_e218);
+        Medium _e220 = m;
+        vec4 _e221 = layers_of(_e220);
+        float _e223 = m.radius;
+        float _e225 = m.thickness;
+        vec3 _e227 = sun_transmittance(_e219, _e221, _e223, _e225, _e172, sun_b_1, 8u);
+        light = (_e217 + (_e227 * (visible * max(dot(normal, f_1.sun), 0.0))));
+    }
+    vec3 _e238 = _group_0_binding_0_vs.axis;
+    float z = dot(position, _e238);
+    float _e248 = _group_0_binding_0_vs.offset_x;
+    float right = ((dot(position, f_1.ray_right) / dot(f_1.ray_right, f_1.ray_right)) - (_e248 * z));
+    float _e259 = _group_0_binding_0_vs.offset_y;
+    float top = ((dot(position, f_1.ray_up) / dot(f_1.ray_up, f_1.ray_up)) - (_e259 * z));
     out_.clip = vec4(right, top, (0.5 * z), z);
     out_.position = position;
-    vec3 _e261 = light;
-    out_.light = _e261;
-    out_.surface = vec2(h_3, dot(normal, n_1));
-    Varyings _e265 = out_;
-    gl_Position = _e265.clip;
-    _vs2fs_location0 = _e265.position;
-    _vs2fs_location1 = _e265.light;
-    _vs2fs_location2 = _e265.surface;
+    vec3 _e268 = light;
+    out_.light = _e268;
+    out_.surface = vec3(h_3, dot(normal, n_1), dot(n_1, f_1.sun));
+    Varyings _e274 = out_;
+    gl_Position = _e274.clip;
+    _vs2fs_location0 = _e274.position;
+    _vs2fs_location1 = _e274.light;
+    _vs2fs_location2 = _e274.surface;
     gl_Position.yz = vec2(-gl_Position.y, gl_Position.z * 2.0 - gl_Position.w);
     return;
 }

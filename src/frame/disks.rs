@@ -2,12 +2,12 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use super::draw::Draw;
 use super::uniforms::{FrameUniform, block};
 use crate::error::Result;
-use crate::gpu::{Backend, DepthUse, Pass, Target, Uniform, reads};
+use crate::gpu::{Backend, DepthUse, Inputs, Pass, Target, Uniform};
 use crate::model::moon::MOON_ALBEDO;
 use crate::model::scene::{RayBasis, ZenithView};
-use crate::shaders::Program;
 
 block! {
     /// `struct Uniforms` in `rectangle.wgsl`.
@@ -51,7 +51,7 @@ pub(crate) fn rectangle(basis: &RayBasis, sun: glam::DVec3, radius: f64, size: [
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct DiskPlan {
     pub label: &'static str,
-    pub program: Program,
+    pub program: Draw,
     /// As `rectangle` gives it.
     pub rect: [f64; 4],
     /// Share of the sun's disk that the moon leaves.
@@ -82,8 +82,8 @@ pub(crate) fn disk_pass(
     let uniform = DiskUniform { frame: *frame, rect, moon, shine };
     Ok(Pass {
         label: plan.label,
-        program: Some(backend.create_program(plan.program)?),
-        textures: reads([]),
+        program: Some(backend.create_program(plan.program.program())?),
+        inputs: Inputs::NONE,
         uniform: Uniform::new(&uniform),
         target,
         depth: DepthUse::Always,

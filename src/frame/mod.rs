@@ -1,6 +1,7 @@
 //! One frame: what a scene calls for and why, and the passes that draw it.
 
 pub mod disks;
+pub(crate) mod draw;
 pub mod eclipse;
 pub mod lut;
 mod omit;

@@ -5,15 +5,15 @@
 
 use glam::{DVec3, IVec3};
 
+use super::draw::Draw;
 use super::eclipse::ShadowUniform;
 use super::lut::TablesUniform;
 use super::uniforms::{FrameOptions, FrameUniform, block};
 use crate::error::Result;
-use crate::gpu::{Backend, DepthUse, Pass, Target, Uniform, reads};
+use crate::gpu::{Backend, DepthUse, Inputs, Pass, Target, Uniform};
 use crate::model::atmosphere::AtmosphereParams;
 use crate::model::scene::Scene;
 use crate::render::sky::{GroundLight, texture};
-use crate::shaders::{Program, TERRAIN_RINGS};
 
 block! {
     /// `struct Terrain` in `terrain.wgsl`.
@@ -203,7 +203,8 @@ impl TerrainStyle {
             grid_x: to_zenith(east),
             arc_scale: arc_scale as f32,
             grid_y: to_zenith(up.cross(east)),
-            arc_rate: (((0.5 * arc_max).tan() / arc_scale).asinh() / f64::from(TERRAIN_RINGS)) as f32,
+            arc_rate: (((0.5 * arc_max).tan() / arc_scale).asinh() / f64::from(crate::shaders::terrain::numbers::RINGS))
+                as f32,
             planet_x: row(0),
             sea: if self.sea { 1.0 } else { 0.0 },
             planet_y: row(1),
@@ -219,16 +220,13 @@ impl TerrainStyle {
             tables: light.tables,
             eclipse: light.shadow.map(|(block, _)| block).unwrap_or_default(),
         };
-        let mut textures = reads([]);
-        for (slot, id) in textures.iter_mut().zip(light.shadow.map(|(_, shade)| shade).into_iter().chain(light.moments))
-        {
-            *slot = Some(id);
-        }
-        let program = Program::Terrain { sky: light.moments.is_some(), moon: light.shadow.is_some() };
+        let shadow = light.shadow.map(|(_, lut)| lut);
+        let inputs = Inputs::new([("moon_shadow_lut", shadow), ("multi_scattering_lut", light.moments)]);
+        let program = Draw::Terrain { sky_light: light.moments.is_some(), moon: shadow.is_some() }.program();
         Ok(Pass {
             label: "terrain",
             program: Some(backend.create_program(program)?),
-            textures,
+            inputs,
             uniform: Uniform::new(&uniform),
             target,
             depth: DepthUse::Nearer { reversed: scene.depth.is_reversed() },

@@ -1,9 +1,9 @@
 //! Exposure, tone mapping, sRGB encoding and dither: the pass, and the same formulas on the CPU.
 
+use super::draw::Draw;
 use super::uniforms::block;
 use crate::error::{Error, Result, in_range};
-use crate::gpu::{Backend, DepthUse, Format, Pass, Target, TextureId, Uniform, reads};
-use crate::shaders::Program;
+use crate::gpu::{Backend, DepthUse, Format, Inputs, Pass, Target, TextureId, Uniform};
 pub use crate::shaders::ToneMap;
 
 block! {
@@ -44,8 +44,8 @@ pub fn tone_pass(
     let bytes = matches!(target.format, Format::Rgba8 | Format::Bgra8);
     Ok(Pass {
         label: "tone mapping",
-        program: Some(backend.create_program(Program::ToneMap { map, dither: dither && bytes })?),
-        textures: reads([from]),
+        program: Some(backend.create_program(Draw::ToneMap { map, dither: dither && bytes }.program())?),
+        inputs: Inputs::new([("scene_color", Some(from))]),
         uniform: Uniform::new(&ToneUniform { exposure: exposure as f32, flipped, pad: [0.0; 2] }),
         target: Target::color(to),
         depth: DepthUse::Always,

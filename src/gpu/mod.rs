@@ -6,13 +6,18 @@
 
 #[cfg(feature = "egl")]
 pub mod egl;
+mod program;
 #[cfg(feature = "webgl")]
 pub mod webgl;
 #[cfg(feature = "wgpu")]
 pub mod wgpu;
 
 use crate::error::{Error, Result};
-use crate::shaders::Program;
+#[cfg(feature = "webgl")]
+pub use program::Glsl;
+#[cfg(any(feature = "wgpu", feature = "translate"))]
+pub(crate) use program::SAMPLER_BINDING;
+pub use program::{Inputs, Program, ProgramInfo, TEXTURES_MAX, TextureSlot, Vertices};
 
 slotmap::new_key_type! {
     /// A texture of a backend.
@@ -145,24 +150,6 @@ impl Target {
     }
 }
 
-/// Most textures that a pass reads.
-pub const TEXTURES_MAX: usize = 6;
-
-/// Where shaders find the sampler: bilinear, clamped to the edges.
-#[cfg(feature = "wgpu")]
-pub(crate) const SAMPLER_BINDING: u32 = TEXTURES_MAX as u32 + 1;
-
-/// What a pass reads, at bindings 1, 2, …
-pub type Textures = [Option<TextureId>; TEXTURES_MAX];
-
-/// Textures at bindings 1, 2, …
-pub fn reads<const N: usize>(ids: [TextureId; N]) -> Textures {
-    const { assert!(N <= TEXTURES_MAX, "more textures than TEXTURES_MAX") };
-    let mut textures = [None; TEXTURES_MAX];
-    textures.iter_mut().zip(ids).for_each(|(slot, id)| *slot = Some(id));
-    textures
-}
-
 /// Largest uniform block, bytes.
 pub const UNIFORM_MAX: usize = 768;
 
@@ -205,8 +192,8 @@ pub struct Pass {
     pub label: &'static str,
     /// What to run; `None` only clears the target.
     pub program: Option<ProgramId>,
-    /// Textures at bindings 1, 2, …
-    pub textures: Textures,
+    /// The textures that the program reads, by name.
+    pub inputs: Inputs,
     /// The block at binding 0.
     pub uniform: Uniform,
     /// Where it draws.
@@ -359,30 +346,27 @@ pub(crate) fn unknown(backend: &'static str, what: &str) -> Error {
     }
 }
 
-/// Checks that a pass gives its program what it reads.
+/// Checks that a pass gives its program what it reads; answers the textures in the order of the program's slots.
 #[cfg(any(feature = "wgpu", feature = "webgl"))]
-pub(crate) fn check_pass(backend: &'static str, pass: &Pass, program: Program) -> Result<()> {
-    let textures = pass.textures.iter().flatten().count();
-    if pass.uniform.bytes().len() != program.uniform_size() || textures != program.textures() {
-        return Err(Error::Driver {
-            backend,
-            what: format!("pass {} with program {}", pass.label, program.name()),
-            reason: format!(
-                "{} uniform bytes and {textures} textures given, {} and {} needed",
-                pass.uniform.bytes().len(),
-                program.uniform_size(),
-                program.textures()
-            ),
-        });
+pub(crate) fn check_pass(backend: &'static str, pass: &Pass, program: Program) -> Result<program::Bound> {
+    let fault = |reason| Error::Driver {
+        backend,
+        what: format!("pass {} with program {}", pass.label, program.name()),
+        reason,
+    };
+    let (given, needed) = (pass.uniform.bytes().len(), program.info().uniform_size as usize);
+    if given != needed {
+        return Err(fault(format!("{given} uniform bytes given, {needed} needed")));
     }
-    if pass.textures.iter().flatten().any(|t| *t == pass.target.color || Some(*t) == pass.target.depth) {
+    let bound = pass.inputs.by_slot(program.info()).map_err(fault)?;
+    if bound.iter().flatten().any(|t| *t == pass.target.color || Some(*t) == pass.target.depth) {
         return Err(Error::invalid(
             format_args!("pass {}", pass.label),
             "a texture that is also the target",
             "different textures to read and to draw to",
         ));
     }
-    Ok(())
+    Ok(bound)
 }
 
 /// Reads texels of a format into f32.

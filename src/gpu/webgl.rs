@@ -17,11 +17,11 @@ use glow::HasContext as _;
 use slotmap::SlotMap;
 
 use super::{
-    AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, ProgramId, ReadId, TEXTURES_MAX, TextureDesc,
-    TextureId, TimerId, TimerKind, UNIFORM_MAX, check_pass, decode_texels, encode_texels, unknown,
+    AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, Program, ProgramId, ReadId, TEXTURES_MAX,
+    TextureDesc, TextureId, TimerId, TimerKind, UNIFORM_MAX, Vertices, check_pass, decode_texels, encode_texels,
+    unknown,
 };
 use crate::error::{Error, Result};
-use crate::shaders::Program;
 use state::{PLAIN_PIXELS, SWITCHES, Saved, store_pixels};
 
 const NAME: &str = "webgl2";
@@ -289,17 +289,19 @@ impl WebGlBackend {
     }
 
     fn draw(&mut self, pass: &Pass) -> Result<()> {
+        let mut bound = [None; TEXTURES_MAX];
         let program = match pass.program {
             Some(id) => {
                 let compiled = self.programs.get(id).ok_or_else(|| unknown(NAME, "program"))?;
-                check_pass(NAME, pass, compiled.program)?;
+                bound = check_pass(NAME, pass, compiled.program)?;
                 Some((compiled.program, compiled.handle))
             }
             None => None,
         };
         let desc = self.texture(pass.target.color).ok_or_else(|| unknown(NAME, "target"))?;
         let mut read = [None; TEXTURES_MAX];
-        for (slot, id) in read.iter_mut().zip(pass.textures) {
+        for (slot, id) in read.iter_mut().zip(bound) {
+            // Nothing is bound where the program's constants leave a texture unread.
             let Some(id) = id else { continue };
             *slot = match self.textures.get(id).ok_or_else(|| unknown(NAME, "texture"))?.source {
                 Source::Own(t) | Source::User(t) => Some(t),
@@ -339,12 +341,11 @@ impl WebGlBackend {
             }
             gl.use_program(Some(handle));
             gl.bind_vertex_array(Some(self.vertex_array));
-            for (unit, texture) in (0..).zip(read) {
+            for ((unit, texture), slot) in (0..).zip(read).zip(program.info().textures) {
                 if texture.is_some() {
                     gl.active_texture(glow::TEXTURE0 + unit);
                     gl.bind_texture(glow::TEXTURE_2D, texture);
-                    let filtered = program.filtered() & (1 << unit) != 0;
-                    gl.bind_sampler(unit, Some(if filtered { self.linear } else { self.nearest }));
+                    gl.bind_sampler(unit, Some(if slot.filtered { self.linear } else { self.nearest }));
                 }
             }
             let bytes = pass.uniform.bytes();
@@ -360,8 +361,9 @@ impl WebGlBackend {
                     UNIFORM_MAX as i32,
                 );
             }
-            let mode = if program.makes_vertices() { glow::TRIANGLE_STRIP } else { glow::TRIANGLES };
-            gl.draw_arrays(mode, 0, program.vertices() as i32);
+            let vertices = program.info().vertices;
+            let mode = if vertices == Vertices::Triangle { glow::TRIANGLES } else { glow::TRIANGLE_STRIP };
+            gl.draw_arrays(mode, 0, vertices.count() as i32);
             // Textures stay bound to no unit of ours: the next pass may draw to them.
             for (unit, texture) in (0..).zip(read) {
                 if texture.is_some() {
@@ -377,14 +379,12 @@ impl WebGlBackend {
 
     fn compile(&self, program: Program) -> Result<glow::Program> {
         let name = program.name();
-        let source = program
-            .glsl()
-            .ok_or_else(|| driver(format!("program {name}"), "it was not translated: run `welkin shaders`"))?;
+        let (names, [vertex, fragment]) = (&program.info().glsl, program.glsl());
         let gl = &self.gl;
         // SAFETY: objects made here; on failure they are deleted before returning.
         unsafe {
             let handle = gl.create_program().map_err(|e| driver(&name, e))?;
-            let stages = [(glow::VERTEX_SHADER, source.vertex()), (glow::FRAGMENT_SHADER, source.fragment())];
+            let stages = [(glow::VERTEX_SHADER, vertex), (glow::FRAGMENT_SHADER, fragment)];
             let mut problem = None;
             for (stage, text) in stages {
                 let shader = gl.create_shader(stage).map_err(|e| driver(&name, e))?;
@@ -407,16 +407,15 @@ impl WebGlBackend {
                 gl.delete_program(handle);
                 return Err(driver(format!("program {name}"), problem));
             }
-            for block in source.blocks.iter().filter(|b| !b.is_empty()) {
+            for block in names.blocks.iter().filter(|b| !b.is_empty()) {
                 if let Some(index) = gl.get_uniform_block_index(handle, block) {
                     gl.uniform_block_binding(handle, index, self.binding_point);
                 }
             }
             gl.use_program(Some(handle));
-            for (unit, texture) in (0..).zip(source.textures) {
-                if !texture.is_empty() {
-                    gl.uniform_1_i32(gl.get_uniform_location(handle, texture).as_ref(), unit);
-                }
+            for (unit, sampler) in (0..).zip(names.samplers) {
+                // Drivers drop a sampler that is not read: it has no location, and setting that does nothing.
+                gl.uniform_1_i32(gl.get_uniform_location(handle, sampler).as_ref(), unit);
             }
             Ok(handle)
         }

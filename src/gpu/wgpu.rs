@@ -11,12 +11,11 @@ use std::sync::{Arc, Mutex, PoisonError};
 use slotmap::SlotMap;
 
 use super::{
-    AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, ProgramId, ReadId, SAMPLER_BINDING, TEXTURES_MAX,
-    TextureDesc, TextureId, Textures, TimerId, TimerKind, UNIFORM_MAX, check_pass, decode_texels, encode_texels,
-    unknown,
+    AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, Program, ProgramId, ReadId, SAMPLER_BINDING,
+    TEXTURES_MAX, TextureDesc, TextureId, TimerId, TimerKind, UNIFORM_MAX, Vertices, check_pass, decode_texels,
+    encode_texels, program::Bound, unknown,
 };
 use crate::error::{Error, Result};
-use crate::shaders::Program;
 
 const NAME: &str = "webgpu";
 
@@ -62,10 +61,12 @@ pub struct WgpuBackend {
     textures: SlotMap<TextureId, Texture>,
     programs: SlotMap<ProgramId, Compiled>,
     pipelines: HashMap<(ProgramId, Format, Option<DepthUse>), wgpu::RenderPipeline>,
-    bind_groups: HashMap<(ProgramId, Textures), wgpu::BindGroup>,
+    bind_groups: HashMap<(ProgramId, Bound), wgpu::BindGroup>,
     reads: SlotMap<ReadId, Read>,
     timers: SlotMap<TimerId, Timer>,
     sampler: wgpu::Sampler,
+    /// Bound where a program's constants leave a texture unread.
+    placeholder: wgpu::TextureView,
     ring: wgpu::Buffer,
     ring_stride: u32,
     ring_next: u32,
@@ -163,6 +164,18 @@ impl WgpuBackend {
             min_filter: wgpu::FilterMode::Linear,
             ..Default::default()
         });
+        let placeholder = device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("welkin placeholder"),
+            size: wgpu::Extent3d { width: 1, height: 1, depth_or_array_layers: 1 },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            // One that every device filters.
+            format: wgpu::TextureFormat::Rgba8Unorm,
+            usage: wgpu::TextureUsages::TEXTURE_BINDING,
+            view_formats: &[],
+        });
+        let placeholder = placeholder.create_view(&Default::default());
         let ring_stride = (UNIFORM_MAX as u32).next_multiple_of(limits.min_uniform_buffer_offset_alignment);
         let ring = device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("welkin uniforms"),
@@ -188,6 +201,7 @@ impl WgpuBackend {
             reads: SlotMap::with_key(),
             timers: SlotMap::with_key(),
             sampler,
+            placeholder,
             ring,
             ring_stride,
             ring_next: 0,
@@ -249,36 +263,38 @@ impl WgpuBackend {
         }
         let Some(program) = pass.program else { return self.check() };
         let compiled = self.programs.get(program).ok_or_else(|| unknown(NAME, "program"))?;
-        check_pass(NAME, pass, compiled.program)?;
-        if !self.bind_groups.contains_key(&(program, pass.textures)) {
+        let info = compiled.program.info();
+        let bound = check_pass(NAME, pass, compiled.program)?;
+        if !self.bind_groups.contains_key(&(program, bound)) {
             let mut entries = Vec::with_capacity(2 + TEXTURES_MAX);
-            if compiled.program.filtered() != 0 {
+            if info.textures.iter().any(|slot| slot.filtered) {
                 let resource = wgpu::BindingResource::Sampler(&self.sampler);
                 entries.push(wgpu::BindGroupEntry { binding: SAMPLER_BINDING, resource });
             }
-            if compiled.program.uniform_size() > 0 {
+            if info.uniform_size > 0 {
                 entries.push(wgpu::BindGroupEntry {
                     binding: 0,
                     resource: wgpu::BindingResource::Buffer(wgpu::BufferBinding {
                         buffer: &self.ring,
                         offset: 0,
-                        size: NonZeroU64::new(compiled.program.uniform_size() as u64),
+                        size: NonZeroU64::new(info.uniform_size.into()),
                     }),
                 });
             }
-            for (binding, id) in (1..).zip(pass.textures.iter().flatten()) {
-                let texture = self.textures.get(*id).ok_or_else(|| unknown(NAME, "texture"))?;
-                entries.push(wgpu::BindGroupEntry {
-                    binding,
-                    resource: wgpu::BindingResource::TextureView(&texture.view),
-                });
+            for (slot, id) in info.textures.iter().zip(bound) {
+                let view = match id {
+                    Some(id) => &self.textures.get(id).ok_or_else(|| unknown(NAME, "texture"))?.view,
+                    None => &self.placeholder,
+                };
+                let resource = wgpu::BindingResource::TextureView(view);
+                entries.push(wgpu::BindGroupEntry { binding: slot.binding, resource });
             }
             let group = self.device.create_bind_group(&wgpu::BindGroupDescriptor {
                 label: Some(pass.label),
                 layout: &compiled.layout,
                 entries: &entries,
             });
-            self.bind_groups.insert((program, pass.textures), group);
+            self.bind_groups.insert((program, bound), group);
         }
         let key = (program, color.format, pass.target.depth.map(|_| pass.depth));
         if !self.pipelines.contains_key(&key) {
@@ -301,10 +317,9 @@ impl WgpuBackend {
                 buffers: &[],
             },
             primitive: wgpu::PrimitiveState {
-                topology: if program.makes_vertices() {
-                    wgpu::PrimitiveTopology::TriangleStrip
-                } else {
-                    wgpu::PrimitiveTopology::TriangleList
+                topology: match program.info().vertices {
+                    Vertices::Triangle => wgpu::PrimitiveTopology::TriangleList,
+                    Vertices::Strip(_) => wgpu::PrimitiveTopology::TriangleStrip,
                 },
                 ..Default::default()
             },
@@ -373,11 +388,11 @@ impl WgpuBackend {
         });
         let Some(program) = pass.program else { return Ok(()) };
         let key = (program, color.desc.format, depth.map(|_| pass.depth));
-        let (Some(pipeline), Some(group), Some(compiled)) =
-            (self.pipelines.get(&key), self.bind_groups.get(&(program, pass.textures)), self.programs.get(program))
-        else {
+        let (Some(pipeline), Some(compiled)) = (self.pipelines.get(&key), self.programs.get(program)) else {
             return Err(unknown(NAME, pass.label));
         };
+        let bound = check_pass(NAME, pass, compiled.program)?;
+        let Some(group) = self.bind_groups.get(&(program, bound)) else { return Err(unknown(NAME, pass.label)) };
         render.set_pipeline(pipeline);
         let offset = self.ring_next * self.ring_stride;
         if pass.uniform.bytes().is_empty() {
@@ -386,7 +401,7 @@ impl WgpuBackend {
             self.queue.write_buffer(&self.ring, u64::from(offset), pass.uniform.bytes());
             render.set_bind_group(0, group, &[offset]);
         }
-        render.draw(0..compiled.program.vertices(), 0..1);
+        render.draw(0..compiled.program.info().vertices.count(), 0..1);
         drop(render);
         self.ring_next = (self.ring_next + 1) % RING_PASSES;
         Ok(())
@@ -534,13 +549,13 @@ impl Backend for WgpuBackend {
             return Ok(id);
         }
         self.alive()?;
-        let label = program.name();
+        let (label, info) = (program.name(), program.info());
         let module = self.device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some(&label),
             source: wgpu::ShaderSource::Wgsl(program.wgsl().into()),
         });
         let mut entries = Vec::with_capacity(2 + TEXTURES_MAX);
-        if program.filtered() != 0 {
+        if info.textures.iter().any(|slot| slot.filtered) {
             entries.push(wgpu::BindGroupLayoutEntry {
                 binding: SAMPLER_BINDING,
                 visibility: wgpu::ShaderStages::FRAGMENT,
@@ -548,26 +563,24 @@ impl Backend for WgpuBackend {
                 count: None,
             });
         }
-        if program.uniform_size() > 0 {
+        if info.uniform_size > 0 {
             entries.push(wgpu::BindGroupLayoutEntry {
                 binding: 0,
                 visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
                 ty: wgpu::BindingType::Buffer {
                     ty: wgpu::BufferBindingType::Uniform,
                     has_dynamic_offset: true,
-                    min_binding_size: NonZeroU64::new(program.uniform_size() as u64),
+                    min_binding_size: NonZeroU64::new(info.uniform_size.into()),
                 },
                 count: None,
             });
         }
-        for binding in 1..=program.textures() as u32 {
+        for slot in info.textures {
             entries.push(wgpu::BindGroupLayoutEntry {
-                binding,
+                binding: slot.binding,
                 visibility: wgpu::ShaderStages::FRAGMENT,
                 ty: wgpu::BindingType::Texture {
-                    sample_type: wgpu::TextureSampleType::Float {
-                        filterable: program.filtered() & (1 << (binding - 1)) != 0,
-                    },
+                    sample_type: wgpu::TextureSampleType::Float { filterable: slot.filtered },
                     view_dimension: wgpu::TextureViewDimension::D2,
                     multisampled: false,
                 },

@@ -241,7 +241,7 @@ fn pictures(
             passes.push(Pass {
                 label: "clear",
                 program: None,
-                textures: Default::default(),
+                inputs: Default::default(),
                 uniform: crate::gpu::Uniform::NONE,
                 target,
                 depth: Default::default(),

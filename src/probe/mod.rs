@@ -9,6 +9,9 @@
 
 mod cases;
 mod frames;
+#[allow(dead_code)] // Constants that only some probes ask for.
+#[rustfmt::skip]
+mod generated;
 mod judge;
 mod report;
 mod shrink;
@@ -16,6 +19,7 @@ mod truth;
 
 pub use cases::{Cases, describe, grid, grid_len, random};
 pub use frames::{Fault, Frame, frame, look, shrink_frame};
+pub use generated::PROGRAMS;
 pub use judge::{Finding, Quantity, Row, Tally, explain, judge};
 pub use report::{NUMBERS, Record, side_by_side};
 pub use shrink::{Shrink, shrink};
@@ -24,9 +28,8 @@ pub use truth::{Promise, RESOLUTION};
 use crate::error::Result;
 use crate::frame::lut::{LutSettings, TablesUniform};
 use crate::frame::uniforms::{FrameUniform, MediumUniform};
-use crate::gpu::{Backend, Format, Pass, ReadId, Target, TextureDesc, TextureId, Uniform};
+use crate::gpu::{Backend, Format, Inputs, Pass, Program, ReadId, Target, TextureDesc, TextureId, Uniform};
 use crate::model::atmosphere::{AtmosphereParams, MiePhase};
-use crate::shaders::Program;
 
 /// Which functions a probe runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -75,30 +78,34 @@ impl Probe {
         }
     }
 
-    pub(crate) fn flag(self) -> &'static str {
-        match self {
-            Self::Geometry => "PROBE_GEOMETRY",
-            Self::Medium => "PROBE_MEDIUM",
-            Self::Path => "PROBE_PATH",
-            Self::Eclipse => "PROBE_ECLIPSE",
-            Self::Tables => "PROBE_TABLES",
-            Self::Scatter(_) => "PROBE_SCATTER",
-        }
+    /// The program that runs these functions, with all of its constants on but the other phase function.
+    fn program(self) -> Program {
+        let info = match self {
+            Self::Geometry => &generated::probe_geometry::INFO,
+            Self::Medium => &generated::probe_medium::INFO,
+            Self::Path => &generated::probe_path::INFO,
+            Self::Eclipse => &generated::probe_eclipse::INFO,
+            Self::Tables => &generated::probe_tables::INFO,
+            Self::Scatter(_) => &generated::probe_scatter::INFO,
+        };
+        let off = match self {
+            Self::Scatter(MiePhase::HenyeyGreenstein) => generated::probe_scatter::CORNETTE_SHANKS,
+            _ => 0,
+        };
+        Program::new(info, info.all() & !off)
     }
 
-    pub(crate) fn mie_phase(self) -> MiePhase {
-        if let Self::Scatter(phase) = self { phase } else { MiePhase::HenyeyGreenstein }
-    }
-
-    /// Pixels that one case fills; `ANSWERS` in `probe.wgsl`.
+    /// Pixels that one case fills.
     pub fn answers(self) -> usize {
-        match self {
-            Self::Geometry => 4,
-            Self::Medium => 5,
-            Self::Path | Self::Scatter(_) => 2,
-            Self::Eclipse => 1,
-            Self::Tables => 12,
-        }
+        let answers = match self {
+            Self::Geometry => generated::probe_geometry::numbers::ANSWERS,
+            Self::Medium => generated::probe_medium::numbers::ANSWERS,
+            Self::Path => generated::probe_path::numbers::ANSWERS,
+            Self::Scatter(_) => generated::probe_scatter::numbers::ANSWERS,
+            Self::Eclipse => generated::probe_eclipse::numbers::ANSWERS,
+            Self::Tables => generated::probe_tables::numbers::ANSWERS,
+        };
+        answers as usize
     }
 }
 
@@ -155,8 +162,9 @@ impl Case {
     }
 }
 
-/// Texels of a case; `CASE_TEXELS` in `probe.wgsl`.
+/// Texels of a case.
 const CASE_TEXELS: usize = size_of::<Case>() / 16;
+const _: () = assert!(CASE_TEXELS == generated::probe_tables::numbers::CASE_TEXELS as usize);
 /// Cases in a row of the texture: it is then no wider than the 2048 texels that WebGL2 promises.
 const ROW: usize = 156;
 
@@ -204,15 +212,14 @@ impl Running {
         let mut texels: Vec<f32> = bytemuck::cast_slice(cases).to_vec();
         texels.resize(desc.map_or(0, |d| d.texels() * 4), 0.0);
         backend.write_texture(input, &texels)?;
-        let mut pass = Pass {
+        let pass = Pass {
             label: "probe",
-            program: Some(backend.create_program(Program::Probe(probe))?),
-            textures: Default::default(),
+            program: Some(backend.create_program(probe.program())?),
+            inputs: Inputs::new([("cases", Some(input))]),
             uniform: Uniform::NONE,
             target: Target::color(output),
             depth: Default::default(),
         };
-        pass.textures[0] = Some(input);
         backend.run(&[pass])?;
         backend.begin_read(output)
     }

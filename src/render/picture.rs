@@ -5,7 +5,7 @@ use crate::error::Result;
 use crate::frame::plan::{Bound, EffectPlan};
 use crate::frame::terrain::TerrainStyle;
 use crate::frame::tone_map::{ToneMap, tone_pass};
-use crate::gpu::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
+use crate::gpu::{Backend, DepthUse, Format, Inputs, Pass, Target, TextureDesc, TextureId, Uniform};
 use crate::model::atmosphere::AtmosphereParams;
 use crate::model::scene::Scene;
 
@@ -175,8 +175,8 @@ impl PictureRenderer {
         if let Some(terrain) = &settings.terrain {
             self.passes.push(terrain.pass(backend, scene, after, &light)?);
         } else if !drawn {
-            let (textures, uniform, depth) = (reads([]), Uniform::NONE, DepthUse::Always);
-            self.passes.push(Pass { label: "clear", program: None, textures, uniform, target, depth });
+            let (inputs, uniform, depth) = (Inputs::NONE, Uniform::NONE, DepthUse::Always);
+            self.passes.push(Pass { label: "clear", program: None, inputs, uniform, target, depth });
         }
         let air = self.sky.aerial(backend, scene, t.scene, t.depth, t.aerial)?;
         let radiance = if air.is_empty() { t.scene } else { t.aerial };

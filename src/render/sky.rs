@@ -4,15 +4,15 @@ use std::fmt;
 
 use crate::error::{Error, Result, in_range};
 use crate::frame::disks::disk_pass;
+use crate::frame::draw::Draw;
 use crate::frame::eclipse::{EclipseUniform, Shade, ShadowUniform, TEXELS, shadow};
 use crate::frame::lut::{FrameTables, IDLE, LutSettings, Luts, TablesUniform};
 use crate::frame::plan::{Bound, EffectPlan, TablePlan};
 use crate::frame::uniforms::{FrameOptions, FrameUniform};
-use crate::gpu::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
+use crate::gpu::{Backend, DepthUse, Format, Inputs, Pass, Target, TextureDesc, TextureId, Uniform};
 use crate::model::atmosphere::AtmosphereParams;
 use crate::model::scene::{Scene, ZenithView};
 use crate::render::sky_light::SkyLightRead;
-use crate::shaders::Program;
 
 /// How the sky's light is computed, and how finely.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -316,35 +316,34 @@ impl SkyRenderer {
             // Nothing but black is behind the sky: no need to clear it first, nor to blend.
             let only = full && target.clear == Some([0.0, 0.0, 0.0, 1.0]);
             let mut target = target;
-            let (program, textures, uniform) = match (&plan.tables, program) {
-                (wanted, Program::EclipseSky { .. }) => {
-                    let (uniform, [shade, columns, moments]) =
-                        self.eclipse(backend, scene, &view, drawn, wanted.as_ref())?;
-                    (program, [shade, columns, moments, None, None, None], uniform)
+            let (program, inputs, uniform) = match (&plan.tables, program) {
+                (wanted, Draw::EclipseSky { .. }) => {
+                    let (uniform, inputs) = self.eclipse(backend, scene, &view, drawn, wanted.as_ref())?;
+                    (program, inputs, uniform)
                 }
-                (Some(wanted), Program::SkyLut { mie, .. }) => {
+                (Some(wanted), Draw::SkyLut { phase, .. }) => {
                     let passes = &mut self.passes;
                     let (t, tables) = self.luts.update(backend, &scene.atmosphere, wanted, &frame, false, passes)?;
-                    let textures = t.haze.map_or(reads([t.sky]), |haze| reads([t.sky, haze]));
+                    let inputs = Inputs::new([("sky_view_lut", Some(t.sky)), ("mie_single_lut", t.haze)]);
                     if only {
                         target.clear = None;
                     }
-                    (Program::SkyLut { mie, only }, textures, Uniform::new(&FrameTables { frame: drawn, tables }))
+                    (Draw::SkyLut { phase, only }, inputs, Uniform::new(&FrameTables { frame: drawn, tables }))
                 }
-                _ => (program, reads([]), Uniform::new(&drawn)),
+                _ => (program, Inputs::NONE, Uniform::new(&drawn)),
             };
-            let program = Some(backend.create_program(program)?);
+            let program = Some(backend.create_program(program.program())?);
             let depth = DepthUse::Always;
             if full {
-                self.passes.push(Pass { label, program, textures, uniform, target, depth });
+                self.passes.push(Pass { label, program, inputs, uniform, target, depth });
             } else {
                 let low = self.low_texture(backend, small)?;
                 let clear = Target { clear: Some([0.0; 4]), ..Target::color(low) };
-                self.passes.push(Pass { label, program, textures, uniform, target: clear, depth });
+                self.passes.push(Pass { label, program, inputs, uniform, target: clear, depth });
                 self.passes.push(Pass {
                     label: "upsample sky",
-                    program: Some(backend.create_program(Program::Upsample)?),
-                    textures: reads([low]),
+                    program: Some(backend.create_program(Draw::Upsample.program())?),
+                    inputs: Inputs::new([("sky", Some(low))]),
                     uniform: Uniform::new(&frame),
                     target,
                     depth,
@@ -430,35 +429,34 @@ impl SkyRenderer {
         self.free_tables_unless(backend, plan.tables.is_some());
         if let Some(program) = plan.before {
             let frame = FrameUniform::new(scene, view, &Self::options(desc, &plan));
-            let (textures, uniform) = match &plan.tables {
+            let scene_inputs = [("scene_color", color), ("scene_depth", Some(depth))];
+            let (inputs, uniform) = match &plan.tables {
                 wanted if plan.eclipse => {
-                    let (uniform, tables) = self.eclipse(backend, scene, view, frame, wanted.as_ref())?;
-                    let scene = color.into_iter().chain([depth]);
-                    let mut textures = reads([]);
-                    for (slot, id) in textures.iter_mut().zip(scene.chain(tables.into_iter().flatten())) {
-                        *slot = Some(id);
+                    let (uniform, mut inputs) = self.eclipse(backend, scene, view, frame, wanted.as_ref())?;
+                    for (name, texture) in scene_inputs {
+                        inputs.push(name, texture)?;
                     }
-                    (textures, uniform)
+                    (inputs, uniform)
                 }
                 Some(wanted) => {
                     let passes = &mut self.passes;
                     let (t, tables) = self.luts.update(backend, &scene.atmosphere, wanted, &frame, true, passes)?;
-                    let textures = match (color, t.haze) {
-                        (Some(color), Some(haze)) => reads([color, depth, t.sky, t.air, t.columns, haze]),
-                        (Some(color), None) => reads([color, depth, t.sky, t.air, t.columns]),
-                        (None, Some(haze)) => reads([depth, t.sky, t.air, t.columns, haze]),
-                        (None, None) => reads([depth, t.sky, t.air, t.columns]),
-                    };
-                    (textures, Uniform::new(&FrameTables { frame, tables }))
+                    let [scene_color, scene_depth] = scene_inputs;
+                    let inputs = Inputs::new([
+                        scene_color,
+                        scene_depth,
+                        ("sky_view_lut", Some(t.sky)),
+                        ("aerial_lut", Some(t.air)),
+                        ("transmittance_lut", Some(t.columns)),
+                        ("mie_single_lut", t.haze),
+                    ]);
+                    (inputs, Uniform::new(&FrameTables { frame, tables }))
                 }
-                _ => {
-                    let textures = color.map_or(reads([depth]), |color| reads([color, depth]));
-                    (textures, Uniform::new(&frame))
-                }
+                _ => (Inputs::new(scene_inputs), Uniform::new(&frame)),
             };
-            let program = Some(backend.create_program(program)?);
+            let program = Some(backend.create_program(program.program())?);
             let label = if color.is_none() { "planet shell" } else { "aerial perspective" };
-            self.passes.push(Pass { label, program, textures, uniform, target, depth: DepthUse::Always });
+            self.passes.push(Pass { label, program, inputs, uniform, target, depth: DepthUse::Always });
         }
         Ok(())
     }
@@ -472,17 +470,19 @@ impl SkyRenderer {
         view: &ZenithView,
         frame: FrameUniform,
         wanted: Option<&TablePlan>,
-    ) -> Result<(Uniform, [Option<TextureId>; 3])> {
+    ) -> Result<(Uniform, Inputs)> {
         let (eclipse, shade) = self.moon_shadow(backend, view, &scene.atmosphere)?;
         let mut tables = TablesUniform::default();
-        let mut textures = [Some(shade), None, None];
+        let (mut columns, mut moments) = (None, None);
         if let Some(wanted) = wanted {
             let (t, made) = self.luts.of_medium(backend, &scene.atmosphere, wanted, false, &mut self.passes)?;
             // Half of what a texel of the tables gets: here it is for each pixel.
             tables = TablesUniform { steps: (wanted.settings.sky_steps / 2).max(4), ..made };
-            textures[1..].copy_from_slice(&[Some(t.columns()), self.luts.moments().map(|(moments, ..)| moments)]);
+            (columns, moments) = (Some(t.columns()), self.luts.moments().map(|(moments, ..)| moments));
         }
-        Ok((Uniform::new(&EclipseUniform { frame, tables, eclipse }), textures))
+        let inputs =
+            [("moon_shadow_lut", Some(shade)), ("transmittance_lut", columns), ("multi_scattering_lut", moments)];
+        Ok((Uniform::new(&EclipseUniform { frame, tables, eclipse }), Inputs::new(inputs)))
     }
 
     /// The moon's shadow as passes are told of it, and its shade.

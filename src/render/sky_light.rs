@@ -7,7 +7,7 @@
 //! * by physics: [`sunlight`] is what the air leaves of the sun's light, and a [`SkyLight`] the light of the simulated sky,
 //!   as irradiance and as spherical harmonics, from the tables that draw it.
 //!
-//! [`LightingContextUniform`] is the block that `lighting.wgsl` (in [`crate::shaders::MODULES`]) reads.
+//! [`LightingContextUniform`] is the block that `lighting.wgsl` ([`crate::shaders::LIGHTING_WGSL`]) reads.
 
 use glam::{DVec3, Vec3};
 

@@ -7,12 +7,14 @@ use glam::{DVec2, DVec3};
 use super::picture::{PictureRenderer, PictureSettings};
 use super::sky::{Composition, Method, SkyRenderer, SkySettings};
 use crate::error::Result;
+use crate::frame::draw::Draw;
 use crate::frame::lut::LutSettings;
 use crate::frame::plan::EffectPlan;
+use crate::gpu::Program;
 use crate::gpu::{Backend, Format, Pass, ProgramId, Target, TextureDesc, TextureId};
 use crate::model::moon::Moon;
 use crate::model::scene::{Camera, Pose, Scene};
-use crate::shaders::Program;
+use crate::shaders;
 
 /// What a [`SkyRenderer`]'s passes draw to; pipelines depend on it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -158,16 +160,18 @@ impl Drawer {
     /// What a plan does not name: the sky where nothing is behind it, ground and tone mapping.
     fn others(&self, programs: &mut Vec<Program>) {
         for i in 0..programs.len() {
-            if let Program::SkyLut { mie, .. } = programs[i] {
-                programs.push(Program::SkyLut { mie, only: true });
+            use shaders::sky_view::{BLEND, INFO};
+            if programs[i].info().name == INFO.name {
+                programs.push(Program::new(&INFO, programs[i].constants() & !BLEND));
             }
         }
         if let Self::Picture(_, settings) = self {
-            programs.push(Program::ToneMap { map: settings.tone_map, dither: settings.dither });
+            programs.push(Draw::ToneMap { map: settings.tone_map, dither: settings.dither }.program());
             if settings.terrain.is_some() {
-                let under = |p: &Program| matches!(p, Program::EclipseSky { .. } | Program::EclipseAerial { .. });
-                let (sky, moon) = (programs.contains(&Program::LutMoments), programs.iter().any(under));
-                programs.push(Program::Terrain { sky, moon });
+                let any = |name| programs.iter().any(|p| p.info().name == name);
+                let sky_light = any(shaders::multi_scattering_lut::INFO.name);
+                let moon = any(shaders::sky_march_eclipse::INFO.name) || any(shaders::aerial_march_eclipse::INFO.name);
+                programs.push(Draw::Terrain { sky_light, moon }.program());
             }
         }
     }

@@ -9,12 +9,13 @@ use glam::DVec3;
 use super::quality::Quality;
 use crate::error::{Error, Result};
 use crate::frame::lut::MEDIUM_LABELS;
-use crate::gpu::{Backend, DepthUse, Pass, Target, TextureDesc, TextureId, Uniform, reads};
+use crate::gpu::Program;
+use crate::gpu::{Backend, DepthUse, Inputs, Pass, Target, TextureDesc, TextureId, Uniform};
 use crate::model::atmosphere::AtmosphereParams;
 use crate::model::scene::{Camera, DepthConvention, Pose, Scene};
 use crate::render::picture::{PictureRenderer, PictureSettings};
 use crate::render::sky::SkySettings;
-use crate::shaders::Program;
+use crate::shaders::copy;
 
 /// `welkin accuracy --write-front src/quality/front.txt` writes it.
 const COMMITTED: &str = include_str!("front.txt");
@@ -312,7 +313,7 @@ fn time(
     size: [u32; 2],
     copy_to: TextureId,
 ) -> Result<Duration> {
-    let program = backend.create_program(Program::Copy)?;
+    let program = backend.create_program(Program::new(&copy::INFO, 0))?;
     let mut best = vec![f64::INFINITY; points.len() * scenes.len()];
     let mut best_copy = f64::INFINITY;
     // Round after round, so that a disturbance of a moment does not hit every run of a quality.
@@ -325,7 +326,7 @@ fn time(
             passes.push(Pass {
                 label: "copy",
                 program: Some(program),
-                textures: reads([drawn.radiance]),
+                inputs: Inputs::new([("source", Some(drawn.radiance))]),
                 uniform: Uniform::NONE,
                 target: Target::color(copy_to),
                 depth: DepthUse::Always,

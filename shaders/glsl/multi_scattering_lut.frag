@@ -1,0 +1,218 @@
+#version 300 es
+
+precision highp float;
+precision highp int;
+
+struct Medium {
+    vec3 rayleigh;
+    float rayleigh_inv_height;
+    vec3 mie_scattering;
+    float mie_inv_height;
+    vec3 mie_extinction;
+    float ozone_center;
+    vec3 mie_asymmetry;
+    float ozone_inv_half_width;
+    vec3 ozone;
+    float radius;
+    vec3 irradiance;
+    float thickness;
+};
+struct Tables {
+    vec3 mie_extinction;
+    float altitude_steepness;
+    vec3 mie_moment0_;
+    float altitude_growth;
+    vec3 mie_moment1_;
+    float sun_middle;
+    vec3 mie_moment2_;
+    float sun_width;
+    vec3 mie_asymmetry;
+    float pad;
+    vec3 albedo;
+    float sun_first;
+    float sun_span;
+    float ground_rows;
+    uvec2 size;
+    uint steps;
+    uint shift;
+    uint slices;
+    float air_ground_rows;
+};
+struct Direction {
+    float mu;
+    float azimuth;
+    bool above;
+    float weight;
+};
+struct Uniforms {
+    Medium medium;
+    Tables tables;
+};
+const bool RAYLEIGH = true;
+const bool MIE = true;
+const bool OZONE = true;
+const float LOG_FLOOR = -100.0;
+const int MOMENTS = 6;
+const float SH0_ = 0.2820948;
+const float SH1_ = 0.48860252;
+const float SH20_ = 0.31539157;
+const float SH21_ = 1.0925485;
+const float SH22_ = 0.54627424;
+const int ZENITHS = 16;
+const int AZIMUTHS = 8;
+
+layout(std140) uniform Uniforms_block_0Fragment { Uniforms _group_0_binding_0_fs; };
+
+uniform highp sampler2D _group_0_binding_1_fs;
+
+layout(location = 0) out vec4 _fs2p_location0;
+
+float excess_of(float h, float radius) {
+    return (h * ((2.0 * radius) + h));
+}
+
+float share_altitude(Tables t, float share, float thickness) {
+    float s = ((t.altitude_steepness * share) * share);
+    float grown = ((s < 0.05) ? (s * (1.0 + (s * (0.5 + (s * (0.16666667 + (s * 0.041666668))))))) : (exp(s) - 1.0));
+    return (thickness * min((grown / t.altitude_growth), 1.0));
+}
+
+float harmonic(int index, float mu, float along) {
+    switch(index) {
+        case 0: {
+            return SH0_;
+        }
+        case 1: {
+            return (SH1_ * mu);
+        }
+        case 2: {
+            return (SH1_ * along);
+        }
+        case 3: {
+            return (SH20_ * (((3.0 * mu) * mu) - 1.0));
+        }
+        case 4: {
+            return ((SH21_ * mu) * along);
+        }
+        default: {
+            return (SH22_ * ((((2.0 * along) * along) + (mu * mu)) - 1.0));
+        }
+    }
+}
+
+vec2 gauss8_(int i) {
+    switch(i) {
+        case 0: {
+            return vec2(0.01985507, 0.050614268);
+        }
+        case 1: {
+            return vec2(0.10166676, 0.11119052);
+        }
+        case 2: {
+            return vec2(0.23723379, 0.15685332);
+        }
+        case 3: {
+            return vec2(0.40828267, 0.18134189);
+        }
+        case 4: {
+            return vec2(0.5917173, 0.18134189);
+        }
+        case 5: {
+            return vec2(0.7627662, 0.15685332);
+        }
+        case 6: {
+            return vec2(0.89833325, 0.11119052);
+        }
+        default: {
+            return vec2(0.9801449, 0.050614268);
+        }
+    }
+}
+
+Direction node_direction(int zenith, int azimuth, float h_1, float radius_1) {
+    bool above = (zenith < 8);
+    vec2 _e8 = gauss8_((above ? zenith : (zenith - 8)));
+    float _e9 = excess_of(h_1, radius_1);
+    float horizon = (-(sqrt(_e9)) / (radius_1 + h_1));
+    float span = (above ? (1.0 - horizon) : (-1.0 - horizon));
+    float mu_1 = clamp((horizon + ((span * _e8.x) * _e8.x)), -1.0, 1.0);
+    return Direction(mu_1, ((float(azimuth) + 0.5) * 0.3926991), above, (((((abs(span) * 2.0) * _e8.x) * _e8.y) * 2.0) * 0.3926991));
+}
+
+vec3 moment(ivec2 node, float h_2, float radius_2, int index_1) {
+    vec3 sum = vec3(0.0);
+    int z = 0;
+    int a = 0;
+    bool loop_init = true;
+    while(true) {
+        if (!loop_init) {
+            int _e62 = z;
+            z = (_e62 + 1);
+        }
+        loop_init = false;
+        int _e9 = z;
+        if ((_e9 < ZENITHS)) {
+        } else {
+            break;
+        }
+        {
+            a = 0;
+            bool loop_init_1 = true;
+            while(true) {
+                if (!loop_init_1) {
+                    int _e59 = a;
+                    a = (_e59 + 1);
+                }
+                loop_init_1 = false;
+                int _e14 = a;
+                if ((_e14 < AZIMUTHS)) {
+                } else {
+                    break;
+                }
+                {
+                    int _e17 = z;
+                    int _e18 = a;
+                    Direction _e19 = node_direction(_e17, _e18, h_2, radius_2);
+                    float along_1 = (sqrt(max(((1.0 - _e19.mu) * (1.0 + _e19.mu)), 0.0)) * cos(_e19.azimuth));
+                    float _e34 = harmonic(index_1, _e19.mu, along_1);
+                    float y = ((index_1 == MOMENTS) ? max(_e19.mu, 0.0) : _e34);
+                    vec3 _e41 = sum;
+                    int _e47 = a;
+                    int _e48 = z;
+                    vec4 _e52 = texelFetch(_group_0_binding_1_fs, ((node * ivec2(8, 16)) + ivec2(_e47, _e48)), 0);
+                    sum = (_e41 + (_e52.xyz * (y * _e19.weight)));
+                }
+            }
+        }
+    }
+    vec3 _e64 = sum;
+    return _e64;
+}
+
+void main() {
+    vec4 position = gl_FragCoord;
+    Medium m = _group_0_binding_0_fs.medium;
+    Tables t_1 = _group_0_binding_0_fs.tables;
+    ivec2 at = ivec2(position.xy);
+    int altitudes = (ivec2(uvec2(textureSize(_group_0_binding_1_fs, 0).xy)).y / ZENITHS);
+    bool ground = (at.y == (altitudes * MOMENTS));
+    ivec2 node_1 = ivec2(at.x, (ground ? 0 : (at.y / MOMENTS)));
+    float _e33 = share_altitude(t_1, (float(node_1.y) / float((altitudes - 1))), m.thickness);
+    vec3 tiny = vec3(7.888609e-31);
+    if (ground) {
+        vec3 _e38 = moment(node_1, _e33, m.radius, MOMENTS);
+        _fs2p_location0 = vec4(log2(max(_e38, tiny)), 0.0);
+        return;
+    }
+    vec3 _e45 = moment(node_1, _e33, m.radius, 0);
+    vec3 mean = max(_e45, tiny);
+    int index_2 = (at.y % MOMENTS);
+    if ((index_2 == 0)) {
+        _fs2p_location0 = vec4(log2(mean), 0.0);
+        return;
+    }
+    vec3 _e56 = moment(node_1, _e33, m.radius, index_2);
+    _fs2p_location0 = vec4((_e56 / mean), 0.0);
+    return;
+}
+

@@ -1,0 +1,626 @@
+#version 300 es
+
+precision highp float;
+precision highp int;
+
+struct Medium {
+    vec3 rayleigh;
+    float rayleigh_inv_height;
+    vec3 mie_scattering;
+    float mie_inv_height;
+    vec3 mie_extinction;
+    float ozone_center;
+    vec3 mie_asymmetry;
+    float ozone_inv_half_width;
+    vec3 ozone;
+    float radius;
+    vec3 irradiance;
+    float thickness;
+};
+struct DepthCode {
+    float scale;
+    float bias;
+    float log_;
+    float background;
+};
+struct Frame {
+    Medium medium;
+    vec3 ray_forward;
+    float altitude;
+    vec3 ray_right;
+    float sky_weight;
+    vec3 ray_up;
+    float shell_weight;
+    vec3 sun;
+    float sun_chord;
+    vec2 size;
+    float sun_disk;
+    float pixel_angle;
+    DepthCode depth;
+    uint view_samples;
+    uint light_samples;
+    uint low_resolution;
+    float camera_altitude;
+    vec4 limb;
+};
+struct AirRay {
+    float start;
+    float length_;
+    float x;
+    float b;
+    float x_closest;
+    float sun_b;
+    float nu;
+    float cross2_;
+    float shadow_b;
+    float shadow_c;
+    float shadow_half2_;
+    bool ground;
+};
+struct SunSide {
+    float sun_b;
+    float nu;
+    float cross2_;
+    float shadow_b;
+    float shadow_c;
+    float shadow_half2_;
+};
+struct Line {
+    float b;
+    float p;
+    float x_closest;
+    bool ground;
+};
+struct AirPath {
+    float start;
+    float length_;
+    float x;
+    float b;
+};
+struct Low {
+    float t;
+    float x;
+    float b;
+};
+struct Scattered {
+    vec3 radiance;
+    vec3 transmittance;
+};
+const float HALF_MAX = 32000.0;
+const bool RAYLEIGH = true;
+const bool MIE = true;
+const bool OZONE = true;
+const float INV_4PI = 0.07957747;
+const bool CORNETTE_SHANKS = true;
+const bool SUNLIGHT = true;
+
+layout(std140) uniform Frame_block_0Fragment { Frame _group_0_binding_0_fs; };
+
+layout(location = 0) out vec4 _fs2p_location0;
+
+vec3 pixel_ray(vec2 pixel, vec2 size, vec3 forward, vec3 right, vec3 up) {
+    vec2 ndc = (((pixel / size) * vec2(2.0, -2.0)) + vec2(-1.0, 1.0));
+    return ((forward + (right * ndc.x)) + (up * ndc.y));
+}
+
+float altitude_of(float x, float radius) {
+    return (x / (radius + sqrt(max(((radius * radius) + x), 0.0))));
+}
+
+float excess_of(float h, float radius_1) {
+    return (h * ((2.0 * radius_1) + h));
+}
+
+float altitude_after(float x_1, float b, float t, float radius_2) {
+    float _e9 = altitude_of((x_1 + (t * ((2.0 * b) + t))), radius_2);
+    return max(_e9, 0.0);
+}
+
+float distance_to_top(float x_2, float b_1, float x_top) {
+    float c = max((x_top - x_2), 0.0);
+    float root_1 = sqrt(((b_1 * b_1) + c));
+    if ((b_1 > 0.0)) {
+        return (c / (b_1 + root_1));
+    }
+    return (root_1 - b_1);
+}
+
+float half_chord2_(float b_2, float above, float depth, float p) {
+    float sphere = (depth + p);
+    if ((abs(b_2) < sphere)) {
+        return ((b_2 * b_2) - above);
+    }
+    return (depth * (sphere + p));
+}
+
+float shadow_half2_(SunSide s, float side_z, float r, float radius_3) {
+    float sine = max(sqrt(s.cross2_), 1e-18);
+    float p_1 = ((r * abs(side_z)) / sine);
+    float _e15 = half_chord2_((s.shadow_b / sine), s.shadow_c, (radius_3 - p_1), p_1);
+    return _e15;
+}
+
+SunSide sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_3, float radius_4) {
+    SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    s_1.nu = dot(dir, sun);
+    float _e9 = s_1.nu;
+    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    s_1.cross2_ = dot(side, side);
+    s_1.sun_b = (r_1 * sun.z);
+    s_1.shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+    float q = (r_1 * length(sun.xy));
+    float _e37 = s_1.sun_b;
+    float _e39 = half_chord2_(_e37, x_3, (radius_4 - q), q);
+    s_1.shadow_c = -(_e39);
+    SunSide _e42 = s_1;
+    float _e44 = shadow_half2_(_e42, side.z, r_1, radius_4);
+    s_1.shadow_half2_ = _e44;
+    SunSide _e45 = s_1;
+    return _e45;
+}
+
+SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half_, float x_top_1, float radius_5) {
+    SunSide s_2 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    s_2.nu = dot(dir_1, sun_1);
+    float _e11 = s_2.nu;
+    float same = ((_e11 >= 0.0) ? 1.0 : -1.0);
+    vec3 apart = (dir_1 - (same * sun_1));
+    vec3 side_1 = cross(apart, sun_1);
+    s_2.cross2_ = dot(side_1, side_1);
+    vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
+    float there = (-(same) * dot(closest, apart));
+    float here = (r_2 * sun_1.z);
+    float _e38 = s_2.nu;
+    float _e44 = s_2.nu;
+    bool nearer = ((abs(here) + (start * abs(_e38))) < (abs(there) + (half_ * abs(_e44))));
+    float _e51 = s_2.nu;
+    float _e55 = s_2.nu;
+    s_2.sun_b = (nearer ? (here + (start * _e55)) : (there - (half_ * _e51)));
+    vec3 closest_side = cross(closest, sun_1);
+    float _e63 = s_2.cross2_;
+    s_2.shadow_b = (dot(closest_side, side_1) - (half_ * _e63));
+    float q_1 = length((closest_side - (half_ * side_1)));
+    float _e71 = s_2.sun_b;
+    float _e73 = half_chord2_(_e71, x_top_1, (radius_5 - q_1), q_1);
+    s_2.shadow_c = -(_e73);
+    SunSide _e76 = s_2;
+    float _e78 = shadow_half2_(_e76, side_1.z, r_2, radius_5);
+    s_2.shadow_half2_ = _e78;
+    SunSide _e79 = s_2;
+    return _e79;
+}
+
+Line line_past(vec3 dir_2, float h_1, float radius_6) {
+    bool local = false;
+    float r_3 = (radius_6 + h_1);
+    float b_5 = (r_3 * dir_2.z);
+    float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
+    float _e11 = excess_of(h_1, radius_6);
+    float _e13 = half_chord2_(b_5, _e11, (radius_6 - p_2), p_2);
+    if ((b_5 < 0.0)) {
+        local = (_e13 >= 0.0);
+    } else {
+        local = false;
+    }
+    bool _e22 = local;
+    return Line(b_5, p_2, -(_e13), _e22);
+}
+
+float top_half_chord2_(Line line, float h_2, float radius_7, float thickness) {
+    float b2_ = (line.b * line.b);
+    float _e7 = excess_of(thickness, radius_7);
+    float above_1 = ((h_2 - thickness) * (((2.0 * radius_7) + thickness) + h_2));
+    return ((b2_ < _e7) ? (b2_ - above_1) : (_e7 - line.x_closest));
+}
+
+float to_ground(float x_4, float b_3, float root) {
+    return min((x_4 / (root - b_3)), -(b_3));
+}
+
+AirPath air_path(Line line_1, float h_3, float radius_8, float thickness_1) {
+    bool local_1 = false;
+    float _e4 = excess_of(thickness_1, radius_8);
+    float ground_root = sqrt(max(-(line_1.x_closest), 0.0));
+    if ((h_3 <= thickness_1)) {
+        float _e11 = excess_of(h_3, radius_8);
+        float _e13 = distance_to_top(_e11, line_1.b, _e4);
+        float _e15 = to_ground(_e11, line_1.b, ground_root);
+        float reach = (line_1.ground ? _e15 : _e13);
+        return AirPath(0.0, reach, _e11, line_1.b);
+    }
+    float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_8) + thickness_1) + h_3));
+    float _e27 = top_half_chord2_(line_1, h_3, radius_8, thickness_1);
+    if (!((line_1.b >= 0.0))) {
+        local_1 = (_e27 <= 0.0);
+    } else {
+        local_1 = true;
+    }
+    bool _e37 = local_1;
+    if (_e37) {
+        return AirPath(0.0, -1.0, 0.0, 0.0);
+    }
+    float half_1 = sqrt(_e27);
+    float _e50 = to_ground(_e4, -(half_1), ground_root);
+    return AirPath((above_2 / (half_1 - line_1.b)), (line_1.ground ? _e50 : (2.0 * half_1)), _e4, -(half_1));
+}
+
+AirRay air_ray(vec3 dir_3, float h_4, float radius_9, float thickness_2, vec3 sun_2) {
+    SunSide s_3 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    bool local_2 = false;
+    Line _e5 = line_past(dir_3, h_4, radius_9);
+    AirPath _e6 = air_path(_e5, h_4, radius_9, thickness_2);
+    if ((h_4 <= thickness_2)) {
+        SunSide _e11 = sun_side_inside(dir_3, sun_2, (radius_9 + h_4), _e6.x, radius_9);
+        s_3 = _e11;
+    } else {
+        if ((_e6.length_ > 0.0)) {
+            SunSide _e20 = sun_side_outside(dir_3, sun_2, (radius_9 + h_4), _e6.start, -(_e6.b), _e6.x, radius_9);
+            s_3 = _e20;
+        } else {
+            s_3.nu = dot(dir_3, sun_2);
+        }
+    }
+    if (_e5.ground) {
+        local_2 = (_e6.length_ >= 0.0);
+    } else {
+        local_2 = false;
+    }
+    bool ground = local_2;
+    float _e37 = s_3.sun_b;
+    float _e39 = s_3.nu;
+    float _e41 = s_3.cross2_;
+    float _e43 = s_3.shadow_b;
+    float _e45 = s_3.shadow_c;
+    float _e47 = s_3.shadow_half2_;
+    return AirRay(_e6.start, _e6.length_, _e6.x, _e6.b, _e5.x_closest, _e37, _e39, _e41, _e43, _e45, _e47, ground);
+}
+
+Low lowest(AirRay ray, float length_, float radius_10) {
+    bool local_3 = false;
+    if ((ray.b >= 0.0)) {
+        return Low(0.0, ray.x, ray.b);
+    }
+    if ((-(ray.b) <= length_)) {
+        return Low(-(ray.b), ray.x_closest, 0.0);
+    }
+    float b_6 = (ray.b + length_);
+    if (ray.ground) {
+        local_3 = (length_ >= ray.length_);
+    } else {
+        local_3 = false;
+    }
+    bool _e26 = local_3;
+    if (_e26) {
+        return Low(length_, 0.0, b_6);
+    }
+    bool far = ((-(ray.b) * length_) > (radius_10 * radius_10));
+    return Low(length_, (far ? (ray.x_closest + (b_6 * b_6)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_6);
+}
+
+bool hits_planet(vec3 dir_4, float h_5, float radius_11) {
+    Line _e3 = line_past(dir_4, h_5, radius_11);
+    return _e3.ground;
+}
+
+vec2 shadow_stretch(AirRay ray_1) {
+    vec2 stretch = vec2(0.0);
+    vec2 none = vec2(1.0, 0.0);
+    float a = ray_1.cross2_;
+    float b_7 = ray_1.shadow_b;
+    float c_1 = ray_1.shadow_c;
+    stretch = vec2(-(1e30), 1e30);
+    if ((a > 1e-30)) {
+        if ((ray_1.shadow_half2_ <= 0.0)) {
+            return none;
+        }
+        float q_2 = -((b_7 + (((b_7 >= 0.0) ? 1.0 : -1.0) * sqrt((a * ray_1.shadow_half2_)))));
+        float t0_2 = (q_2 / a);
+        float t1_ = ((q_2 != 0.0) ? (c_1 / q_2) : t0_2);
+        stretch = vec2(min(t0_2, t1_), max(t0_2, t1_));
+    } else {
+        if ((c_1 >= 0.0)) {
+            return none;
+        }
+    }
+    if ((abs(ray_1.nu) < 1e-12)) {
+        if ((ray_1.sun_b >= 0.0)) {
+            return none;
+        }
+    } else {
+        float t_2 = (-(ray_1.sun_b) / ray_1.nu);
+        if ((ray_1.nu > 0.0)) {
+            float _e53 = stretch.y;
+            stretch.y = min(_e53, t_2);
+        } else {
+            float _e57 = stretch.x;
+            stretch.x = max(_e57, t_2);
+        }
+    }
+    vec2 _e59 = stretch;
+    return _e59;
+}
+
+vec4 layers_of(Medium m) {
+    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+}
+
+mat3x3 coefficients_of(Medium m_1) {
+    return mat3x3(m_1.rayleigh, m_1.mie_extinction, m_1.ozone);
+}
+
+vec3 densities(vec4 layers, float h_6) {
+    vec3 d = vec3(0.0);
+    if (RAYLEIGH) {
+        d.x = exp((-(h_6) * layers.x));
+    }
+    if (MIE) {
+        d.y = exp((-(h_6) * layers.y));
+    }
+    if (OZONE) {
+        d.z = max(0.0, (1.0 - (abs((h_6 - layers.z)) * layers.w)));
+    }
+    vec3 _e28 = d;
+    return _e28;
+}
+
+vec3 extinction(mat3x3 coefficients, vec3 d_1) {
+    vec3 sum = vec3(0.0);
+    if (RAYLEIGH) {
+        vec3 _e6 = sum;
+        sum = (_e6 + (coefficients[0] * d_1.x));
+    }
+    if (MIE) {
+        vec3 _e12 = sum;
+        sum = (_e12 + (coefficients[1] * d_1.y));
+    }
+    if (OZONE) {
+        vec3 _e18 = sum;
+        sum = (_e18 + (coefficients[2] * d_1.z));
+    }
+    vec3 _e23 = sum;
+    return _e23;
+}
+
+float warp(float low, float u) {
+    return (low + (u * abs(u)));
+}
+
+float unwarp(float low_1, float t_1) {
+    return (sign((t_1 - low_1)) * sqrt(abs((t_1 - low_1))));
+}
+
+vec3 path_densities(vec4 layers_1, float radius_12, float x_5, float b_4, float distance_, uint samples) {
+    vec3 sum_1 = vec3(0.0);
+    float t0_ = 0.0;
+    uint i = 0u;
+    float low_2 = clamp(-(b_4), 0.0, distance_);
+    float u0_ = -(sqrt(low_2));
+    float du = ((sqrt((distance_ - low_2)) - u0_) / float(samples));
+    bool loop_init = true;
+    while(true) {
+        if (!loop_init) {
+            uint _e43 = i;
+            i = (_e43 + 1u);
+        }
+        loop_init = false;
+        uint _e23 = i;
+        if ((_e23 < samples)) {
+        } else {
+            break;
+        }
+        {
+            uint _e25 = i;
+            float u_1 = (u0_ + (du * float(_e25)));
+            float _e32 = warp(low_2, (u_1 + (0.5 * du)));
+            float _e34 = warp(low_2, (u_1 + du));
+            float _e35 = altitude_after(x_5, b_4, _e32, radius_12);
+            vec3 _e36 = sum_1;
+            vec3 _e37 = densities(layers_1, _e35);
+            float _e38 = t0_;
+            sum_1 = (_e36 + (_e37 * (_e34 - _e38)));
+            t0_ = _e34;
+        }
+    }
+    vec3 _e45 = sum_1;
+    return _e45;
+}
+
+vec3 mean_transmittance(vec3 tau) {
+    vec3 series = (vec3(1.0) - (tau * (vec3(0.5) - (tau * 0.16666667))));
+    return mix(((vec3(1.0) - exp(-(tau))) / tau), series, lessThan(tau, vec3(0.01)));
+}
+
+float rayleigh_phase(float mu) {
+    return (0.0596831 * (1.0 + (mu * mu)));
+}
+
+vec3 henyey_greenstein_phase(float away, float toward, vec3 g) {
+    vec3 rest = (vec3(1.0) - abs(g));
+    vec3 base = ((rest * rest) + ((2.0 * abs(g)) * mix(vec3(toward), vec3(away), greaterThanEqual(g, vec3(0.0)))));
+    return ((INV_4PI * (vec3(1.0) - (g * g))) / (base * sqrt(base)));
+}
+
+vec3 cornette_shanks_phase(float away_1, float toward_1, vec3 g_1) {
+    float mu_1 = (1.0 - away_1);
+    vec3 _e16 = henyey_greenstein_phase(away_1, toward_1, g_1);
+    return ((vec3((1.5 * (1.0 + (mu_1 * mu_1)))) / (vec3(2.0) + (g_1 * g_1))) * _e16);
+}
+
+vec3 mie_phase(float away_2, float toward_2, vec3 asymmetry) {
+    if (CORNETTE_SHANKS) {
+        vec3 _e4 = cornette_shanks_phase(away_2, toward_2, asymmetry);
+        return _e4;
+    } else {
+        vec3 _e5 = henyey_greenstein_phase(away_2, toward_2, asymmetry);
+        return _e5;
+    }
+}
+
+vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_13, float thickness_3, float x_6, float sun_b, uint samples_1) {
+    float _e7 = excess_of(thickness_3, radius_13);
+    float _e8 = distance_to_top(x_6, sun_b, _e7);
+    vec3 _e9 = path_densities(layers_2, radius_13, x_6, sun_b, _e8, samples_1);
+    vec3 _e10 = extinction(coefficients_1, _e9);
+    return exp(-(_e10));
+}
+
+vec3 sun_visibility(vec3 dir_5, float distance_1) {
+    return vec3(1.0);
+}
+
+Scattered single_scattering(Medium m_2, AirRay ray_2, vec3 dir_6, float length_1, float away_3, uint view_samples, uint light_samples) {
+    Scattered out_ = Scattered(vec3(0.0), vec3(0.0));
+    vec3 rayleigh = vec3(0.0);
+    vec3 mie = vec3(0.0);
+    vec2 shadow = vec2(0.0);
+    float t0_1 = 0.0;
+    uint i_1 = 0u;
+    float lit_t = 0.0;
+    vec3 source = vec3(0.0);
+    out_.radiance = vec3(0.0);
+    out_.transmittance = vec3(1.0);
+    if (SUNLIGHT) {
+        vec2 _e24 = shadow_stretch(ray_2);
+        shadow = _e24;
+        if (RAYLEIGH) {
+            float _e29 = rayleigh_phase((1.0 - away_3));
+            rayleigh = (m_2.rayleigh * _e29);
+        }
+        if (MIE) {
+            float toward_3 = ((away_3 > 1.0) ? (ray_2.cross2_ / max(away_3, 1.0)) : (2.0 - away_3));
+            vec3 _e43 = mie_phase(away_3, toward_3, m_2.mie_asymmetry);
+            mie = (m_2.mie_scattering * _e43);
+        }
+    }
+    vec4 _e45 = layers_of(m_2);
+    mat3x3 _e46 = coefficients_of(m_2);
+    Low _e48 = lowest(ray_2, length_1, m_2.radius);
+    float low_3 = _e48.t;
+    float u0_1 = -(sqrt(low_3));
+    float du_1 = ((sqrt((length_1 - low_3)) - u0_1) / float(view_samples));
+    bool loop_init_1 = true;
+    while(true) {
+        if (!loop_init_1) {
+            uint _e183 = i_1;
+            i_1 = (_e183 + 1u);
+        }
+        loop_init_1 = false;
+        uint _e61 = i_1;
+        if ((_e61 < view_samples)) {
+        } else {
+            break;
+        }
+        {
+            uint _e63 = i_1;
+            float u_2 = (u0_1 + (du_1 * float(_e63)));
+            float _e68 = warp(low_3, (u_2 + du_1));
+            float _e69 = t0_1;
+            float step_ = (_e68 - _e69);
+            float _e74 = warp(low_3, (u_2 + (0.5 * du_1)));
+            float _e79 = altitude_after(_e48.x, _e48.b, (_e74 - low_3), m_2.radius);
+            vec3 _e80 = densities(_e45, _e79);
+            vec3 _e81 = extinction(_e46, _e80);
+            vec3 tau_1 = (_e81 * step_);
+            if (SUNLIGHT) {
+                float _e85 = shadow.x;
+                float _e86 = t0_1;
+                float dark0_ = clamp(_e85, _e86, _e68);
+                float _e89 = shadow.y;
+                float _e90 = t0_1;
+                float dark1_ = clamp(_e89, _e90, _e68);
+                float _e96 = shadow.y;
+                float _e98 = shadow.x;
+                float dark = ((_e96 > _e98) ? max((dark1_ - dark0_), 0.0) : 0.0);
+                if ((dark < step_)) {
+                    lit_t = _e74;
+                    if ((dark > 0.0)) {
+                        float _e106 = t0_1;
+                        bool first = ((dark0_ - _e106) > (_e68 - dark1_));
+                        float _e110 = t0_1;
+                        float lit0_ = (first ? _e110 : dark1_);
+                        float lit1_ = (first ? dark0_ : _e68);
+                        float _e113 = unwarp(low_3, lit0_);
+                        float _e114 = unwarp(low_3, lit1_);
+                        float _e118 = warp(low_3, (0.5 * (_e113 + _e114)));
+                        lit_t = _e118;
+                    }
+                    float _e120 = lit_t;
+                    float _e125 = lit_t;
+                    float x_7 = (_e48.x + ((_e120 - low_3) * ((2.0 * _e48.b) + (_e125 - low_3))));
+                    float _e131 = altitude_of(x_7, m_2.radius);
+                    vec3 _e134 = densities(_e45, max(_e131, 0.0));
+                    source = vec3(0.0);
+                    if (RAYLEIGH) {
+                        vec3 _e139 = source;
+                        vec3 _e140 = rayleigh;
+                        source = (_e139 + (_e140 * _e134.x));
+                    }
+                    if (MIE) {
+                        vec3 _e145 = source;
+                        vec3 _e146 = mie;
+                        source = (_e145 + (_e146 * _e134.y));
+                    }
+                    vec3 _e150 = source;
+                    float _e155 = lit_t;
+                    vec3 _e158 = sun_transmittance(_e46, _e45, m_2.radius, m_2.thickness, x_7, (ray_2.sun_b + (ray_2.nu * _e155)), light_samples);
+                    source = (_e150 * _e158);
+                    vec3 _e160 = source;
+                    float _e162 = lit_t;
+                    vec3 _e164 = sun_visibility(dir_6, (ray_2.start + _e162));
+                    source = (_e160 * _e164);
+                    vec3 _e167 = out_.radiance;
+                    vec3 _e169 = out_.transmittance;
+                    vec3 _e170 = mean_transmittance(tau_1);
+                    vec3 _e172 = source;
+                    out_.radiance = (_e167 + (((_e169 * _e170) * _e172) * (step_ - dark)));
+                }
+            }
+            vec3 _e178 = out_.transmittance;
+            out_.transmittance = (_e178 * exp(-(tau_1)));
+            t0_1 = _e68;
+        }
+    }
+    Scattered _e185 = out_;
+    return _e185;
+}
+
+void main() {
+    vec4 position = gl_FragCoord;
+    vec3 light = vec3(0.0);
+    vec3 through = vec3(1.0);
+    vec2 _e4 = _group_0_binding_0_fs.size;
+    vec3 _e7 = _group_0_binding_0_fs.ray_forward;
+    vec3 _e10 = _group_0_binding_0_fs.ray_right;
+    vec3 _e13 = _group_0_binding_0_fs.ray_up;
+    vec3 _e14 = pixel_ray(position.xy, _e4, _e7, _e10, _e13);
+    vec3 dir_7 = normalize(_e14);
+    Medium m_3 = _group_0_binding_0_fs.medium;
+    float _e21 = _group_0_binding_0_fs.altitude;
+    bool _e23 = hits_planet(dir_7, _e21, m_3.radius);
+    if (_e23) {
+        uint _e26 = _group_0_binding_0_fs.low_resolution;
+        if ((_e26 == 0u)) {
+            discard;
+        }
+        _fs2p_location0 = vec4(0.0, 0.0, 0.0, -1.0);
+        return;
+    }
+    vec3 _e36 = _group_0_binding_0_fs.sun;
+    vec3 offset = (dir_7 - _e36);
+    float _e46 = _group_0_binding_0_fs.altitude;
+    vec3 _e51 = _group_0_binding_0_fs.sun;
+    AirRay _e52 = air_ray(dir_7, _e46, m_3.radius, m_3.thickness, _e51);
+    if ((_e52.length_ > 0.0)) {
+        uint _e62 = _group_0_binding_0_fs.view_samples;
+        uint _e65 = _group_0_binding_0_fs.light_samples;
+        Scattered _e66 = single_scattering(m_3, _e52, dir_7, _e52.length_, (0.5 * dot(offset, offset)), _e62, _e65);
+        float _e70 = _group_0_binding_0_fs.sky_weight;
+        light = (_e66.radiance * _e70);
+        through = _e66.transmittance;
+    }
+    vec3 _e73 = light;
+    vec3 _e79 = through;
+    _fs2p_location0 = vec4(min((_e73 * m_3.irradiance), vec3(32000.0)), (1.0 - dot(_e79, vec3(0.33333334))));
+    return;
+}
+

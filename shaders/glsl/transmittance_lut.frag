@@ -1,0 +1,157 @@
+#version 300 es
+
+precision highp float;
+precision highp int;
+
+struct Medium {
+    vec3 rayleigh;
+    float rayleigh_inv_height;
+    vec3 mie_scattering;
+    float mie_inv_height;
+    vec3 mie_extinction;
+    float ozone_center;
+    vec3 mie_asymmetry;
+    float ozone_inv_half_width;
+    vec3 ozone;
+    float radius;
+    vec3 irradiance;
+    float thickness;
+};
+struct Tables {
+    vec3 mie_extinction;
+    float altitude_steepness;
+    vec3 mie_moment0_;
+    float altitude_growth;
+    vec3 mie_moment1_;
+    float sun_middle;
+    vec3 mie_moment2_;
+    float sun_width;
+    vec3 mie_asymmetry;
+    float pad;
+    vec3 albedo;
+    float sun_first;
+    float sun_span;
+    float ground_rows;
+    uvec2 size;
+    uint steps;
+    uint shift;
+    uint slices;
+    float air_ground_rows;
+};
+struct Uniforms {
+    Medium medium;
+    Tables tables;
+};
+const bool RAYLEIGH = true;
+const bool MIE = true;
+const bool OZONE = true;
+const float LOG_FLOOR = -100.0;
+const int MOMENTS = 6;
+const float SH0_ = 0.2820948;
+const float SH1_ = 0.48860252;
+const float SH20_ = 0.31539157;
+const float SH21_ = 1.0925485;
+const float SH22_ = 0.54627424;
+
+layout(std140) uniform Uniforms_block_0Fragment { Uniforms _group_0_binding_0_fs; };
+
+layout(location = 0) out vec4 _fs2p_location0;
+
+float altitude_of(float x, float radius) {
+    return (x / (radius + sqrt(max(((radius * radius) + x), 0.0))));
+}
+
+float excess_of(float h, float radius_1) {
+    return (h * ((2.0 * radius_1) + h));
+}
+
+float altitude_after(float x_1, float b, float t, float radius_2) {
+    float _e9 = altitude_of((x_1 + (t * ((2.0 * b) + t))), radius_2);
+    return max(_e9, 0.0);
+}
+
+vec4 layers_of(Medium m) {
+    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+}
+
+vec3 densities(vec4 layers, float h_1) {
+    vec3 d = vec3(0.0);
+    if (RAYLEIGH) {
+        d.x = exp((-(h_1) * layers.x));
+    }
+    if (MIE) {
+        d.y = exp((-(h_1) * layers.y));
+    }
+    if (OZONE) {
+        d.z = max(0.0, (1.0 - (abs((h_1 - layers.z)) * layers.w)));
+    }
+    vec3 _e28 = d;
+    return _e28;
+}
+
+vec3 columns_ray(vec2 at, vec2 size, Medium m_1) {
+    vec2 share = (at / (size - vec2(1.0)));
+    float _e9 = excess_of(m_1.thickness, m_1.radius);
+    float rho_top = sqrt(_e9);
+    float rho = (share.y * rho_top);
+    float _e15 = altitude_of((rho * rho), m_1.radius);
+    float h_2 = min(_e15, m_1.thickness);
+    float shortest = (m_1.thickness - h_2);
+    float d_1 = (shortest + (share.x * ((rho + rho_top) - shortest)));
+    float b_2 = ((d_1 > 0.0) ? (((((rho_top - rho) * (rho_top + rho)) / d_1) - d_1) * 0.5) : (m_1.radius + h_2));
+    return vec3((rho * rho), max(b_2, -(rho)), d_1);
+}
+
+float warp(float low, float u) {
+    return (low + (u * abs(u)));
+}
+
+vec3 path_densities(vec4 layers_1, float radius_3, float x_2, float b_1, float distance_, uint samples) {
+    vec3 sum = vec3(0.0);
+    float t0_ = 0.0;
+    uint i = 0u;
+    float low_1 = clamp(-(b_1), 0.0, distance_);
+    float u0_ = -(sqrt(low_1));
+    float du = ((sqrt((distance_ - low_1)) - u0_) / float(samples));
+    bool loop_init = true;
+    while(true) {
+        if (!loop_init) {
+            uint _e43 = i;
+            i = (_e43 + 1u);
+        }
+        loop_init = false;
+        uint _e23 = i;
+        if ((_e23 < samples)) {
+        } else {
+            break;
+        }
+        {
+            uint _e25 = i;
+            float u_1 = (u0_ + (du * float(_e25)));
+            float _e32 = warp(low_1, (u_1 + (0.5 * du)));
+            float _e34 = warp(low_1, (u_1 + du));
+            float _e35 = altitude_after(x_2, b_1, _e32, radius_3);
+            vec3 _e36 = sum;
+            vec3 _e37 = densities(layers_1, _e35);
+            float _e38 = t0_;
+            sum = (_e36 + (_e37 * (_e34 - _e38)));
+            t0_ = _e34;
+        }
+    }
+    vec3 _e45 = sum;
+    return _e45;
+}
+
+void main() {
+    vec4 position = gl_FragCoord;
+    Medium m_2 = _group_0_binding_0_fs.medium;
+    uvec2 _e7 = _group_0_binding_0_fs.tables.size;
+    vec2 size_1 = vec2(_e7);
+    vec3 _e11 = columns_ray(floor(position.xy), size_1, m_2);
+    vec4 _e12 = layers_of(m_2);
+    uint _e20 = _group_0_binding_0_fs.tables.steps;
+    vec3 _e21 = path_densities(_e12, m_2.radius, _e11.x, _e11.y, _e11.z, _e20);
+    _fs2p_location0 = vec4(max(log2(max(_e21, vec3(1e-37))), vec3(-100.0)), 0.0);
+    return;
+}
+

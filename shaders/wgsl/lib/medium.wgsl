@@ -1,0 +1,49 @@
+//#include frame
+// What the air holds at an altitude. Constituents that are off are not compiled. Loops call these: they take a few
+// numbers instead of the block, which some software renderers copy at every call.
+
+const RAYLEIGH: bool = true; // gas that scatters
+const MIE: bool = true;      // aerosol
+const OZONE: bool = true;    // absorber
+
+// Where the constituents are: 1 / scale height of gas and of aerosol (1/km), the absorber's altitude (km) and
+// 1 / half width (1/km).
+fn layers_of(m: Medium) -> vec4f {
+    return vec4f(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+}
+
+// Extinction coefficients (1/km) of gas, aerosol and absorber, a column each.
+fn coefficients_of(m: Medium) -> mat3x3f {
+    return mat3x3f(m.rayleigh, m.mie_extinction, m.ozone);
+}
+
+// Densities of gas, aerosol and absorber at altitude h (km), relative to their coefficients.
+fn densities(layers: vec4f, h: f32) -> vec3f {
+    var d = vec3f(0.0);
+    if RAYLEIGH {
+        d.x = exp(-h * layers.x);
+    }
+    if MIE {
+        d.y = exp(-h * layers.y);
+    }
+    if OZONE {
+        // Tent: 1 at the centre, 0 at half_width from it (Bruneton 2017, section 2.4).
+        d.z = max(0.0, 1.0 - abs(h - layers.z) * layers.w);
+    }
+    return d;
+}
+
+// Extinction (1/km) for densities, or optical depth for densities integrated over a path (km).
+fn extinction(coefficients: mat3x3f, d: vec3f) -> vec3f {
+    var sum = vec3f(0.0);
+    if RAYLEIGH {
+        sum += coefficients[0] * d.x;
+    }
+    if MIE {
+        sum += coefficients[1] * d.y;
+    }
+    if OZONE {
+        sum += coefficients[2] * d.z;
+    }
+    return sum;
+}
