@@ -13,11 +13,12 @@ use common::lines::{Line, along};
 use common::{View, on_both};
 use glam::{DVec2, DVec3};
 use welkin::frame::lut::TablesUniform;
-use welkin::gpu::{Backend, DepthUse, Format, Pass, Target, TextureDesc, Uniform, reads};
+use welkin::gpu::Program;
+use welkin::gpu::{Backend, DepthUse, Format, Inputs, Pass, Target, TextureDesc, Uniform};
 use welkin::reference::multiple::{Orders, Settings};
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering, transmittance};
 use welkin::render::sky::GroundLight;
-use welkin::shaders::Program;
+use welkin::shaders::copy;
 use welkin::{
     AtmosphereParams, Camera, LutSettings, Method, PictureRenderer, PictureSettings, Pose, Quality, Scene, SkyRenderer,
     SkySettings, TerrainStyle, probe,
@@ -394,8 +395,8 @@ fn mountains(b: &mut dyn Backend) -> Vec<Edge> {
         let target = Target { color, clear: Some([0.0; 4]), depth: Some(depth), clear_depth };
         let copied = Pass {
             label: "copy",
-            program: Some(b.create_program(Program::Copy).unwrap()),
-            textures: reads([depth]),
+            program: Some(b.create_program(Program::new(&copy::INFO, 0)).unwrap()),
+            inputs: Inputs::new([("source", Some(depth))]),
             uniform: Uniform::NONE,
             target: Target::color(copy),
             depth: DepthUse::Always,

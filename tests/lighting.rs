@@ -17,7 +17,7 @@ use welkin::render::sky_light::{
     AtmosphereConfig, LightingContext, LightingContextUniform, SkyHarmonics, SkyLight, lighting_context_at_altitude,
     modulate_ambient_by_sun, sunlight,
 };
-use welkin::shaders::{MODULES, translate};
+use welkin::shaders::{LIGHTING_WGSL, translate};
 use welkin::{AtmosphereParams, Error, LutSettings, Method, SkyRenderer, SkySettings};
 
 // --- by constants
@@ -106,8 +106,7 @@ fn transition_is_smooth() {
 #[test]
 fn gpu_uniform_struct_size() {
     assert_eq!(size_of::<LightingContextUniform>(), 32);
-    let (_, text) = MODULES.iter().find(|(name, _)| *name == "lighting").unwrap();
-    let (members, size) = translate::module_layout(text, "LightingContext").unwrap().unwrap();
+    let (members, size) = translate::module_layout(LIGHTING_WGSL, "LightingContext").unwrap().unwrap();
     let ours: Vec<_> = LightingContextUniform::offsets().into_iter().map(|(n, o)| (n.to_owned(), o)).collect();
     assert_eq!((members, size), (ours, 32));
     let uniform = LightingContextUniform::from(&LightingContext::earth_like_surface());

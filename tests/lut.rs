@@ -18,13 +18,14 @@ use std::sync::OnceLock;
 use common::{View, on_both};
 use glam::DVec2;
 use glow::HasContext as _;
+use welkin::gpu::Program;
 use welkin::gpu::egl::Headless;
 use welkin::gpu::webgl::WebGlBackend;
 use welkin::gpu::wgpu::WgpuBackend;
-use welkin::gpu::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
+use welkin::gpu::{Backend, DepthUse, Format, Inputs, Pass, Target, TextureDesc, TextureId, Uniform};
 use welkin::reference::multiple::{Orders, Settings};
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
-use welkin::shaders::Program;
+use welkin::shaders::copy;
 use welkin::{
     AtmosphereParams, Composition, DepthConvention, LutSettings, Method, MiePhase, Mode, PictureRenderer,
     PictureSettings, Quality, Scene, SkyRenderer, SkySettings, TerrainStyle, ToneMap,
@@ -746,9 +747,9 @@ impl User for GlUser {
 fn content(user: &mut dyn User, id: TextureId) -> Vec<f32> {
     let b = user.backend();
     let copy = b.create_texture(&TextureDesc::new("copy", SIDE, SIDE, Format::Rgba32Float)).unwrap();
-    let program = Some(b.create_program(Program::Copy).unwrap());
-    let (textures, uniform, target) = (reads([id]), Uniform::NONE, Target::color(copy));
-    b.run(&[Pass { label: "copy", program, textures, uniform, target, depth: DepthUse::Always }]).unwrap();
+    let program = Some(b.create_program(Program::new(&copy::INFO, 0)).unwrap());
+    let (inputs, uniform, target) = (Inputs::new([("source", Some(id))]), Uniform::NONE, Target::color(copy));
+    b.run(&[Pass { label: "copy", program, inputs, uniform, target, depth: DepthUse::Always }]).unwrap();
     let pixels = b.read(copy).unwrap();
     b.destroy_texture(copy);
     pixels

@@ -9,7 +9,7 @@ mod common;
 use std::collections::BTreeMap;
 
 use common::{View, on_both};
-use welkin::gpu::{Backend, DepthUse, Format, Pass, Target, TextureDesc, Uniform, reads};
+use welkin::gpu::{Backend, DepthUse, Format, Inputs, Pass, Target, TextureDesc, Uniform};
 use welkin::{
     AtmosphereParams, Bound, Composition, EffectPlan, LutSettings, Method, MiePhase, SkyRenderer, SkySettings,
 };
@@ -50,7 +50,7 @@ impl Case {
         let mut passes = vec![Pass {
             label: "clear",
             program: None,
-            textures: reads([]),
+            inputs: Inputs::NONE,
             uniform: Uniform::NONE,
             target: Target { clear: Some(clear), ..Target::color(color) },
             depth: DepthUse::Always,
@@ -386,7 +386,7 @@ fn nothing_is_made_for_what_is_off() {
             assert_eq!(live.programs - before.programs, programs.len(), "{name}: programs");
             // Textures: what the passes draw to and read, besides the user's.
             let mut used: Vec<_> = passes.iter().map(|p| p.target.color).collect();
-            used.extend(passes.iter().flat_map(|p| p.textures.into_iter().flatten()));
+            used.extend(passes.iter().flat_map(|p| p.inputs.iter().filter_map(|(_, id)| id)));
             used.retain(|id| ![color, depth, out].contains(id));
             used.sort_unstable();
             used.dedup();

@@ -7,9 +7,10 @@ use std::time::Duration;
 
 use common::{View, on_both};
 use glam::DVec3;
-use welkin::gpu::{Backend, Format, Pass, Target, TextureDesc, Uniform, reads};
+use welkin::gpu::Program;
+use welkin::gpu::{Backend, Format, Inputs, Pass, Target, TextureDesc, Uniform};
 use welkin::settings::quality::Front;
-use welkin::shaders::Program;
+use welkin::shaders::copy;
 use welkin::{
     AtmosphereParams, DepthConvention, Error, Method, PictureRenderer, PictureSettings, Quality, Scene, SkySettings,
     ToneMap,
@@ -140,20 +141,20 @@ fn wrong_requests_of_a_backend_are_refused_and_leave_nothing_behind() {
         assert_eq!(backend.live(), before, "a refused request left something behind");
 
         let a = backend.create_texture(&TextureDesc::new("a", 4, 4, Format::Rgba16Float)).unwrap();
-        let copy = backend.create_program(Program::Copy).unwrap();
+        let copy = backend.create_program(Program::new(&copy::INFO, 0)).unwrap();
         let pass = Pass {
             label: "copy onto itself",
             program: Some(copy),
-            textures: reads([a]),
+            inputs: Inputs::new([("source", Some(a))]),
             uniform: Uniform::NONE,
             target: Target::color(a),
             depth: Default::default(),
         };
         say("feedback loop", backend.run(&[pass]), "different textures");
         let b = backend.create_texture(&TextureDesc::new("b", 4, 4, Format::Rgba16Float)).unwrap();
-        let lacking = Pass { textures: reads([]), target: Target::color(b), ..pass };
+        let lacking = Pass { inputs: Inputs::NONE, target: Target::color(b), ..pass };
         say("missing texture", backend.run(&[lacking]), "1 needed");
-        let foreign = Pass { textures: reads([a]), target: Target::color(b), ..pass };
+        let foreign = Pass { inputs: Inputs::new([("source", Some(a))]), target: Target::color(b), ..pass };
         say("too few texels", backend.write_texture(a, &[0.0; 3]), "64 values");
         backend.destroy_texture(a);
         say("destroyed texture", backend.run(&[foreign]), "no such object");

@@ -8,21 +8,75 @@ use welkin::frame::lut::TablesUniform;
 use welkin::frame::terrain::TerrainUniform;
 use welkin::frame::tone_map::ToneUniform;
 use welkin::frame::uniforms::{DepthUniform, FrameUniform, MediumUniform};
-use welkin::shaders::{Program, translate};
+use welkin::gpu::{Program, ProgramInfo};
+use welkin::shaders::{PROGRAMS, translate};
 
 #[test]
 fn committed_glsl_is_fresh() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let files = translate::generate().unwrap();
-    assert!(files.len() > 40, "only {} files were generated", files.len());
-    for (name, text) in &files {
-        let folder = if name.ends_with(".rs") { "src/shaders" } else { "shaders/glsl" };
-        let found = std::fs::read_to_string(root.join(folder).join(name)).unwrap_or_default();
-        assert!(found == *text, "{folder}/{name} is stale: run `cargo run --features cli -- shaders`");
+    let files = translate::generate(root).unwrap();
+    assert!(files.len() > 25, "only {} files were generated", files.len());
+    for (path, text) in &files {
+        let found = std::fs::read_to_string(root.join(path)).unwrap_or_default();
+        assert!(found == *text, "{path} is stale: run `cargo run -- shaders`");
     }
     for entry in std::fs::read_dir(root.join("shaders/glsl")).unwrap() {
-        let name = entry.unwrap().file_name().into_string().unwrap();
-        assert!(files.iter().any(|(n, _)| *n == name), "shaders/glsl/{name} belongs to no program");
+        let path = format!("shaders/glsl/{}", entry.unwrap().file_name().into_string().unwrap());
+        assert!(files.iter().any(|(known, _)| *known == path), "{path} belongs to no program");
+    }
+}
+
+/// Every program, the probe's included.
+fn programs() -> impl Iterator<Item = &'static ProgramInfo> {
+    PROGRAMS.iter().chain(welkin::probe::PROGRAMS).copied()
+}
+
+#[test]
+fn names_are_unique() {
+    let names: std::collections::BTreeSet<_> = programs().map(|info| info.name).collect();
+    assert_eq!(names.len(), programs().count());
+}
+
+/// Checks that one line of a text differs between all constants on and all but one, and which.
+fn differs_in(what: &str, [on, off]: [&str; 2], [line_on, line_off]: [&str; 2]) {
+    assert_eq!(on.lines().filter(|l| l.trim() == line_on).count(), 1, "{what}: {line_on} in the text");
+    assert_eq!(on.lines().count(), off.lines().count(), "{what}");
+    let changed: Vec<_> = on.lines().zip(off.lines()).filter(|(a, b)| a != b).collect();
+    assert_eq!(changed, [(line_on, line_off)], "{what}");
+}
+
+#[test]
+fn every_constant_is_one_line_of_each_text_and_changes_no_other() {
+    let mut checked = 0;
+    for info in programs() {
+        let all = Program::new(info, info.all());
+        for (i, name) in info.constants.iter().enumerate() {
+            let one_off = Program::new(info, info.all() & !(1 << i));
+            let what = format!("{} {name}", info.name);
+            let lines = ["true", "false"].map(|value| format!("const {name}: bool = {value};"));
+            differs_in(&what, [&all.wgsl(), &one_off.wgsl()], lines.each_ref().map(String::as_str));
+            // A shader whose stage does not ask for the constant has no such line; one of the two must.
+            let lines = ["true", "false"].map(|value| format!("const bool {name} = {value};"));
+            let mut found = 0;
+            for (on, off) in all.glsl().iter().zip(one_off.glsl()) {
+                if on.contains(&lines[0]) {
+                    differs_in(&what, [on, &off], lines.each_ref().map(String::as_str));
+                    found += 1;
+                } else {
+                    assert_eq!(*on, off, "{what}");
+                }
+            }
+            assert!(found > 0, "{what}: no line {:?} in the GLSL", lines[0]);
+            checked += 1;
+        }
+    }
+    assert!(checked >= 60, "only {checked} constants were found");
+}
+
+#[test]
+fn every_program_is_valid_with_everything_off() {
+    for info in programs() {
+        translate::parse(Program::new(info, 0)).unwrap();
     }
 }
 
@@ -64,15 +118,15 @@ fn rust_layout(name: &str) -> (Vec<(String, u32)>, u32) {
 #[test]
 fn uniform_blocks_have_the_layout_that_naga_gives_them() {
     let mut checked = 0;
-    for program in Program::all() {
+    for program in programs() {
         for name in ["Frame", "Tables", "MoonShadow", "Terrain", "Tone"] {
             let Some((mut members, size)) = translate::struct_layout(program, name).unwrap() else { continue };
             let (mut ours, our_size) = rust_layout(name);
             // Padding is one array in Rust and three scalars in WGSL.
             members.retain(|(n, _)| !own_name(n).starts_with("pad"));
             ours.retain(|(n, _)| !own_name(n).starts_with("pad"));
-            assert_eq!(members, ours, "{name} in {}", program.name());
-            assert_eq!(size, our_size, "{name} in {}", program.name());
+            assert_eq!(members, ours, "{name} in {}", program.name);
+            assert_eq!(size, our_size, "{name} in {}", program.name);
             checked += 1;
         }
     }

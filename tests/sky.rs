@@ -7,10 +7,11 @@ mod common;
 use common::lines::along;
 use common::{View, mean, on_both};
 use glam::{DQuat, DVec2, DVec3};
-use welkin::gpu::{Backend, DepthUse, Format, Pass, RowOrder, Target, TextureDesc, TextureId, Uniform, reads};
+use welkin::gpu::Program;
+use welkin::gpu::{Backend, DepthUse, Format, Inputs, Pass, RowOrder, Target, TextureDesc, TextureId, Uniform};
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering, transmittance};
 use welkin::render::sky::background_weight;
-use welkin::shaders::Program;
+use welkin::shaders::copy;
 use welkin::{
     AtmosphereParams, Bound, Composition, DepthConvention, LutSettings, Method, MiePhase, PictureRenderer,
     PictureSettings, Scene, SkyRenderer, SkySettings,
@@ -56,7 +57,7 @@ fn clear_pass(color: TextureId, clear: [f32; 4]) -> Pass {
     Pass {
         label: "clear",
         program: None,
-        textures: reads([]),
+        inputs: Inputs::NONE,
         uniform: Uniform::NONE,
         target: Target { clear: Some(clear), ..Target::color(color) },
         depth: DepthUse::Always,
@@ -214,14 +215,14 @@ fn planet_rays_draw_nothing_and_depth_is_left_alone() {
         let color = b.create_texture(&size(Format::Rgba32Float)).unwrap();
         let depth = b.create_texture(&size(Format::Depth32Float)).unwrap();
         let out = b.create_texture(&size(Format::R32Float)).unwrap();
-        let copy = b.create_program(Program::Copy).unwrap();
+        let copy = b.create_program(Program::new(&copy::INFO, 0)).unwrap();
         let mut sky = SkyRenderer::new(settings).unwrap();
         for stored in [0.0, 0.7, 1.0] {
             let target = Target { clear: Some(sentinel), clear_depth: Some(stored), depth: Some(depth), color };
             let mut passes = sky.background(b, &scene, target).unwrap().to_vec();
             let read_depth = Pass {
                 program: Some(copy),
-                textures: reads([depth]),
+                inputs: Inputs::new([("source", Some(depth))]),
                 target: Target::color(out),
                 ..clear_pass(out, [0.0; 4])
             };

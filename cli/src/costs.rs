@@ -225,7 +225,7 @@ fn measure(drawer: &mut Drawer, case: &Case, effect: &str, args: &CostsArgs) -> 
     let strangers = passes.iter().filter(|p| !named.iter().any(|n| n.label == p.label)).count();
     let programs: HashSet<_> = passes.iter().filter_map(|p| p.program).collect();
     let mut textures: HashSet<_> = passes.iter().map(|p| p.target.color).collect();
-    textures.extend(passes.iter().flat_map(|p| p.textures.into_iter().flatten()));
+    textures.extend(passes.iter().flat_map(|p| p.inputs.iter().filter_map(|(_, id)| id)));
     textures.retain(|id| ![color, depth, out].contains(id));
     let found = Found {
         on: plan.effect(effect).with_context(|| format!("no effect '{effect}'"))?.on,

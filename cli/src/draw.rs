@@ -2,10 +2,11 @@
 
 use anyhow::Context;
 use clap::ValueEnum;
+use welkin::gpu::Program;
 use welkin::gpu::egl::Headless;
 use welkin::gpu::wgpu::WgpuBackend;
-use welkin::gpu::{AdapterInfo, Backend, Format, Pass, PassTime, Target, TextureDesc, Uniform, reads};
-use welkin::shaders::Program;
+use welkin::gpu::{AdapterInfo, Backend, Format, Inputs, Pass, PassTime, Target, TextureDesc, Uniform};
+use welkin::shaders::copy;
 use welkin::{Method, PictureRenderer, PictureSettings, SkySettings, TerrainStyle, ToneMap};
 
 use crate::args::UsageError;
@@ -190,8 +191,8 @@ impl Drawer {
         let copy = backend.create_texture(&TextureDesc::new("copy", shot.width, shot.height, Format::Rgba16Float))?;
         passes.push(Pass {
             label: "copy",
-            program: Some(backend.create_program(Program::Copy)?),
-            textures: reads([drawn.radiance]),
+            program: Some(backend.create_program(Program::new(&copy::INFO, 0))?),
+            inputs: Inputs::new([("source", Some(drawn.radiance))]),
             uniform: Uniform::NONE,
             target: Target::color(copy),
             depth: Default::default(),

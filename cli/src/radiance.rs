@@ -9,7 +9,7 @@ use anyhow::{Context, ensure};
 use csv::StringRecord;
 use glam::DVec3;
 use rayon::prelude::*;
-use welkin::gpu::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
+use welkin::gpu::{Backend, DepthUse, Format, Inputs, Pass, Target, TextureDesc, TextureId, Uniform};
 use welkin::reference::multiple::Settings;
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
 use welkin::{AtmosphereParams, Camera, DepthConvention, Scene, SkyRenderer, SkySettings};
@@ -272,7 +272,7 @@ impl Textures {
             passes.push(Pass {
                 label: "clear",
                 program: None,
-                textures: reads([]),
+                inputs: Inputs::NONE,
                 uniform: Uniform::NONE,
                 target: Target {
                     color: behind,

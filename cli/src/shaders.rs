@@ -1,18 +1,15 @@
-//! `welkin shaders`: translates every program to GLSL ES 3.00, or checks that the files are fresh.
+//! `welkin shaders`: translates every program to GLSL ES 3.00 and tells Rust of it, or checks that the files are fresh.
 
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
 
-/// Writes `shaders/glsl/*` and `src/shaders/generated.rs` below the repository's root; with `check`, only
+/// Writes `shaders/glsl/*` and the tables of programs in Rust below the repository's root; with `check`, only
 /// compares and fails if anything is stale, missing or left over.
 pub fn run(root: &Path, check: bool) -> Result<()> {
     let glsl = root.join("shaders/glsl");
-    let mut wanted: Vec<(PathBuf, String)> = Vec::new();
-    for (name, text) in welkin::shaders::translate::generate()? {
-        let path = if name.ends_with(".rs") { root.join("src/shaders").join(name) } else { glsl.join(name) };
-        wanted.push((path, text));
-    }
+    let generated = welkin::shaders::translate::generate(root)?;
+    let wanted: Vec<(PathBuf, String)> = generated.into_iter().map(|(path, text)| (root.join(path), text)).collect();
     let mut stale = Vec::new();
     for (path, text) in &wanted {
         if std::fs::read_to_string(path).ok().as_ref() != Some(text) {
@@ -33,17 +30,8 @@ pub fn run(root: &Path, check: bool) -> Result<()> {
     }
     if check && !stale.is_empty() {
         let list: Vec<_> = stale.iter().map(|p| format!("  {}", p.display())).collect();
-        bail!(
-            "{} generated shader files are stale; run `cargo run --features cli -- shaders`:\n{}",
-            stale.len(),
-            list.join("\n")
-        );
+        bail!("{} generated shader files are stale; run `cargo run -- shaders`:\n{}", stale.len(), list.join("\n"));
     }
-    println!(
-        "{} programs, {} files {}",
-        welkin::shaders::Program::all().len(),
-        wanted.len(),
-        if check { "are fresh" } else { "written" }
-    );
+    println!("{} files {}", wanted.len(), if check { "are fresh" } else { "written" });
     Ok(())
 }

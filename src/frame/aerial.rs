@@ -6,7 +6,7 @@ use super::eclipse::{Eclipse, MOON_SHADOW};
 use super::effect::{Decision, Effect, Reason};
 use super::graph::{Node, Resource, Stage, Work, reads};
 use super::luts::{MIE_SINGLE, SKY_VIEW, TRANSMITTANCE};
-use super::medium::NO_AIR;
+use super::medium::{Air, NO_AIR};
 use crate::gpu::Uniform;
 use crate::model::atmosphere::MiePhase;
 use crate::settings::Composition;
@@ -108,7 +108,6 @@ fn aerial(frame: &Frame) -> Node {
     let scene_depth = ("scene_depth", Some(Resource::SceneDepth));
     let blended = ("BLEND", blend);
     let (program, uniform, reads) = if frame.is_on(&Eclipse) {
-        let all = super::Air { rayleigh: true, mie: true, ozone: true };
         let light = frame.multi_scattering();
         let constants = [phase, blended, ("MULTI_SCATTERING", light.is_some())];
         let list = reads([
@@ -118,7 +117,7 @@ fn aerial(frame: &Frame) -> Node {
             ("transmittance_lut", light.map(|_| TRANSMITTANCE)),
             ("multi_scattering_lut", light),
         ]);
-        (all.program(&aerial_march_eclipse::INFO, constants), frame.with_eclipse(frame.uniform), list)
+        (Air::ALL.program(&aerial_march_eclipse::INFO, constants), frame.with_eclipse(frame.uniform), list)
     } else if frame.luts().is_some() {
         let single = frame.has_mie_single();
         let list = reads([
@@ -129,7 +128,7 @@ fn aerial(frame: &Frame) -> Node {
             ("transmittance_lut", Some(TRANSMITTANCE)),
             ("mie_single_lut", single.then_some(MIE_SINGLE)),
         ]);
-        let program = air.program(&aerial_perspective::INFO, [phase, blended, ("MIE_SINGLE", single)]);
+        let program = Air::ALL.program(&aerial_perspective::INFO, [phase, blended, ("MIE_SINGLE", single)]);
         (program, frame.with_luts(frame.uniform), list)
     } else {
         let program = air.program(&aerial_march::INFO, [phase, blended, ("SUNLIGHT", frame.sends_light())]);

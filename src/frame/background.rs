@@ -6,7 +6,7 @@ use super::eclipse::{Eclipse, MOON_SHADOW};
 use super::effect::{Decision, Effect, Reason};
 use super::graph::{Extent, Node, Resource, Stage, Texel, reads};
 use super::luts::{MIE_SINGLE, SKY_VIEW, TRANSMITTANCE};
-use super::medium::NO_AIR;
+use super::medium::{Air, NO_AIR};
 use crate::gpu::{Program, Uniform};
 use crate::settings::Composition;
 use crate::shaders::{sky_march, sky_march_eclipse, sky_view, upsample};
@@ -97,9 +97,8 @@ fn sky(frame: &Frame, node: Node, reduced: bool) -> Node {
     let phase = phase_constant(frame);
     let mut over_black = None;
     let (program, uniform, reads) = if frame.is_on(&Eclipse) {
-        let all = super::Air { rayleigh: true, mie: true, ozone: true };
         let light = frame.multi_scattering();
-        let program = all.program(&sky_march_eclipse::INFO, [phase, ("MULTI_SCATTERING", light.is_some())]);
+        let program = Air::ALL.program(&sky_march_eclipse::INFO, [phase, ("MULTI_SCATTERING", light.is_some())]);
         let list = reads([
             ("moon_shadow_lut", Some(MOON_SHADOW)),
             ("transmittance_lut", light.map(|_| TRANSMITTANCE)),
@@ -108,10 +107,10 @@ fn sky(frame: &Frame, node: Node, reduced: bool) -> Node {
         (program, frame.with_eclipse(block), list)
     } else if frame.luts().is_some() {
         let single = frame.has_mie_single();
-        let program = air.program(&sky_view::INFO, [phase, ("MIE_SINGLE", single), ("BLEND", true)]);
+        let program = Air::ALL.program(&sky_view::INFO, [phase, ("MIE_SINGLE", single), ("BLEND", true)]);
         let list = reads([("sky_view_lut", Some(SKY_VIEW)), ("mie_single_lut", single.then_some(MIE_SINGLE))]);
         if !reduced {
-            over_black = Some(air.program(&sky_view::INFO, [phase, ("MIE_SINGLE", single)]));
+            over_black = Some(Air::ALL.program(&sky_view::INFO, [phase, ("MIE_SINGLE", single)]));
         }
         (program, frame.with_luts(block), list)
     } else {

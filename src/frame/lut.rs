@@ -14,12 +14,15 @@
 //! not scattered in `moments` (delta-M, Wiscombe 1977, with a smaller share), and is seen with its whole phase function when it comes straight
 //! from the sun (TMS, Nakajima & Tanaka 1988).
 
+use super::draw::Draw;
 use super::uniforms::{FrameUniform, MediumUniform, block};
 use crate::error::{Error, Result};
 use crate::frame::plan::TablePlan;
-use crate::gpu::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
+use crate::gpu::{Backend, DepthUse, Format, Inputs, Pass, Target, TextureDesc, TextureId, Uniform};
 use crate::model::atmosphere::{AtmosphereParams, MiePhase};
-use crate::shaders::{Constituents, Program};
+use crate::shaders::Constituents;
+use crate::shaders::aerial_lut_slices::numbers::AIR_KINDS;
+use crate::shaders::multi_scattering_lut::numbers::{AZIMUTHS, MOMENTS, ZENITHS};
 
 block! {
     /// `struct Tables`: see the fields' comments in `tables.wgsl`.
@@ -170,12 +173,6 @@ impl LutSettings {
 /// Labels of the passes whose tables depend on the medium alone: a scene pays for them once.
 pub const MEDIUM_LABELS: [&str; 2] = ["columns table", "moments table"];
 
-/// Directions per node, see `directions.wgsl`.
-const NODE_DIRECTIONS: [u32; 2] = [8, 16];
-/// Moments per node, see `tables.wgsl`.
-const MOMENTS: u32 = 6;
-/// Kinds of values in the air table, see `air.wgsl`.
-const AIR_KINDS: u32 = 4;
 /// Steps of the columns' integrals.
 const COLUMN_STEPS: u32 = 96;
 
@@ -284,7 +281,7 @@ impl Textures {
         if plan.rounds > 0 && self.scattered.is_none() {
             let [suns, altitudes] = settings.moments;
             let moments = [suns, altitudes * MOMENTS + 1];
-            let radiance = [suns * NODE_DIRECTIONS[0], altitudes * NODE_DIRECTIONS[1]];
+            let radiance = [suns * AZIMUTHS, altitudes * ZENITHS];
             let full = Format::Rgba32Float;
             let sizes = [("gathered radiance", radiance), ("moments table", moments), ("moments table", moments)];
             self.scattered = Some(create(backend, sizes.map(|(label, size)| (label, size, full)))?);
@@ -395,19 +392,22 @@ impl Luts {
         let sky = t.sky.ok_or_else(|| crate::gpu::unknown(backend.info().backend, "sky table"))?;
         // Columns, and with light that was scattered before its moments.
         let scattered = t.scattered.filter(|_| rounds > 0);
-        let inputs = scattered.map_or(reads([t.columns]), |s| reads([t.columns, s[1 + rounds % 2]]));
+        let moments = scattered.map(|s| s[1 + rounds % 2]);
+        let reads = |moments| Inputs::new([("transmittance_lut", Some(t.columns)), ("multi_scattering_lut", moments)]);
         let (diffuse, haze) = (scattered.is_some(), t.haze.filter(|_| plan.haze));
         let view =
             ([frame.altitude, frame.sun[0], frame.sun[1], frame.sun[2]], constituents, [diffuse, haze.is_some()]);
         let block = |tables: TablesUniform| Uniform::new(&FrameTables { frame: *frame, tables });
         if self.sky != Some(view) {
             let uniform = block(TablesUniform { size: settings.sky, steps: settings.sky_steps, ..tables });
-            let even = (sky, false, diffuse, inputs);
-            let straight = haze.map(|haze| (haze, true, false, reads([t.columns])));
-            for (target, aerosol, diffuse, textures) in [Some(even), straight].into_iter().flatten() {
-                let program = Some(backend.create_program(Program::LutSky { air: constituents, aerosol, diffuse })?);
+            let even = (sky, false, moments);
+            let straight = haze.map(|haze| (haze, true, None));
+            for (target, mie_single, moments) in [Some(even), straight].into_iter().flatten() {
+                let multi_scattering = moments.is_some();
+                let draw = Draw::SkyView { air: constituents, mie_single, multi_scattering };
+                let (program, inputs) = (Some(backend.create_program(draw.program())?), reads(moments));
                 let (label, target, depth) = ("sky table", Target::color(target), DepthUse::Always);
-                passes.push(Pass { label, program, textures, uniform, target, depth });
+                passes.push(Pass { label, program, inputs, uniform, target, depth });
             }
             self.sky = Some(view);
         }
@@ -422,8 +422,10 @@ impl Luts {
                 let own = TablesUniform { size, steps: settings.air_steps, ground_rows: ground_rows as f32, ..tables };
                 passes.push(Pass {
                     label: "air table",
-                    program: Some(backend.create_program(Program::LutAir { air: constituents, diffuse })?),
-                    textures: inputs,
+                    program: Some(backend.create_program(
+                        Draw::AerialSlices { air: constituents, multi_scattering: diffuse }.program(),
+                    )?),
+                    inputs: reads(moments),
                     uniform: block(own),
                     target: Target::color(at(0)),
                     depth: DepthUse::Always,
@@ -432,8 +434,8 @@ impl Luts {
                     let finish = step == scans;
                     passes.push(Pass {
                         label: "air table",
-                        program: Some(backend.create_program(Program::LutScan { finish })?),
-                        textures: reads([at(step)]),
+                        program: Some(backend.create_program(Draw::AerialScan { finish }.program())?),
+                        inputs: Inputs::new([("aerial_lut", Some(at(step)))]),
                         uniform: block(TablesUniform { shift: 1 << step, ..own }),
                         target: Target::color(at(step + 1)),
                         depth: DepthUse::Always,
@@ -458,24 +460,25 @@ impl Luts {
         let uniform = |size: [u32; 2], steps: u32| {
             Uniform::new(&MediumTables { tables: TablesUniform { size, steps, ..block.tables }, ..block })
         };
-        let mut pass = |label, program: Option<Program>, textures, uniform, target| {
-            let program = program.map(|p| backend.create_program(p)).transpose()?;
-            passes.push(Pass { label, program, textures, uniform, target, depth: DepthUse::Always });
+        let mut pass = |label, program: Option<Draw>, inputs, uniform, target| {
+            let program = program.map(|p| backend.create_program(p.program())).transpose()?;
+            passes.push(Pass { label, program, inputs, uniform, target, depth: DepthUse::Always });
             Ok::<_, Error>(())
         };
         let columns = uniform(settings.columns, COLUMN_STEPS);
         let [columns_label, moments_label] = MEDIUM_LABELS;
-        pass(columns_label, Some(Program::LutColumns), reads([]), columns, Target::color(t.columns))?;
+        pass(columns_label, Some(Draw::Transmittance), Inputs::NONE, columns, Target::color(t.columns))?;
         let Some([radiance, moments @ ..]) = t.scattered.filter(|_| rounds > 0) else { return Ok(()) };
         // Darkness: logarithms of next to nothing.
         let dark = Target { clear: Some([-100.0; 4]), ..Target::color(moments[0]) };
-        pass(moments_label, None, reads([]), Uniform::NONE, dark)?;
+        pass(moments_label, None, Inputs::NONE, Uniform::NONE, dark)?;
         for order in 0..rounds {
             let (from, to) = (moments[order % 2], moments[(order + 1) % 2]);
             let block = uniform(settings.moments, settings.moment_steps);
-            let gather = Some(Program::LutRadiance);
-            pass(moments_label, gather, reads([t.columns, from]), block, Target::color(radiance))?;
-            pass(moments_label, Some(Program::LutMoments), reads([radiance]), block, Target::color(to))?;
+            let inputs = [("transmittance_lut", Some(t.columns)), ("multi_scattering_lut", Some(from))];
+            pass(moments_label, Some(Draw::Gather), Inputs::new(inputs), block, Target::color(radiance))?;
+            let inputs = Inputs::new([("radiance", Some(radiance))]);
+            pass(moments_label, Some(Draw::MultiScattering), inputs, block, Target::color(to))?;
         }
         Ok(())
     }

@@ -16,7 +16,7 @@
 use super::Frame;
 use super::effect::{Decision, Effect, Reason};
 use super::graph::{Extent, Node, Resource, Runs, Texel, Work, reads};
-use super::medium::NO_AIR;
+use super::medium::{Air, NO_AIR};
 use super::uniforms::{FrameUniform, MediumUniform, block};
 use super::{aerial, background};
 use crate::gpu::Uniform;
@@ -270,9 +270,8 @@ impl Effect for MultiScattering {
         let [suns, altitudes] = luts.multi_scattering;
         let directions = [suns * NODE_DIRECTIONS[0], altitudes * NODE_DIRECTIONS[1]];
         let gathered = Extent { size: directions, texel: Texel::Exact };
-        let all = super::Air { rayleigh: true, mie: true, ozone: true };
-        let gather = Work::Draw(all.program(&multi_scattering_gather::INFO, [("MULTI_SCATTERING", true)]));
-        let moments = Work::Draw(all.program(&multi_scattering_lut::INFO, []));
+        let gather = Work::Draw(Air::ALL.program(&multi_scattering_gather::INFO, [("MULTI_SCATTERING", true)]));
+        let moments = Work::Draw(Air::ALL.program(&multi_scattering_lut::INFO, []));
         for round in 0..frame.rounds() {
             let light = multi_scattering(round);
             nodes.push(Node {
@@ -317,8 +316,7 @@ impl Effect for TransmittanceLut {
 
     fn push_nodes(&self, frame: &Frame, nodes: &mut Vec<Node>) {
         let Some(luts) = frame.luts() else { return };
-        let all = super::Air { rayleigh: true, mie: true, ozone: true };
-        let program = Work::Draw(all.program(&transmittance_lut::INFO, []));
+        let program = Work::Draw(Air::ALL.program(&transmittance_lut::INFO, []));
         let extent = Extent { size: luts.transmittance, texel: Texel::Exact };
         let block = medium_block(frame, luts.transmittance, TRANSMITTANCE_STEPS);
         nodes.push(Node::fill(MEDIUM_LABELS[0], Runs::PerMedium, program, TRANSMITTANCE, extent, block));
@@ -414,7 +412,7 @@ impl Effect for AerialLut {
         let steps = scans(&luts);
         for step in 0..=steps {
             let finish = step == steps;
-            let scan = Work::Draw(air.program(&aerial_lut_scan::INFO, [("FINISH", finish)]));
+            let scan = Work::Draw(Air::ALL.program(&aerial_lut_scan::INFO, [("FINISH", finish)]));
             let block = block(TablesUniform { shift: 1 << step, ..own });
             nodes.push(Node {
                 reads: reads([("aerial_lut", Some(aerial_after(step)))]),

@@ -20,6 +20,9 @@ pub struct Air {
 }
 
 impl Air {
+    /// Every constituent: what programs are compiled with whose LUTs hold whatever the air has.
+    pub(crate) const ALL: Self = Self { rayleigh: true, mie: true, ozone: true };
+
     /// The constituents whose coefficients are not all zero.
     pub fn of(params: &AtmosphereParams) -> Self {
         let some = |c: &[f64; 3]| c.iter().any(|&v| v > 0.0);

@@ -33,16 +33,18 @@
 
 use std::fmt;
 
+use super::draw::Draw;
 use super::omit::{Scattering, Sight, share};
 use crate::error::{Result, in_range, short};
 use crate::frame::disks::{DiskPlan, rectangle};
 use crate::frame::eclipse::misses;
 use crate::frame::lut::LutSettings;
+use crate::gpu::Program;
 use crate::model::atmosphere::AtmosphereParams;
 use crate::model::moon::{Disks, Phase};
 use crate::model::scene::{Scene, ZenithView};
 use crate::render::sky::{Composition, Method, SkySettings, background_weight};
-use crate::shaders::{Constituents, Program};
+use crate::shaders::Constituents;
 
 /// How much the radiance `L` of a pixel may change by all that is left out: `relative × L + absolute`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -219,7 +221,7 @@ const NAMES: [&str; 15] = [
 pub struct EffectPlan {
     effects: [Effect; NAMES.len()],
     /// Draws the background.
-    pub(crate) background: Option<Program>,
+    pub(crate) background: Option<Draw>,
     /// Whether it is drawn smaller and brought to full size.
     pub(crate) reduced: bool,
     /// Draws the sun's disk.
@@ -227,7 +229,7 @@ pub struct EffectPlan {
     /// Draws the moon's disk.
     pub(crate) moon: Option<DiskPlan>,
     /// Draws the air before the scene.
-    pub(crate) before: Option<Program>,
+    pub(crate) before: Option<Draw>,
     pub(crate) tables: Option<TablePlan>,
     /// Whether the moon's shadow falls on what is seen.
     pub(crate) eclipse: bool,
@@ -387,7 +389,7 @@ impl EffectPlan {
         let scattering = Scattering::new(p, sight, low);
         let bound = settings.bound.unwrap_or(Bound::EXACT);
         let everything = settings.bound.is_none();
-        let there = [all.rayleigh, all.mie.is_some(), all.ozone];
+        let there = [all.rayleigh, all.mie, all.ozone];
         // Each candidate with the share of the bound that leaving it out uses up.
         // A sun whose disk is in the picture stands in no night, however large it is.
         let night = if sun { f64::INFINITY } else { scattering.night(sight, tables) };
@@ -422,7 +424,7 @@ impl EffectPlan {
             };
             self.set(name, !out[i], reason);
         }
-        let air = Constituents { rayleigh: !out[0], mie: all.mie.filter(|_| !out[1]), ozone: !out[2], dark: false };
+        let air = Constituents { rayleigh: !out[0], mie: all.mie && !out[1], ozone: !out[2], unlit: false };
         if !air.any() {
             self.set(Name::Atmosphere, false, Reason::of("too thin to be seen"));
             return air;
@@ -452,7 +454,7 @@ impl EffectPlan {
             Reason::number("optical depth of scattering", scattering.total(), "")
         };
         self.set(Name::Multiple, multiple, reason);
-        if lit || sun { air } else { air.in_the_dark() }
+        Constituents { unlit: !(lit || sun), ..air }
     }
 
     /// Whether the moon's shadow falls on air that is seen.
@@ -551,34 +553,34 @@ impl EffectPlan {
             Method::Lut(_) => [0; 2],
         };
         let behind_air = if behind { air } else { Constituents::default() };
-        let haze = air.mie.filter(|_| air.has_haze());
+        let haze = air.has_mie_light().then_some(p.mie_phase);
         if behind {
             self.background = Some(match tables {
-                _ if self.eclipse => Program::EclipseSky { phase: p.mie_phase, tables: tables.is_some() },
-                Some(_) => Program::SkyLut { mie: haze, only: false },
-                None => Program::Sky { air },
+                _ if self.eclipse => Draw::EclipseSky { phase: p.mie_phase, luts: tables.is_some() },
+                Some(_) => Draw::SkyLut { phase: haze, only: false },
+                None => Draw::Sky { air, phase: p.mie_phase },
             });
         }
-        let dims = Constituents { dark: false, ..behind_air.without_phase() };
+        let dims = Constituents { unlit: false, ..behind_air };
         let disks = disks(p, view);
         let share = disks.map_or(1.0, |d| d.visible());
         let hidden = disks.is_some_and(|d| d.apart < d.sun + d.moon + MARGIN);
-        let program = Program::Sun { air: dims, limb: settings.limb_darkening, moon: hidden };
+        let program = Draw::Sun { air: dims, limb: settings.limb_darkening, moon: hidden };
         self.sun = sun.map(|rect| DiskPlan { label: "sun", program, rect, share });
-        self.moon = moon.map(|rect| DiskPlan { label: "moon", program: Program::Moon { air: dims }, rect, share });
+        self.moon = moon.map(|rect| DiskPlan { label: "moon", program: Draw::Moon { air: dims }, rect, share });
         if shell || aerial {
             let blend = composition == Composition::Planet;
             self.before = Some(match tables {
-                _ if self.eclipse => Program::EclipseAerial { phase: p.mie_phase, tables: tables.is_some(), blend },
-                Some(_) => Program::AerialLut { mie: haze, blend },
-                None => Program::Aerial { air, blend },
+                _ if self.eclipse => Draw::EclipseAerial { phase: p.mie_phase, luts: tables.is_some(), blend },
+                Some(_) => Draw::AerialLut { phase: haze, blend },
+                None => Draw::Aerial { air, phase: p.mie_phase, blend },
             });
         }
         let needed = behind || self.before.is_some();
         self.tables = tables.filter(|_| needed).map(|settings| TablePlan {
             settings,
-            air: Constituents { dark: false, ..air.without_phase() },
-            haze: air.has_haze() && !self.eclipse,
+            air: Constituents { unlit: false, ..air },
+            haze: air.has_mie_light() && !self.eclipse,
             rounds: if self.is_on(Name::Multiple) { settings.rounds(p) } else { 0 },
             slices: self.before.is_some() && !self.eclipse,
             sky: !self.eclipse,
@@ -586,7 +588,7 @@ impl EffectPlan {
         if air.any() {
             let reason = match (tables, needed) {
                 (Some(_), true) if self.eclipse => "the sky is marched: a moon's shadow is not as its tables are",
-                (Some(_), true) if air.dark => "hold the transmittance of every direction",
+                (Some(_), true) if air.unlit => "hold the transmittance of every direction",
                 (Some(_), true) => "hold the light of every direction",
                 (Some(_), false) => "no pass reads them",
                 (None, _) => "the method marches along each ray",
@@ -594,7 +596,7 @@ impl EffectPlan {
             self.set(Name::Tables, self.tables.is_some_and(|t| t.sky), Reason::of(reason));
             let slices = self.tables.is_some_and(|t| t.slices);
             let reason = match (self.tables.is_some(), slices) {
-                (_, true) if air.dark => "holds the transmittance up to the scene",
+                (_, true) if air.unlit => "holds the transmittance up to the scene",
                 (_, true) => "holds the light up to the scene",
                 (true, false) if self.eclipse => "the air is marched under the moon's shadow",
                 (true, false) => "no pass reads it",
@@ -612,45 +614,59 @@ impl EffectPlan {
     /// The passes in order, those that fill tables included, as a first frame runs them.
     pub fn passes(&self) -> Vec<PlannedPass> {
         let mut passes = Vec::new();
-        let mut add =
-            |label, program, runs, times| passes.push(PlannedPass { label, program, runs, times, share: 1.0 });
+        let mut add = |label, draw: Option<Draw>, runs, times| {
+            let program = draw.map(Draw::program);
+            passes.push(PlannedPass { label, program, runs, times, share: 1.0 });
+        };
         if let Some(t) = &self.tables {
             let (air, diffuse) = (t.air, t.rounds > 0);
-            add("columns table", Some(Program::LutColumns), Runs::PerMedium, 1);
+            add("columns table", Some(Draw::Transmittance), Runs::PerMedium, 1);
             if t.rounds > 0 {
                 add("moments table", None, Runs::PerMedium, 1);
-                add("moments table", Some(Program::LutRadiance), Runs::PerMedium, t.rounds);
-                add("moments table", Some(Program::LutMoments), Runs::PerMedium, t.rounds);
+                add("moments table", Some(Draw::Gather), Runs::PerMedium, t.rounds);
+                add("moments table", Some(Draw::MultiScattering), Runs::PerMedium, t.rounds);
             }
             if t.sky {
-                add("sky table", Some(Program::LutSky { air, aerosol: false, diffuse }), Runs::PerAltitude, 1);
+                add(
+                    "sky table",
+                    Some(Draw::SkyView { air, mie_single: false, multi_scattering: diffuse }),
+                    Runs::PerAltitude,
+                    1,
+                );
             }
             if t.haze {
-                add("sky table", Some(Program::LutSky { air, aerosol: true, diffuse: false }), Runs::PerAltitude, 1);
+                add(
+                    "sky table",
+                    Some(Draw::SkyView { air, mie_single: true, multi_scattering: false }),
+                    Runs::PerAltitude,
+                    1,
+                );
             }
             if t.slices {
-                add("air table", Some(Program::LutAir { air, diffuse }), Runs::PerAltitude, 1);
+                add("air table", Some(Draw::AerialSlices { air, multi_scattering: diffuse }), Runs::PerAltitude, 1);
                 let scans = t.settings.air[2].next_power_of_two().trailing_zeros();
-                add("air table", Some(Program::LutScan { finish: false }), Runs::PerAltitude, scans);
-                add("air table", Some(Program::LutScan { finish: true }), Runs::PerAltitude, 1);
+                add("air table", Some(Draw::AerialScan { finish: false }), Runs::PerAltitude, scans);
+                add("air table", Some(Draw::AerialScan { finish: true }), Runs::PerAltitude, 1);
             }
         }
         if let Some(program) = self.background {
             add("background sky", Some(program), Runs::PerFrame, 1);
             if self.reduced {
-                add("upsample sky", Some(Program::Upsample), Runs::PerFrame, 1);
+                add("upsample sky", Some(Draw::Upsample), Runs::PerFrame, 1);
             }
         }
         for disk in [self.sun, self.moon].into_iter().flatten() {
             let [left, bottom, right, top] = disk.rect;
             let share = 0.25 * (right - left) * (top - bottom);
-            let (label, program) = (disk.label, Some(disk.program));
+            let (label, program) = (disk.label, Some(disk.program.program()));
             passes.push(PlannedPass { label, program, runs: Runs::PerFrame, times: 1, share });
         }
-        let mut add =
-            |label, program, runs, times| passes.push(PlannedPass { label, program, runs, times, share: 1.0 });
+        let mut add = |label, draw: Option<Draw>, runs, times| {
+            let program = draw.map(Draw::program);
+            passes.push(PlannedPass { label, program, runs, times, share: 1.0 });
+        };
         if let Some(program) = self.before {
-            let blend = program.blends();
+            let blend = program.program().blends();
             add(if blend { "planet shell" } else { "aerial perspective" }, Some(program), Runs::PerFrame, 1);
         }
         passes

@@ -213,8 +213,7 @@ impl TerrainStyle {
         };
         let light = of.multi_scattering();
         let shadow = of.moon_shadow().map(|_| MOON_SHADOW);
-        let all = Air { rayleigh: true, mie: true, ozone: true };
-        let program = all.program(&terrain::INFO, [("SKY_LIGHT", light.is_some()), ("MOON", shadow.is_some())]);
+        let program = Air::ALL.program(&terrain::INFO, [("SKY_LIGHT", light.is_some()), ("MOON", shadow.is_some())]);
         Node {
             uniform: Uniform::new(&uniform),
             reads: reads([("moon_shadow_lut", shadow), ("multi_scattering_lut", light)]),

@@ -1,7 +1,7 @@
 //! The light of the simulated sky for a scene of one's own: as irradiance and as spherical harmonics, from the LUTs that
 //! draw it.
 //!
-//! [`LightingContextUniform`] is the block that `lighting.wgsl` (in [`crate::shaders::MODULES`]) reads.
+//! [`LightingContextUniform`] is the block that `lighting.wgsl` ([`crate::shaders::LIGHTING_WGSL`]) reads.
 
 use glam::DVec3;
 

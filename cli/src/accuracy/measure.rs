@@ -8,10 +8,11 @@ use palette::{IntoColor, Lab, Srgb};
 use rayon::prelude::*;
 use welkin::frame::lut::MEDIUM_LABELS;
 use welkin::frame::tone_map::{srgb_encode, tone_map};
-use welkin::gpu::{Backend, DepthUse, Format, Pass, PassTime, Target, TextureId, Uniform, reads};
+use welkin::gpu::Program;
+use welkin::gpu::{Backend, DepthUse, Format, Inputs, Pass, PassTime, Target, TextureId, Uniform};
 use welkin::reference::multiple::Orders;
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
-use welkin::shaders::Program;
+use welkin::shaders::copy;
 use welkin::{PictureRenderer, PictureSettings, Scene, SkySettings, ToneMap};
 
 use super::scenes::Frame;
@@ -238,8 +239,8 @@ pub fn time(
     let (mut passes, radiance) = sky_passes(backend, renderer, scene, frame, sky)?;
     passes.push(Pass {
         label: "copy",
-        program: Some(backend.create_program(Program::Copy)?),
-        textures: reads([radiance]),
+        program: Some(backend.create_program(Program::new(&copy::INFO, 0))?),
+        inputs: Inputs::new([("source", Some(radiance))]),
         uniform: Uniform::NONE,
         target: Target::color(copy_to),
         depth: DepthUse::Always,
