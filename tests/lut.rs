@@ -8,7 +8,7 @@
 
 mod common;
 #[allow(dead_code)] // Written for `welkin film`.
-#[path = "../cli/src/film/path.rs"]
+#[path = "../cli/src/lab/film/path.rs"]
 mod path;
 
 use std::collections::BTreeMap;

@@ -4,7 +4,7 @@
 mod common;
 // The scenes that the table was measured over.
 #[allow(dead_code)]
-#[path = "../cli/src/accuracy/scenes.rs"]
+#[path = "../cli/src/lab/accuracy/scenes.rs"]
 mod scenes;
 
 use std::time::Duration;

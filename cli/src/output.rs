@@ -7,8 +7,9 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, bail};
 use image::{ExtendedColorType, ImageEncoder};
 
-use crate::args::UsageError;
-use crate::draw::Picture;
+use crate::args::output::OPTION;
+use crate::args::usage::UsageError;
+use crate::picture::Picture;
 
 /// What a file holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,8 +34,6 @@ pub struct Output {
     file: Destination,
     format: Format,
 }
-
-const OPTION: &str = "--output <FILE>";
 
 impl Destination {
     /// Checks that a file can be written, without leaving a trace. `option` is what the path was given to.
