@@ -1,23 +1,23 @@
 //! The moon before the sun: light in the air under its shadow.
-#![cfg(all(feature = "probe", feature = "reference"))]
-#![allow(clippy::needless_range_loop)]
-
-mod common;
 
 use std::f64::consts::PI;
 
-use common::{View, mean, on_both};
-use glam::{DVec2, DVec3};
-use welkin::gpu::{Backend, Format, Target, TextureDesc};
+use glam::DVec3;
+use welkin::gpu::Backend;
 use welkin::model::moon::{Disks, MOON_RADIUS, Moon, limb_darkening};
 use welkin::probe::{self, Case, Probe};
-use welkin::reference::multiple::{Orders, Settings as Solve};
+use welkin::reference::multiple::Settings as Solve;
 use welkin::reference::path::{Settings, path_trace};
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering, transmittance};
 use welkin::render::cpu_picture::render;
 use welkin::{
-    AtmosphereParams, Bound, Composition, EffectPlan, Error, LutSettings, Method, PictureSettings, Scene, SkyRenderer,
-    SkySettings,
+    AtmosphereParams, Bound, Composition, EffectPlan, Error, LutSettings, Method, PictureRenderer, PictureSettings,
+    Scene, SkyRenderer, SkySettings, TerrainStyle,
+};
+
+use crate::harness::{
+    View, aerial_passes, background, background_passes, cleared, draw, frame_textures, free, luts, march, mean,
+    on_both, orders, query, rgb, sky,
 };
 
 /// Of the real one, metres.
@@ -137,7 +137,7 @@ fn what_has_no_shadow_says_so() {
     let field = |e: Error| e.to_string().split(' ').next().unwrap_or_default().to_owned();
     let disk = single_scattering(&params, &query.eclipsed_by(moon), Sun::Disk { rings: 2 }, Tolerance::PICTURE);
     assert_eq!(field(disk.unwrap_err()), "sun");
-    let orders = Orders::solve(&params, Solve::QUICK, |_| {}).unwrap();
+    let orders = orders(&params, Solve::QUICK);
     orders.radiance(&query, Tolerance::PICTURE).unwrap();
     assert_eq!(field(orders.radiance(&query.eclipsed_by(moon), Tolerance::PICTURE).unwrap_err()), "ray.moon");
     let inside = Moon { radius: 5e8, ..moon };
@@ -201,16 +201,9 @@ fn shares_in_f32_are_those_of_f64() {
     });
 }
 
-fn background(backend: &mut dyn Backend, scene: &Scene, settings: SkySettings, n: u32) -> Vec<f32> {
-    let target = backend.create_texture(&TextureDesc::new("target", n, n, Format::Rgba32Float)).unwrap();
-    let mut sky = SkyRenderer::new(settings).unwrap();
-    let black = Target { clear: Some([0.0, 0.0, 0.0, 1.0]), ..Target::color(target) };
-    let passes = sky.background(backend, scene, black).unwrap().to_vec();
-    backend.run(&passes).unwrap();
-    let pixels = backend.read(target).unwrap();
-    sky.destroy(backend);
-    backend.destroy_texture(target);
-    pixels
+/// The background alone over black in a square picture.
+fn black_background(b: &mut dyn Backend, scene: &Scene, settings: SkySettings, n: u32) -> Vec<f32> {
+    background(b, scene, settings, [n, n], [0.0, 0.0, 0.0, 1.0])
 }
 
 /// Above the air, looking at the sun, whose irradiance is 1; degrees of view.
@@ -243,14 +236,14 @@ fn a_darker_limb_keeps_the_suns_light() {
         // From 140 pixels across to less than one.
         for (n, fov, off) in [(160, 0.6, 5e-3), (64, 1.0, 5e-3), (16, 1.0, 0.02), (9, 3.0, 0.05)] {
             let scene = at_the_sun(fov).scene();
-            let [flat, dark] = [BARE, DARKENED].map(|s| irradiance(&background(b, &scene, s, n), fov, n));
+            let [flat, dark] = [BARE, DARKENED].map(|s| irradiance(&black_background(b, &scene, s, n), fov, n));
             for c in 0..3 {
                 println!("{n} pixels of {fov}°: {} of {}", dark[c], flat[c]);
                 assert!((dark[c] / flat[c] - 1.0).abs() < off, "{n} {fov} {c}: {dark:?} {flat:?}");
             }
         }
         let n = 200;
-        let pixels = background(b, &at_the_sun(0.6).scene(), DARKENED, n);
+        let pixels = black_background(b, &at_the_sun(0.6).scene(), DARKENED, n);
         let pixel = 2.0 * 0.3_f64.to_radians().tan() / f64::from(n);
         let full = 1.0 / (PI * AtmosphereParams::earth().sun_angular_radius.powi(2));
         for x in n / 2..n {
@@ -282,8 +275,8 @@ fn the_moon_hides_the_drawn_sun() {
                 moon: size * p.sun_angular_radius,
                 apart: apart * p.sun_angular_radius,
             };
-            let flat = irradiance(&background(b, &scene, BARE, 256), 0.6, 256);
-            let dark = irradiance(&background(b, &scene, DARKENED, 256), 0.6, 256);
+            let flat = irradiance(&black_background(b, &scene, BARE, 256), 0.6, 256);
+            let dark = irradiance(&black_background(b, &scene, DARKENED, 256), 0.6, 256);
             let (share, shares) = (disks.visible(), disks.visible_limb_darkened());
             for c in 0..3 {
                 assert!((flat[c] - share).abs() < 5e-3, "{size} {apart}: {flat:?} {share}");
@@ -293,8 +286,8 @@ fn the_moon_hides_the_drawn_sun() {
                 assert!(flat == [0.0; 3], "{flat:?}");
             }
             // Of a pixel or two.
-            let coarse = irradiance(&background(b, &scene, BARE, 3), 0.6, 3);
-            let whole = irradiance(&background(b, &view.scene(), BARE, 3), 0.6, 3);
+            let coarse = irradiance(&black_background(b, &scene, BARE, 3), 0.6, 3);
+            let whole = irradiance(&black_background(b, &view.scene(), BARE, 3), 0.6, 3);
             assert!((coarse[1] - share * whole[1]).abs() < 0.02, "{size} {apart}: {coarse:?} {share} of {whole:?}");
         }
     });
@@ -319,18 +312,17 @@ fn the_moon_has_its_phase_and_the_air_dims_it() {
             let moon = Moon { earthshine: 0.01, ..Moon::new(scene.camera.position + towards * DISTANCE, MOON_RADIUS) };
             scene.moon = Some(moon);
             let n = 48;
-            let got = background(b, &scene, BARE, n);
+            let got = black_background(b, &scene, BARE, n);
             let mut none = scene.clone();
             none.moon = None;
-            let sky = background(b, &none, BARE, n);
+            let sky = black_background(b, &none, BARE, n);
             let view = scene.validate().unwrap();
             let sun = scene.sun_direction.normalize();
             let mut seen = 0;
             for y in 0..n {
                 for x in 0..n {
-                    let at = |v: u32| (f64::from(v) + 0.5) / f64::from(n) * 2.0 - 1.0;
-                    let dir = view.basis.ray(DVec2::new(at(x), -at(y))).normalize();
-                    let world = view.world_to_zenith.transpose() * dir;
+                    let query = query(&scene, [n, n], (y * n + x) as usize);
+                    let world = view.world_to_zenith.transpose() * query.direction;
                     // Well inside of the disk, where pixels are whole.
                     let offset = (world - towards).length() / (MOON_RADIUS / DISTANCE);
                     let i = 4 * (y * n + x) as usize;
@@ -341,7 +333,6 @@ fn the_moon_has_its_phase_and_the_air_dims_it() {
                         continue;
                     }
                     let radiance = moon.radiance(scene.camera.position, world, sun).unwrap();
-                    let query = RayQuery { altitude, direction: dir, sun: view.sun, length: f64::INFINITY, moon: None };
                     let through = transmittance(&scene.atmosphere, &query, Tolerance { relative: 1e-6 }).unwrap();
                     for c in 0..3 {
                         let want = radiance * through[c] + f64::from(sky[i + c]);
@@ -399,7 +390,7 @@ fn the_processor_draws_the_same_disks() {
     };
     let cpu = render(&scene, &settings, [n, n], &|_| {}).unwrap().radiance;
     on_both(|b| {
-        let gpu = background(b, &scene, settings.sky, n);
+        let gpu = black_background(b, &scene, settings.sky, n);
         let brightest = f64::from(gpu.iter().copied().fold(0.0, f32::max));
         for (i, (a, b)) in cpu.iter().zip(gpu.chunks_exact(4)).enumerate() {
             for c in 0..3 {
@@ -420,12 +411,9 @@ fn under(moon: &Moon, view: View) -> Scene {
 
 /// What the first pixel of the air's passes has: the background alone, or the air before a scene at a distance.
 fn air(b: &mut dyn Backend, scene: &Scene, sky: SkySettings, distance: Option<f64>) -> [f64; 3] {
-    let make = |b: &mut dyn Backend, format| b.create_texture(&TextureDesc::new("target", 1, 1, format)).unwrap();
-    let [color, out] = [(); 2].map(|()| make(b, Format::Rgba32Float));
-    let depth = make(b, Format::R32Float);
+    let [color, depth, out] = frame_textures(b, [1, 1]);
     let mut renderer = SkyRenderer::new(sky).unwrap();
-    let black = Target { clear: Some([0.0, 0.0, 0.0, 1.0]), ..Target::color(color) };
-    let mut passes = renderer.background(b, scene, black).unwrap().to_vec();
+    let mut passes = background_passes(b, &mut renderer, scene, cleared(color));
     let mut from = color;
     if sky.composition == Composition::Full {
         if distance.is_some() {
@@ -435,23 +423,22 @@ fn air(b: &mut dyn Backend, scene: &Scene, sky: SkySettings, distance: Option<f6
         }
         let stored = distance.map_or(scene.depth.background(), |z| scene.depth.encode(z)) as f32;
         b.write_texture(depth, &[stored]).unwrap();
-        passes.extend_from_slice(renderer.aerial(b, scene, color, depth, out).unwrap());
+        passes.extend(aerial_passes(b, &mut renderer, scene, [color, depth, out]));
         from = out;
     }
     assert!(passes.iter().any(|p| ["background sky", "aerial perspective"].contains(&p.label)), "nothing is drawn");
     b.run(&passes).unwrap();
     let pixel = b.read(from).unwrap();
     renderer.destroy(b);
-    [color, out, depth].into_iter().for_each(|id| b.destroy_texture(id));
-    std::array::from_fn(|c| f64::from(pixel[c]))
+    free(b, [color, out, depth]);
+    rgb(&pixel, 0)
 }
 
 /// Light scattered once under the shadow, against the reference: from the ground, from orbit, and before a scene.
 #[test]
 fn light_scattered_once_under_a_shadow() {
     let p = AtmosphereParams { sun_intensity: 1.0, ..AtmosphereParams::earth() };
-    let method = Method::Single { view_samples: 200, light_samples: 40 };
-    let sky = SkySettings { method, sun_disk: false, ..SkySettings::default() };
+    let sky = sky(march(200, 40));
     // Altitude, zenith angle and azimuth from the sun (degrees), distance of a scene.
     let rays = [
         (2.0, 10.0, 30.0, None),
@@ -499,12 +486,7 @@ fn light_scattered_once_under_a_shadow() {
 #[test]
 fn light_of_all_orders_under_a_shadow() {
     let p = AtmosphereParams { sun_intensity: 1.0, ..AtmosphereParams::earth() };
-    let sky = SkySettings {
-        composition: Composition::SkyDome,
-        method: Method::Lut(LutSettings::MEDIUM),
-        sun_disk: false,
-        ..SkySettings::default()
-    };
+    let sky = SkySettings { composition: Composition::SkyDome, ..luts(LutSettings::MEDIUM) };
     // Distance of the disks' middles as seen from the camera in sun radii (0.0566 is the umbra's edge), and by which
     // factor light may be off: what is scattered more often is an estimate.
     let places = [(0.0, 2.0), (0.04, 2.4), (0.1, 1.6), (0.5, 1.04), (1.0, 1.02)];
@@ -554,18 +536,15 @@ fn light_of_all_orders_under_a_shadow() {
 /// The ground and the air under the shadow from orbit: dark in the umbra, and as without a moon where it does not reach.
 #[test]
 fn the_umbra_is_on_the_planet_and_nowhere_else() {
-    use welkin::{PictureRenderer, TerrainStyle};
     let size = [48, 48];
     let view = View { altitude: 1.2e7, pitch: -90.0, fov: 44.0, sun_elevation: 70.0, aspect: 1.0, ..View::default() };
     let clear = view.scene();
     let sun = clear.sun_direction;
-    let draw = |b: &mut dyn Backend, scene: &Scene, method| {
-        let sky = SkySettings { method, sun_disk: false, ..SkySettings::default() };
-        let settings =
-            PictureSettings { sky, terrain: Some(TerrainStyle::earth()), dither: false, ..PictureSettings::default() };
+    let planet = |b: &mut dyn Backend, scene: &Scene, method| {
+        let (sky, terrain) = (sky(method), Some(TerrainStyle::earth()));
+        let settings = PictureSettings { sky, terrain, dither: false, ..PictureSettings::default() };
         let mut renderer = PictureRenderer::default();
-        let drawn = renderer.draw(b, scene, &settings, size).unwrap();
-        let pixels = b.read(drawn.radiance).unwrap();
+        let pixels = draw(b, &mut renderer, scene, &settings, size);
         let on = renderer.plan().unwrap().effect("eclipse").unwrap().on;
         renderer.destroy(b);
         (pixels, on)
@@ -573,10 +552,10 @@ fn the_umbra_is_on_the_planet_and_nowhere_else() {
     let moon_at = |point: DVec3| Moon::new(point + sun * 3.6e8, MOON_RADIUS * 1.02);
     let ground = clear.planet_center + DVec3::Z * clear.atmosphere.planet_radius;
     on_both(|b| {
-        for method in [Method::Lut(LutSettings::LOW), Method::Single { view_samples: 24, light_samples: 8 }] {
-            let (bright, on) = draw(b, &clear, method);
+        for method in [Method::Lut(LutSettings::LOW), march(24, 8)] {
+            let (bright, on) = planet(b, &clear, method);
             assert!(!on);
-            let (dark, on) = draw(b, &Scene { moon: Some(moon_at(ground)), ..clear.clone() }, method);
+            let (dark, on) = planet(b, &Scene { moon: Some(moon_at(ground)), ..clear.clone() }, method);
             assert!(on);
             let brightness = |pixels: &[f32], x: usize, y: usize| pixels[4 * (48 * y + x) + 1];
             let share = |x, y| brightness(&dark, x, y) / brightness(&bright, x, y);
@@ -588,11 +567,11 @@ fn the_umbra_is_on_the_planet_and_nowhere_else() {
             assert!(row.iter().all(|s| *s < 1.01) && row[15] > 0.9 && row[6] > 2.0 * row[1], "{row:?}");
             // Beside the planet: no eclipse, and not a bit of a pixel is another.
             let beside = moon_at(ground + sun.any_orthonormal_vector() * 1.2e7);
-            let (missed, on) = draw(b, &Scene { moon: Some(beside), ..clear.clone() }, method);
+            let (missed, on) = planet(b, &Scene { moon: Some(beside), ..clear.clone() }, method);
             assert!(!on && missed == bright);
             // Behind the planet: nothing hides the sun.
             let behind = Moon::new(ground - sun * 3.6e8, MOON_RADIUS);
-            let (missed, on) = draw(b, &Scene { moon: Some(behind), ..clear.clone() }, method);
+            let (missed, on) = planet(b, &Scene { moon: Some(behind), ..clear.clone() }, method);
             assert!(!on && missed == bright);
         }
     });

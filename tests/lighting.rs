@@ -1,24 +1,19 @@
 //! Light for a scene of one's own: the seven behaviours of the constants, and the physical light against other
 //! programs' numbers, on both backends.
-#![cfg(all(feature = "egl", feature = "translate", feature = "reference"))]
-#![allow(clippy::needless_range_loop)] // Loops over the three channels index several arrays.
 
-mod common;
-#[path = "support/tables.rs"]
-mod tables;
-
-use common::{View, on_both};
 use glam::{DVec3, Vec3};
-use tables::{Differences, Table, medium};
-use welkin::gpu::Backend;
-use welkin::reference::multiple::{Orders, Settings};
+use welkin::gpu::{Backend, Format, Target};
+use welkin::reference::multiple::Settings;
 use welkin::reference::single::{RayQuery, Tolerance};
 use welkin::render::sky_light::{
     AtmosphereConfig, LightingContext, LightingContextUniform, SkyHarmonics, SkyLight, lighting_context_at_altitude,
     modulate_ambient_by_sun, sunlight,
 };
 use welkin::shaders::{MODULES, translate};
-use welkin::{AtmosphereParams, Error, LutSettings, Method, SkyRenderer, SkySettings};
+use welkin::{AtmosphereParams, Error, LutSettings, Method, PictureRenderer, PictureSettings, SkyRenderer, SkySettings, TerrainStyle};
+
+use crate::harness::tables::{Differences, Table, medium};
+use crate::harness::{View, background_passes, draw, on_both, orders, rgb, target};
 
 // --- by constants
 
@@ -119,13 +114,12 @@ fn gpu_uniform_struct_size() {
 
 /// The light of a medium's sky, from the tables of a frame.
 fn sky_light(b: &mut dyn Backend, params: &AtmosphereParams, lut: LutSettings) -> SkyLight {
-    use welkin::gpu::{Format, Target, TextureDesc};
     let scene = View { params: params.clone(), pitch: 30.0, ..View::default() }.scene();
     let settings = SkySettings { method: Method::Lut(lut), ..SkySettings::default() };
     let mut sky = SkyRenderer::new(settings).unwrap();
     assert!(sky.begin_sky_light(b, &scene).unwrap().is_none(), "light before there are tables");
-    let target = b.create_texture(&TextureDesc::new("target", 4, 4, Format::Rgba32Float)).unwrap();
-    let passes = sky.background(b, &scene, Target::color(target)).unwrap().to_vec();
+    let target = target(b, [4, 4]);
+    let passes = background_passes(b, &mut sky, &scene, Target::color(target));
     b.run(&passes).unwrap();
     let read = sky.begin_sky_light(b, &scene).unwrap().unwrap();
     let light = read.poll(b).unwrap().unwrap();
@@ -174,7 +168,7 @@ fn ground_irradiance_is_the_monte_carlos() {
 #[test]
 fn harmonics_are_the_references() {
     let params = AtmosphereParams { sun_intensity: 1.0, ..AtmosphereParams::rayleigh() };
-    let orders = Orders::solve(&params, Settings::QUICK.for_medium(&params), |_| {}).unwrap();
+    let orders = orders(&params, Settings::QUICK.for_medium(&params));
     // Gauss's rule would straddle the horizon: midpoints on either side of it.
     let truth = |altitude: f64, sun: f64| {
         let mut sum = [[0.0; 3]; 9];
@@ -230,7 +224,7 @@ fn harmonics_are_the_references() {
 fn ambient_light_is_the_references_at_ten_elevations() {
     use std::f64::consts::PI;
     let params = AtmosphereParams { sun_intensity: 1.0, ..AtmosphereParams::earth() };
-    let orders = Orders::solve(&params, Settings::QUICK.for_medium(&params), |_| {}).unwrap();
+    let orders = orders(&params, Settings::QUICK.for_medium(&params));
     // Midpoints, denser around the sun's azimuth.
     let (zeniths, azimuths) = (48, 24);
     let truth = |elevation: f64| {
@@ -308,8 +302,6 @@ fn physical_contexts_follow_altitude_and_sun() {
 /// What the demonstration's ground looks like from just above: its albedo times all light that falls on it, over pi.
 #[test]
 fn the_ground_has_the_light_of_its_sky() {
-    use welkin::gpu::Format;
-    use welkin::{PictureRenderer, PictureSettings, TerrainStyle};
     let table = Table::read("mc_ground_irradiance.csv");
     // White and flat, without a sea.
     let style = TerrainStyle {
@@ -343,9 +335,9 @@ fn the_ground_has_the_light_of_its_sky() {
                     radiance: Format::Rgba32Float,
                     ..PictureSettings::default()
                 };
-                let drawn = renderer.draw(b, &view.scene(), &settings, [8, 8]).unwrap();
+                let pixels = draw(b, &mut renderer, &view.scene(), &settings, [8, 8]);
                 let c = table.channel(row);
-                let got = f64::from(b.read(drawn.radiance).unwrap()[4 * 27 + c]);
+                let got = rgb(&pixels, 27)[c];
                 let want = table.number(row, "direct_horizontal_irradiance_rel")
                     + table.number(row, "mc_diffuse_irradiance_rel");
                 all.add((got * std::f64::consts::PI / want - 1.0).abs(), row);

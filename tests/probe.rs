@@ -1,15 +1,13 @@
 //! The shaders' functions, term by term, against f64: on both backends, from one body.
-#![cfg(feature = "probe")]
 
-mod common;
-
-use common::on_both;
 use welkin::AtmosphereParams;
 use welkin::frame::uniforms::MediumUniform;
 use welkin::gpu::Backend;
 use welkin::model::phase;
 use welkin::probe::{self, BATCH, Case, Cases, Probe, Quantity, Record, Row, Tally};
 use welkin::reference::single::{RayQuery, Tolerance, transmittance};
+
+use crate::harness::on_both;
 
 /// The grid of hard cases, then random ones.
 const CASES: usize = 1_000_000;

@@ -1,18 +1,17 @@
 //! The f64 reference against numbers from other programs (`tests/data/README.md`).
 //!
-//! `cargo test --test reference_data -- --nocapture` prints the differences file by file. The same for the fine
+//! `cargo test --test all reference_data -- --nocapture` prints the differences file by file. The same for the fine
 //! settings of multiple scattering: `cargo run --release --features reference --example reference_table`.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use welkin::reference::multiple::{self, Orders};
+use welkin::reference::multiple;
 use welkin::reference::path::{self, path_trace};
 use welkin::reference::single::{RayQuery, Sun, Tolerance, optical_depth, single_scattering, transmittance};
 use welkin::{AtmosphereParams, MiePhase};
 
-#[path = "support/tables.rs"]
-mod tables;
-use tables::{Differences, Table, against_noise, medium, ray};
+use crate::harness::orders;
+use crate::harness::tables::{Differences, Table, against_noise, medium, ray};
 
 #[test]
 fn transmittance_is_the_quadrature() {
@@ -142,7 +141,7 @@ fn ground_irradiance_of_single_scattering_is_the_quadrature() {
 /// All orders of scattering: sky, limb, twilight and the light on the ground, for one medium and albedo.
 fn multiple_scattering(name: &str, albedo: f64) {
     let params = AtmosphereParams { ground_albedo: [albedo; 3], ..medium(name) };
-    let orders = Orders::solve(&params, multiple::Settings::QUICK, |_| {}).unwrap();
+    let orders = orders(&params, multiple::Settings::QUICK);
     for file in [format!("sky_{name}.csv"), "limb.csv".into(), "mc_twilight.csv".into()] {
         let table = Table::read(&file);
         let (mut relative, mut noise) = (Differences::default(), Differences::default());

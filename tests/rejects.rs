@@ -1,19 +1,17 @@
 //! Wrong input: each is refused with a message that names field, value and range, before anything is made.
-#![cfg(all(feature = "egl", feature = "translate", feature = "reference"))]
-
-mod common;
 
 use std::time::Duration;
 
-use common::{View, on_both};
 use glam::DVec3;
 use welkin::gpu::{Backend, Format, Pass, Target, TextureDesc, Uniform, reads};
 use welkin::settings::quality::Front;
 use welkin::shaders::Program;
 use welkin::{
-    AtmosphereParams, DepthConvention, Error, Method, PictureRenderer, PictureSettings, Quality, Scene, SkySettings,
+    AtmosphereParams, DepthConvention, Error, PictureRenderer, PictureSettings, Quality, Scene, SkySettings,
     ToneMap,
 };
+
+use crate::harness::{View, march, on_both};
 
 fn scene(change: impl FnOnce(&mut Scene)) -> Result<(), Error> {
     let mut scene = View::default().scene();
@@ -25,10 +23,6 @@ fn air(change: impl FnOnce(&mut AtmosphereParams)) -> Result<(), Error> {
     let mut params = AtmosphereParams::earth();
     change(&mut params);
     params.validate()
-}
-
-fn single(view_samples: u32, light_samples: u32) -> Method {
-    Method::Single { view_samples, light_samples }
 }
 
 fn sky(change: impl FnOnce(&mut SkySettings)) -> Result<(), Error> {
@@ -83,8 +77,8 @@ fn wrong_scenes_are_refused_by_name_value_and_range() {
         ("field of view of 180°", scene(|s| s.camera.tangents.top = f64::INFINITY), ["camera.tangents.top", "inf"]),
         ("near plane 0", depth(DepthConvention::ReversedInfinite { near: 0.0 }), ["depth.near", "= 0 "]),
         ("far before near", depth(DepthConvention::ZeroToOne { near: 1.0, far: 0.5 }), ["depth.far", "0.5"]),
-        ("no samples", sky(|s| s.method = single(0, 8)), ["view_samples", "from 1 to 1024"]),
-        ("too many samples", sky(|s| s.method = single(16, 100_000)), ["light_samples", "100000"]),
+        ("no samples", sky(|s| s.method = march(0, 8)), ["view_samples", "from 1 to 1024"]),
+        ("too many samples", sky(|s| s.method = march(16, 100_000)), ["light_samples", "100000"]),
         ("scale 0", sky(|s| s.render_scale = 0.0), ["render_scale", "0.125"]),
         ("unknown planet", AtmosphereParams::preset("vulcan").map(|_| ()), ["planet", "vulcan"]),
         ("unknown quality", Quality::from_name("best").map(|_| ()), ["quality = \"best\"", "low, medium, high"]),
@@ -131,9 +125,9 @@ fn wrong_requests_of_a_backend_are_refused_and_leave_nothing_behind() {
         say("no qualities", measure(backend, &[], [4, 4]), "qualities = none");
         say("front of no size", measure(backend, Quality::ALL, [4, 0]), "front.height = 0");
         say("front too large", measure(backend, Quality::ALL, [max + 1, 4]), "front.width");
-        let mut unknown = Quality { method: single(9, 9), ..Quality::SINGLE_LOW };
+        let mut unknown = Quality { method: march(9, 9), ..Quality::SINGLE_LOW };
         say("quality without a known error", measure(backend, &[Quality::SINGLE_LOW, unknown], [4, 4]), "single 9 × 9");
-        unknown.method = single(0, 9);
+        unknown.method = march(0, 9);
         say("quality that is none", measure(backend, &[unknown], [4, 4]), "view_samples = 0");
         let dark = PictureSettings { exposure: f64::NAN, ..settings };
         say("NaN exposure", draw(backend, &mut renderer, &good, &dark, [4, 4]), "exposure");

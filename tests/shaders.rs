@@ -1,5 +1,4 @@
 //! Shaders: the committed GLSL is fresh, and every uniform block's Rust twin has naga's layout.
-#![cfg(feature = "translate")]
 
 use std::path::Path;
 

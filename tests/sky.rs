@@ -1,19 +1,17 @@
 //! What is drawn: the same bodies on both backends, judged by physics and by the f64 reference.
-#![cfg(all(feature = "egl", feature = "translate", feature = "reference"))]
-#![allow(clippy::needless_range_loop)] // Loops over the three channels index several arrays.
 
-mod common;
-
-use common::lines::along;
-use common::{View, mean, on_both};
 use glam::{DQuat, DVec2, DVec3};
-use welkin::gpu::{Backend, DepthUse, Format, Pass, RowOrder, Target, TextureDesc, TextureId, Uniform, reads};
-use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering, transmittance};
+use welkin::gpu::{Backend, Format, Pass, RowOrder, Target, TextureDesc};
+use welkin::reference::single::{Sun, Tolerance, single_scattering, transmittance};
 use welkin::render::sky::background_weight;
-use welkin::shaders::Program;
 use welkin::{
     AtmosphereParams, Bound, Composition, DepthConvention, LutSettings, Method, MiePhase, PictureRenderer,
     PictureSettings, Scene, SkyRenderer, SkySettings,
+};
+
+use crate::harness::{
+    View, aerial_passes, airless, assert_physical, background, background_passes, cleared, copy_pass, draw_both, frame_textures, free,
+    march, mean, on_both, over_black, picture, picture_passes, query, rays, rgb, texture,
 };
 
 const FINE: SkySettings = SkySettings {
@@ -33,81 +31,18 @@ const ANY: [SkySettings; 2] = [
     SkySettings { method: Method::Lut(LutSettings::MEDIUM), ..FINE },
 ];
 
-/// The background alone, 32-bit floats, over `clear`.
-fn background(
-    backend: &mut dyn Backend,
-    scene: &Scene,
-    settings: SkySettings,
-    size: [u32; 2],
-    clear: [f32; 4],
-) -> Vec<f32> {
-    let target = backend.create_texture(&TextureDesc::new("target", size[0], size[1], Format::Rgba32Float)).unwrap();
-    let mut sky = SkyRenderer::new(settings).unwrap();
-    let mut passes = vec![clear_pass(target, clear)];
-    passes.extend_from_slice(sky.background(backend, scene, Target::color(target)).unwrap());
-    backend.run(&passes).unwrap();
-    let pixels = backend.read(target).unwrap();
-    sky.destroy(backend);
-    backend.destroy_texture(target);
-    pixels
-}
-
-fn clear_pass(color: TextureId, clear: [f32; 4]) -> Pass {
-    Pass {
-        label: "clear",
-        program: None,
-        textures: reads([]),
-        uniform: Uniform::NONE,
-        target: Target { clear: Some(clear), ..Target::color(color) },
-        depth: DepthUse::Always,
-    }
-}
-
 /// Sky and shell together over black, without any scene: what an eye sees.
-fn whole_sky(backend: &mut dyn Backend, scene: &Scene, settings: SkySettings, size: [u32; 2]) -> Vec<f32> {
-    picture(
-        backend,
-        scene,
-        &PictureSettings { sky: settings, terrain: None, radiance: Format::Rgba32Float, ..Default::default() },
-        size,
-    )
-}
-
-fn picture(backend: &mut dyn Backend, scene: &Scene, settings: &PictureSettings, size: [u32; 2]) -> Vec<f32> {
-    let mut renderer = PictureRenderer::default();
-    let drawn = renderer.draw(backend, scene, settings, size).unwrap();
-    let pixels = backend.read(drawn.radiance).unwrap();
-    renderer.destroy(backend);
-    pixels
+fn whole_sky(b: &mut dyn Backend, scene: &Scene, settings: SkySettings, size: [u32; 2]) -> Vec<f32> {
+    picture(b, scene, &over_black(settings), size)
 }
 
 fn pixel(pixels: &[f32], width: u32, x: u32, y: u32) -> [f64; 3] {
-    let i = 4 * (y * width + x) as usize;
-    [pixels[i], pixels[i + 1], pixels[i + 2]].map(f64::from)
-}
-
-/// The reference's ray through the middle of a pixel.
-fn query(scene: &Scene, [w, h]: [u32; 2], x: u32, y: u32) -> RayQuery {
-    let view = scene.validate().unwrap();
-    let ndc =
-        DVec2::new((f64::from(x) + 0.5) / f64::from(w) * 2.0 - 1.0, 1.0 - (f64::from(y) + 0.5) / f64::from(h) * 2.0);
-    RayQuery {
-        altitude: view.altitude,
-        direction: view.basis.ray(ndc).normalize(),
-        sun: view.sun,
-        length: f64::INFINITY,
-        moon: None,
-    }
+    rgb(pixels, (y * width + x) as usize)
 }
 
 /// Runs the body on both backends with either method.
 fn on_each(mut body: impl FnMut(&mut dyn Backend, SkySettings)) {
     on_both(|b| ANY.into_iter().for_each(|settings| body(b, settings)));
-}
-
-fn assert_finite(pixels: &[f32], what: &str) {
-    assert!(pixels.iter().all(|v| v.is_finite()), "{what}: a pixel is not finite");
-    assert!(pixels.chunks_exact(4).all(|p| p[..3].iter().all(|v| *v >= 0.0)), "{what}: negative radiance");
 }
 
 #[test]
@@ -132,12 +67,12 @@ fn radiance_is_the_references() {
         for (name, view) in &views {
             let (scene, size) = (view.scene(), [24, 24]);
             let pixels = whole_sky(backend, &scene, FINE, size);
-            assert_finite(&pixels, name);
+            assert_physical(&pixels, name);
             let brightest = pixels.iter().copied().fold(0.0, f32::max);
             let (mut worst, mut compared) = (0.0_f64, 0);
             for (x, y) in (0..24).step_by(5).flat_map(|y| (0..24).step_by(5).map(move |x| (x, y))) {
                 let want =
-                    single_scattering(&scene.atmosphere, &query(&scene, size, x, y), Sun::Point, Tolerance::TRUTH)
+                    single_scattering(&scene.atmosphere, &query(&scene, size, (y * 24 + x) as usize), Sun::Point, Tolerance::TRUTH)
                         .unwrap();
                 let got = pixel(&pixels, 24, x, y);
                 for c in 0..3 {
@@ -159,7 +94,7 @@ fn looks_are_those_of_the_documents() {
     on_each(|b, settings| {
         let mut see = |view: View| {
             let p = whole_sky(b, &view.scene(), settings, [16, 16]);
-            assert_finite(&p, "look");
+            assert_physical(&p, "look");
             mean(&p)
         };
         let narrow = View { fov: 4.0, ..View::default() };
@@ -210,22 +145,14 @@ fn planet_rays_draw_nothing_and_depth_is_left_alone() {
         assert_ne!(pixel(&p, 16, 8, 0), [0.125, 0.25, 0.5], "the sky drew nothing");
 
         // With a depth attachment: whatever it holds, the sky draws and leaves it as it was.
-        let size = |f| TextureDesc::new("shared", 16, 16, f);
-        let color = b.create_texture(&size(Format::Rgba32Float)).unwrap();
-        let depth = b.create_texture(&size(Format::Depth32Float)).unwrap();
-        let out = b.create_texture(&size(Format::R32Float)).unwrap();
-        let copy = b.create_program(Program::Copy).unwrap();
+        let [color, depth, out] = [Format::Rgba32Float, Format::Depth32Float, Format::R32Float]
+            .map(|format| texture(b, "shared", [16, 16], format));
         let mut sky = SkyRenderer::new(settings).unwrap();
         for stored in [0.0, 0.7, 1.0] {
             let target = Target { clear: Some(sentinel), clear_depth: Some(stored), depth: Some(depth), color };
-            let mut passes = sky.background(b, &scene, target).unwrap().to_vec();
-            let read_depth = Pass {
-                program: Some(copy),
-                textures: reads([depth]),
-                target: Target::color(out),
-                ..clear_pass(out, [0.0; 4])
-            };
-            passes.push(read_depth);
+            let mut passes = background_passes(b, &mut sky, &scene, target);
+            let copy = copy_pass(b, depth, out);
+            passes.push(Pass { target: Target::color(out), ..copy });
             b.run(&passes).unwrap();
             assert_eq!(pixel(&b.read(color).unwrap(), 16, 3, 2), pixel(&p, 16, 3, 2), "depth {stored} changed the sky");
             assert!(b.read(out).unwrap().iter().all(|d| *d == stored), "the sky wrote depth");
@@ -240,7 +167,7 @@ fn terrain_occludes_the_sky() {
         let with = PictureSettings { sky, ..Default::default() };
         let without = PictureSettings { terrain: None, ..with };
         let (a, n) = (picture(b, &scene, &with, [32, 32]), picture(b, &scene, &without, [32, 32]));
-        assert_finite(&a, "terrain");
+        assert_physical(&a, "terrain");
         assert_eq!(pixel(&a, 32, 16, 0), pixel(&n, 32, 16, 0), "terrain changed the sky above it");
         let (ground, hole) = (pixel(&a, 32, 16, 31), pixel(&n, 32, 16, 31));
         assert!(ground[1] > 1.05 * hole[1], "no ground below: {ground:?} {hole:?}");
@@ -266,10 +193,9 @@ fn both_backends_draw_the_same() {
                 .iter()
                 .map(|(_, v)| {
                     let mut renderer = PictureRenderer::default();
-                    let done = renderer.draw(b, &v.scene(), &settings, [160, 120]).unwrap();
-                    let pixels = b.read(done.display).unwrap();
+                    let [_, display] = draw_both(b, &mut renderer, &v.scene(), &settings, [160, 120]);
                     renderer.destroy(b);
-                    pixels
+                    display
                 })
                 .collect(),
         );
@@ -286,21 +212,17 @@ fn both_backends_draw_the_same() {
 
 /// Synthetic scene: a plane `z` metres away along the camera's axis, in a depth convention.
 fn air_before(b: &mut dyn Backend, settings: SkySettings, scene: &Scene, z: f64, behind: f32) -> Vec<f32> {
-    let (w, h) = (8, 8);
-    let desc = |label, f| TextureDesc::new(label, w, h, f);
-    let color = b.create_texture(&desc("color", Format::Rgba32Float)).unwrap();
-    let depth = b.create_texture(&desc("depth", Format::R32Float)).unwrap();
-    let out = b.create_texture(&desc("out", Format::Rgba32Float)).unwrap();
+    let [color, depth, out] = frame_textures(b, [8, 8]);
     b.write_texture(color, &[behind; 256]).unwrap();
     let stored = if z.is_finite() { scene.depth.encode(z) } else { scene.depth.background() };
     b.write_texture(depth, &[stored as f32; 64]).unwrap();
     let mut sky = SkyRenderer::new(settings).unwrap();
-    let passes = sky.aerial(b, scene, color, depth, out).unwrap().to_vec();
+    let passes = aerial_passes(b, &mut sky, scene, [color, depth, out]);
     b.run(&passes).unwrap();
     // Where no air is in the picture the scene stays as it is.
     let pixels = b.read(if passes.is_empty() { color } else { out }).unwrap();
     sky.destroy(b);
-    [color, depth, out].into_iter().for_each(|t| b.destroy_texture(t));
+    free(b, [color, depth, out]);
     pixels
 }
 
@@ -310,7 +232,7 @@ fn air_dims_the_scene_and_adds_light_as_the_reference_does() {
         for (altitude, z) in [(100.0, 10.0), (100.0, 1e3), (100.0, 50e3), (9e3, 200e3), (4e5, 3e6)] {
             let scene = View { altitude, pitch: 1.0, fov: 1.0, ..View::default() }.scene();
             let (dark, bright) = (air_before(b, FINE, &scene, z, 0.0), air_before(b, FINE, &scene, z, 1.0));
-            let q = query(&scene, [8, 8], 3, 4);
+            let q = query(&scene, [8, 8], 4 * 8 + 3);
             let ndc = DVec2::new(3.5 / 4.0 - 1.0, 1.0 - 4.5 / 4.0);
             let length = z * scene.camera.basis().unwrap().ray(ndc).length();
             let want = single_scattering(&scene.atmosphere, &q.ended_at(length), Sun::Point, Tolerance::TRUTH).unwrap();
@@ -395,7 +317,7 @@ fn half_resolution_looks_like_full_resolution() {
             let half = SkySettings { render_scale: 0.5, ..full };
             let clear = [0.0, 0.0, 0.0, 1.0];
             let (f, h) = (background(b, &scene, full, size, clear), background(b, &scene, half, size, clear));
-            assert_finite(&h, "half resolution");
+            assert_physical(&h, "half resolution");
             for (i, (a, c)) in f.chunks_exact(4).zip(h.chunks_exact(4)).enumerate() {
                 assert_eq!(a[1] > 0.0, c[1] > 0.0, "{size:?}: pixel {i} is sky in one and planet in the other");
             }
@@ -415,9 +337,9 @@ fn extreme_viewports_are_drawn() {
             let scene =
                 View { pitch: 30.0, fov: 1.0, aspect: f64::from(size[0]) / f64::from(size[1]), ..View::default() }
                     .scene();
-            let method = Method::Single { view_samples: 4, light_samples: 2 };
+            let method = march(4, 2);
             let p = whole_sky(b, &scene, SkySettings { method, ..Default::default() }, size);
-            assert_finite(&p, "viewport");
+            assert_physical(&p, "viewport");
             assert!(mean(&p)[2] > 0.1, "{size:?} is dark");
         }
     });
@@ -449,17 +371,13 @@ fn moving_and_turning_the_world_changes_nothing() {
 fn what_is_off_is_not_there() {
     on_both(|b| {
         let view = View { pitch: 20.0, ..View::default() };
-        let target = b.create_texture(&TextureDesc::new("target", 8, 8, Format::Rgba16Float)).unwrap();
+        let target = texture(b, "target", [8, 8], Format::Rgba16Float);
         let live = b.live();
         let mut off = SkyRenderer::new(SkySettings { enabled: false, ..Default::default() }).unwrap();
-        assert!(off.background(b, &view.scene(), Target::color(target)).unwrap().is_empty());
-        let mut airless = view.scene();
-        let a = &mut airless.atmosphere;
-        for c in [&mut a.rayleigh_scattering, &mut a.mie_scattering, &mut a.mie_absorption, &mut a.ozone_absorption] {
-            *c = [0.0; 3];
-        }
+        assert!(background_passes(b, &mut off, &view.scene(), Target::color(target)).is_empty());
+        let empty = View { params: airless(view.params.clone()), ..view.clone() }.scene();
         let mut sky = SkyRenderer::new(SkySettings { sun_disk: false, ..Default::default() }).unwrap();
-        assert!(sky.background(b, &airless, Target::color(target)).unwrap().is_empty());
+        assert!(background_passes(b, &mut sky, &empty, Target::color(target)).is_empty());
         assert_eq!(b.live(), live, "something was made for nothing");
         // Without ozone, without the sun: the program is the one without them, and draws what the
         // complete one draws with their coefficients at zero.
@@ -488,7 +406,7 @@ fn sun_disk_has_the_suns_irradiance() {
         // In 16-bit targets the earth's sun at 22 is cut at half of the largest half float.
         let bright = View { params: AtmosphereParams::earth(), ..view };
         let pixels = picture(b, &bright.scene(), &PictureSettings { terrain: None, ..Default::default() }, [16, 16]);
-        assert_finite(&pixels, "sun at half float");
+        assert_physical(&pixels, "sun at half float");
         assert!(pixels.iter().copied().fold(0.0, f32::max) > 3e4);
     });
 }
@@ -500,21 +418,14 @@ fn bare_disk(scene: &Scene, size: [u32; 2]) -> Vec<f64> {
     let chord = 2.0 * (0.5 * p.sun_angular_radius).sin();
     let pixel = 2.0 * view.basis.up.length() / f64::from(size[1]);
     let full = p.sun_intensity / (std::f64::consts::PI * chord * chord);
-    let rays = along(scene, size);
+    let rays = rays(scene, size);
     rays.iter().map(|q| full * ((chord - (q.direction - view.sun).length()) / pixel + 0.5).clamp(0.0, 1.0)).collect()
 }
 
 #[test]
 fn sun_is_drawn_where_it_is_in_either_row_order() {
-    let params = AtmosphereParams {
-        rayleigh_scattering: [0.0; 3],
-        mie_scattering: [0.0; 3],
-        mie_absorption: [0.0; 3],
-        ozone_absorption: [0.0; 3],
-        sun_intensity: 1.0,
-        sun_angular_radius: 0.03,
-        ..AtmosphereParams::earth()
-    };
+    let params =
+        AtmosphereParams { sun_intensity: 1.0, sun_angular_radius: 0.03, ..airless(AtmosphereParams::earth()) };
     let size = [60, 36];
     let view = View { params, altitude: 1e7, sun_elevation: 40.0, aspect: 60.0 / 36.0, ..View::default() };
     // In the middle, at an edge, in a corner, just outside, behind; narrow, and so wide that the disk is drawn out.
@@ -530,8 +441,7 @@ fn sun_is_drawn_where_it_is_in_either_row_order() {
                 let desc = TextureDesc { rows, ..TextureDesc::new("target", size[0], size[1], Format::Rgba32Float) };
                 let target = b.create_texture(&desc).unwrap();
                 let mut sky = SkyRenderer::new(SkySettings::default()).unwrap();
-                let black = Target { clear: Some([0.0, 0.0, 0.0, 1.0]), ..Target::color(target) };
-                let passes = sky.background(b, &scene, black).unwrap().to_vec();
+                let passes = background_passes(b, &mut sky, &scene, cleared(target));
                 assert!(i < views.len() || passes.iter().all(|p| p.label != "sun") || fov == 170.0, "{heading}");
                 let got = if passes.is_empty() {
                     vec![0.0; 4 * want.len()]
@@ -565,7 +475,7 @@ fn sun_is_dimmed_by_the_air_as_in_the_reference() {
             let scene = View { sun_elevation: elevation, ..view }.scene();
             let [with, without] = [true, false].map(|on| background(b, &scene, settings(on), [3, 3], [0.0; 4]));
             let full = bare_disk(&scene, [3, 3])[4];
-            let through = transmittance(&params, &along(&scene, [3, 3])[4], Tolerance { relative: 1e-8 }).unwrap();
+            let through = transmittance(&params, &rays(&scene, [3, 3])[4], Tolerance { relative: 1e-8 }).unwrap();
             for c in 0..3 {
                 let got = f64::from(with[16 + c]) - f64::from(without[16 + c]);
                 let off = (got / full - through[c]).abs();
@@ -582,9 +492,8 @@ fn sun_is_dimmed_by_the_air_as_in_the_reference() {
 fn passes_are_timed() {
     on_both(|b| {
         let mut renderer = PictureRenderer::default();
-        let (passes, _) =
-            renderer.passes(b, &View::default().scene(), &PictureSettings::default(), [256, 144]).unwrap();
-        let passes = passes.to_vec();
+        let passes =
+            picture_passes(b, &mut renderer, &View::default().scene(), &PictureSettings::default(), [256, 144]);
         let times = b.times(&passes).unwrap();
         println!("{}: {times:?}", b.info());
         assert_eq!(

@@ -8,9 +8,11 @@
 //! [`Promise`] says what may be lost.
 
 mod cases;
+pub mod film;
 mod frames;
 mod judge;
 mod report;
+pub mod scenes;
 mod shrink;
 mod truth;
 

@@ -1,32 +1,30 @@
 //! From radiance to display values: the curves are the twin's, dither hides bands and keeps every mean.
-#![cfg(all(feature = "egl", feature = "translate", feature = "reference"))]
 
-mod common;
-
-use common::{View, on_both};
 use welkin::frame::tone_map::{dither, srgb_encode, tone_map, tone_pass};
-use welkin::gpu::{Backend, Format, TextureDesc};
+use welkin::gpu::{Backend, Format};
 use welkin::render::cpu_picture::render;
 use welkin::shaders::Program;
 use welkin::{PictureRenderer, PictureSettings, Scene, SkySettings, ToneMap};
+
+use crate::harness::{View, airless, draw_both, free, on_both, texture};
 
 /// Display values of radiance as a pass leaves them in a target, red, green and blue of each pixel, 0 to 255.
 fn shown(
     b: &mut dyn Backend,
     radiance: &[[f32; 3]],
-    [w, h]: [u32; 2],
+    size: [u32; 2],
     map: ToneMap,
     dither: bool,
     format: Format,
 ) -> Vec<[f64; 3]> {
     let [from, to] = [("radiance", Format::Rgba32Float), ("display", format)]
-        .map(|(label, format)| b.create_texture(&TextureDesc::new(label, w, h, format)).unwrap());
+        .map(|(label, format)| texture(b, label, size, format));
     let texels: Vec<f32> = radiance.iter().flat_map(|[r, g, b]| [*r, *g, *b, 1.0]).collect();
     b.write_texture(from, &texels).unwrap();
     let pass = tone_pass(b, map, 1.0, dither, from, to).unwrap();
     b.run(&[pass]).unwrap();
     let pixels = b.read(to).unwrap();
-    [from, to].into_iter().for_each(|id| b.destroy_texture(id));
+    free(b, [from, to]);
     assert!(pixels.chunks_exact(4).all(|p| p[3] == 1.0), "alpha");
     pixels.chunks_exact(4).map(|p| [p[0], p[1], p[2]].map(|v| 255.0 * f64::from(v))).collect()
 }
@@ -190,14 +188,7 @@ fn dither_is_for_bytes_alone() {
 fn pictures_of_all_renderers_have_the_same_noise() {
     let size = [48, 32];
     let scene: Scene = View { pitch: 20.0, sun_elevation: 20.0, aspect: 1.5, ..View::default() }.scene();
-    let airless = {
-        let mut scene = scene.clone();
-        let a = &mut scene.atmosphere;
-        for c in [&mut a.rayleigh_scattering, &mut a.mie_scattering, &mut a.mie_absorption, &mut a.ozone_absorption] {
-            *c = [0.0; 3];
-        }
-        scene
-    };
+    let empty = Scene { atmosphere: airless(scene.atmosphere.clone()), ..scene.clone() };
     let settings = PictureSettings {
         sky: SkySettings { sun_disk: false, ..SkySettings::default() },
         terrain: None,
@@ -208,16 +199,14 @@ fn pictures_of_all_renderers_have_the_same_noise() {
     on_both(|b| {
         let mut renderer = PictureRenderer::default();
         let mut draw = |scene: &Scene, dither| {
-            let drawn = renderer.draw(b, scene, &PictureSettings { dither, ..settings }, size).unwrap();
-            let pixels = b.read(drawn.display).unwrap();
-            (b.read(drawn.radiance).unwrap(), pixels)
+            draw_both(b, &mut renderer, scene, &PictureSettings { dither, ..settings }, size)
         };
-        let (radiance, with) = draw(&scene, true);
-        let (same, without) = draw(&scene, false);
+        let [radiance, with] = draw(&scene, true);
+        let [same, without] = draw(&scene, false);
         assert!(radiance == same, "dither changed the radiance");
         assert!(with != without);
-        assert!(draw(&scene, true).1 == with, "not the same twice");
-        assert!(draw(&airless, true).1.chunks_exact(4).all(|p| p[..3] == [0.0; 3]), "black is not black");
+        assert!(draw(&scene, true)[1] == with, "not the same twice");
+        assert!(draw(&empty, true)[1].chunks_exact(4).all(|p| p[..3] == [0.0; 3]), "black is not black");
         // The noise that the twin adds to this backend's own radiance.
         let mut off = 0;
         for (i, (p, light)) in with.chunks_exact(4).zip(radiance.chunks_exact(4)).enumerate() {

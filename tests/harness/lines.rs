@@ -1,21 +1,5 @@
 //! Light along a line of pixels or frames, beside the reference's.
 
-use glam::DVec2;
-use welkin::Scene;
-use welkin::reference::single::RayQuery;
-
-/// The rays through the middles of a picture's pixels, row by row from the top.
-pub fn along(scene: &Scene, [w, h]: [u32; 2]) -> Vec<RayQuery> {
-    let view = scene.validate().unwrap();
-    let share = |i: u32, n: u32| (f64::from(i) + 0.5) / f64::from(n) * 2.0 - 1.0;
-    (0..w * h)
-        .map(|i| {
-            let direction = view.basis.ray(DVec2::new(share(i % w, w), -share(i / w, h))).normalize();
-            RayQuery { altitude: view.altitude, direction, sun: view.sun, length: f64::INFINITY, moon: None }
-        })
-        .collect()
-}
-
 /// What was drawn along a line, and what the reference has there.
 pub struct Line<'a> {
     pub got: &'a [[f64; 3]],

@@ -1,5 +1,4 @@
 //! Tables of `tests/data` (see the README there), their rays, and how differences are summed up.
-#![allow(dead_code)]
 
 use std::path::Path;
 

@@ -1,16 +1,14 @@
 //! Half floats: what a picture loses in 16-bit targets, from the sun's disk to the end of astronomical twilight.
 //!
-//! `cargo test --features cli --test half -- --nocapture` prints it.
-#![cfg(all(feature = "egl", feature = "translate", feature = "reference"))]
+//! `cargo test --test all half_floats -- --nocapture` prints it.
 
-mod common;
-
-use common::{View, on_both};
 use welkin::gpu::{Backend, Format};
 use welkin::render::picture::scale;
 use welkin::{
     AtmosphereParams, Composition, LutSettings, Method, PictureRenderer, PictureSettings, Scene, SkySettings,
 };
+
+use crate::harness::{View, on_both};
 
 /// Half floats: the largest, the step below 6e-5, and the largest relative rounding above.
 const LARGEST: f32 = 65504.0;
