@@ -1,4 +1,5 @@
-//! The LUTs are as exact as promised: against Monte Carlo tables by day and at dusk, and against the reference.
+//! The LUTs are as exact as promised: against Monte Carlo tables by day and at dusk, and against the
+//! reference.
 //!
 //! `cargo test --test all accuracy -- --nocapture` prints the differences.
 
@@ -17,7 +18,6 @@ fn figures(mut errors: Vec<f64>) -> [f64; 3] {
     [mean, errors[errors.len() * 95 / 100], errors[errors.len() - 1]]
 }
 
-
 /// A direction of view from the ground, and the Monte Carlo's light: red, green, blue.
 struct Case {
     scene: Scene,
@@ -31,7 +31,8 @@ fn cases(file: &str) -> Vec<Case> {
     let mut cases: BTreeMap<[String; 5], Case> = BTreeMap::new();
     for row in csv::Reader::from_path(path).unwrap().deserialize() {
         let row: BTreeMap<String, String> = row.unwrap();
-        let medium = row.get("atmosphere").map_or(if file.contains("earth") { "earth" } else { "rayleigh" }, |m| m);
+        let medium =
+            row.get("atmosphere").map_or(if file.contains("earth") { "earth" } else { "rayleigh" }, |m| m);
         let names = ["albedo", "sun_zenith_deg", "view_zenith_deg", "azimuth_from_sun_deg"];
         let [albedo, sun, view, azimuth] = names.map(|n| row[n].parse::<f64>().unwrap());
         let key = [medium, &row[names[0]], &row[names[1]], &row[names[2]], &row[names[3]]].map(str::to_owned);
@@ -75,7 +76,8 @@ fn light_is_the_monte_carlos() {
             let mut errors = Vec::new();
             for case in &cases {
                 assert_eq!(case.sun > 90.0, file.contains("twilight"));
-                let pixels = draw(b, &mut renderer, &case.scene, &over_black(in_quality(Quality::MEDIUM)), [1, 1]);
+                let pixels =
+                    draw(b, &mut renderer, &case.scene, &over_black(in_quality(Quality::MEDIUM)), [1, 1]);
                 let got = rgb(&pixels, 0);
                 errors.extend((0..3).map(|c| (got[c] / case.want[c] - 1.0).abs()));
             }

@@ -1,5 +1,5 @@
-//! Light is continuous: flying up, across seams of the LUTs, and along lines across every edge of picture and scene,
-//! as much as the reference is.
+//! Light is continuous: flying up, across seams of the LUTs, and along lines across every edge of picture and
+//! scene, as much as the reference is.
 //!
 //! `cargo test --test all continuity -- --nocapture` prints the figures.
 
@@ -10,16 +10,18 @@ use welkin::gpu::{Backend, Format, Target};
 use welkin::probe::film;
 use welkin::reference::single::{RayQuery, Tolerance, transmittance};
 use welkin::render::sky::GroundLight;
-use welkin::{AtmosphereParams, Camera, Method, PictureRenderer, Pose, Quality, Scene, SkyRenderer, TerrainStyle};
+use welkin::{
+    AtmosphereParams, Camera, Method, PictureRenderer, Pose, Quality, Scene, SkyRenderer, TerrainStyle,
+};
 
 use crate::harness::lines::Line;
 use crate::harness::{
     View, aerial_passes, assert_physical, background_passes, brightest, colors, copy_pass, draw, expected,
-    expected_picture, frame_textures, free, in_quality, march, method_of, on_both, over_black, rays, rgb, sky, texture,
+    expected_picture, frame_textures, free, in_quality, march, method_of, on_both, over_black, rays, rgb,
+    sky, texture,
 };
 
 // --- from the ground to far away
-
 
 fn fly(altitude: f64) -> Scene {
     let radius = AtmosphereParams::earth().planet_radius;
@@ -29,7 +31,6 @@ fn fly(altitude: f64) -> Scene {
     let (pitch, fov) = if altitude < 6e4 { (-low, 60.0) } else { (-0.5 * (low + high), 1.5 * (low - high)) };
     View { altitude, pitch, fov, sun_elevation: 25.0, aspect: 0.5, ..View::default() }.scene()
 }
-
 
 #[test]
 fn flying_up_is_the_references_and_without_a_step() {
@@ -83,8 +84,8 @@ fn flying_up_is_the_references_and_without_a_step() {
             worst.0, worst.1, largest.0, largest.1, step.0, step.1
         );
         assert!(worst.0 < 0.02 && largest.0 < 0.05 && step.0 < 0.05, "{worst:?} {largest:?} {step:?}");
-        // Where something begins or ends, a metre changes next to nothing. From above the top, rows of the tables
-        // stand for other rays than from below: there the method's own error shows.
+        // Where something begins or ends, a metre changes next to nothing. From above the top, rows of the
+        // tables stand for other rays than from below: there the method's own error shows.
         for (altitude, bound) in [(15e3, 1e-3), (50e3, 1e-3), (100e3, 0.04)] {
             let [below, above] = [-0.5, 0.5].map(|d| {
                 let view = View { altitude: altitude + d, pitch: -3.0, fov: 30.0, ..View::default() };
@@ -101,7 +102,6 @@ fn flying_up_is_the_references_and_without_a_step() {
 
 // --- seams
 
-
 #[test]
 fn no_seam_is_seen() {
     let size = [8, 8];
@@ -116,11 +116,17 @@ fn no_seam_is_seen() {
     for (pitch, name) in [(90.0, "zenith"), (-90.0, "nadir")] {
         for altitude in [2.0, 8e3, 4e5] {
             let heading = 30.0;
-            views.push((name, View { altitude, pitch, fov: 2.0, heading, sun_elevation: 50.0, ..View::default() }));
+            views.push((
+                name,
+                View { altitude, pitch, fov: 2.0, heading, sun_elevation: 50.0, ..View::default() },
+            ));
         }
     }
     for heading in [0.0, 180.0] {
-        views.push(("azimuth", View { pitch: 15.0, fov: 4.0, heading, sun_elevation: 40.0, ..View::default() }));
+        views.push((
+            "azimuth",
+            View { pitch: 15.0, fov: 4.0, heading, sun_elevation: 40.0, ..View::default() },
+        ));
         views.push(("azimuth", View { altitude: 2e4, pitch: -30.0, fov: 4.0, heading, ..View::default() }));
     }
     let truths: Vec<_> = views.iter().map(|(_, v)| expected_picture(&v.scene(), size)).collect();
@@ -156,7 +162,10 @@ fn no_seam_is_seen() {
                 }
             }
         }
-        println!("{}: between neighbours more than the reference's difference: {worst:.4?}", b.info().backend);
+        println!(
+            "{}: between neighbours more than the reference's difference: {worst:.4?}",
+            b.info().backend
+        );
         renderer.destroy(b);
         for (name, bound) in SEAMS {
             assert!(worst[name] < bound, "{name}: {} more than the reference's difference", worst[name]);
@@ -203,11 +212,13 @@ fn within() -> Vec<(&'static str, View, [u32; 2])> {
     }
     for altitude in [2.0, 2e4] {
         for heading in [0.0, 180.0] {
-            let view = View { altitude, pitch: 25.0, fov: 6.0, heading, sun_elevation: 40.0, ..View::default() };
+            let view =
+                View { altitude, pitch: 25.0, fov: 6.0, heading, sun_elevation: 40.0, ..View::default() };
             all.push(("sun's azimuth", row(view), across));
         }
         for (name, pitch) in [("zenith", 90.0), ("nadir", -90.0)] {
-            let view = View { altitude, pitch, fov: 4.0, heading: 30.0, sun_elevation: 50.0, ..View::default() };
+            let view =
+                View { altitude, pitch, fov: 4.0, heading: 30.0, sun_elevation: 50.0, ..View::default() };
             all.push((name, column(view.clone()), up));
             all.push((name, row(view), across));
         }
@@ -220,10 +231,12 @@ fn within() -> Vec<(&'static str, View, [u32; 2])> {
 
 /// Lines through time: one pixel while the camera rises or the sun sets.
 fn through() -> Vec<(&'static str, Vec<View>)> {
-    let steps = |from: f64, to: f64| (0..N).map(move |i| from + (to - from) * f64::from(i) / f64::from(N - 1));
+    let steps =
+        |from: f64, to: f64| (0..N).map(move |i| from + (to - from) * f64::from(i) / f64::from(N - 1));
     let view = View { altitude: 500.0, pitch: 20.0, fov: 0.1, heading: 40.0, ..View::default() };
     let mut all = Vec::new();
-    for (name, altitude, half) in [("hand-over begins", 15e3, 1e3), ("hand-over ends", 50e3, 1e3), ("top", 100e3, 1.0)]
+    for (name, altitude, half) in
+        [("hand-over begins", 15e3, 1e3), ("hand-over ends", 50e3, 1e3), ("top", 100e3, 1.0)]
     {
         // The sky above, and the ground below.
         for pitch in [10.0, -4.0, -40.0] {
@@ -240,12 +253,13 @@ fn through() -> Vec<(&'static str, Vec<View>)> {
     all
 }
 
-/// What second differences may differ by from the reference's, of the logarithm of light; and steps between neighbours,
-/// in 255ths of what a screen shows, at an exposure that makes the line's brightest 0.8 and at 1e5. Single scattering by
-/// 256 × 64 samples, then the tables of [`Quality::MEDIUM`].
+/// What second differences may differ by from the reference's, of the logarithm of light; and steps between
+/// neighbours, in 255ths of what a screen shows, at an exposure that makes the line's brightest 0.8 and at
+/// 1e5. Single scattering by 256 × 64 samples, then the tables of [`Quality::MEDIUM`].
 ///
-/// A rounded 255th is a step of 1 or 2. What the tables have more than that is their own error, which is not the same on
-/// both sides: at dusk a long ray along the horizon is 26 % too dark from 30 km, and one that just meets the ground 3 %.
+/// A rounded 255th is a step of 1 or 2. What the tables have more than that is their own error, which is not
+/// the same on both sides: at dusk a long ray along the horizon is 26 % too dark from 30 km, and one that
+/// just meets the ground 3 %.
 const BOUNDS: [(&str, [f64; 2], [f64; 2]); 12] = [
     ("horizon", [0.02, 2.0], [0.05, 3.0]),
     ("horizon at dusk", [0.02, 2.0], [0.3, 18.0]),
@@ -296,7 +310,8 @@ fn continuous(method: Method, bounds: impl Fn(&str) -> [f64; 2]) {
             if figures.iter().zip(bounds(line)).any(|(f, b)| *f > b) {
                 let View { altitude, pitch, heading, fov, sun_elevation, .. } = what;
                 println!(
-                    "{name} {line}: {figures:.4?} at {altitude} m, pitch {pitch}, heading {heading}, fov {fov}, sun {sun_elevation}: blue {:.4?}, off by {:.4?}",
+                    "{name} {line}: {figures:.4?} at {altitude} m, pitch {pitch}, heading {heading}, \
+                     fov {fov}, sun {sun_elevation}: blue {:.4?}, off by {:.4?}",
                     want.iter().map(|v| v[2]).collect::<Vec<_>>(),
                     line_of.channel()
                 );
@@ -313,7 +328,10 @@ fn continuous(method: Method, bounds: impl Fn(&str) -> [f64; 2]) {
         println!("{name} {}: bend and 255ths beyond the reference's: {worst:.4?}", method.name());
         for (line, figures) in worst {
             let allowed = bounds(line);
-            assert!(figures.iter().zip(allowed).all(|(f, b)| *f <= b), "{name} {line}: {figures:.4?}, {allowed:?}");
+            assert!(
+                figures.iter().zip(allowed).all(|(f, b)| *f <= b),
+                "{name} {line}: {figures:.4?}, {allowed:?}"
+            );
         }
     });
 }
@@ -347,7 +365,8 @@ impl Edge {
         let rays = rays(&scene, size);
         let stored = rays.iter().zip(steepness(&scene, size)).enumerate().map(|(i, (ray, per_depth))| {
             let end = ends(i, ray);
-            (if end.is_finite() { scene.depth.encode(end / per_depth) } else { scene.depth.background() }) as f32
+            (if end.is_finite() { scene.depth.encode(end / per_depth) } else { scene.depth.background() })
+                as f32
         });
         Self::stored(name, scene.clone(), size, stored.collect())
     }
@@ -430,12 +449,14 @@ fn edges() -> Vec<Edge> {
     let row = |v: View| View { fov: v.fov / f64::from(N), aspect: f64::from(N), ..v };
     let dip = |altitude: f64, up: f64| -((radius + up) / (radius + altitude)).acos().to_degrees();
     // Posts of five pixels, before the sky and before the ground.
-    let posts = |distance: f64| move |i: usize, _: &RayQuery| if i / 5 % 2 == 1 { distance } else { f64::INFINITY };
+    let posts =
+        |distance: f64| move |i: usize, _: &RayQuery| if i / 5 % 2 == 1 { distance } else { f64::INFINITY };
     for (altitude, sun_elevation) in [(100.0, 20.0), (100.0, -4.0), (3e4, 20.0), (3e4, 2.0)] {
         for distance in [0.01, 1e3, 1e5] {
             for above in [1.0, -0.7] {
                 let pitch = dip(altitude, 0.0) + above;
-                let view = View { altitude, pitch, fov: 2.0, heading: 90.0, sun_elevation, ..View::default() };
+                let view =
+                    View { altitude, pitch, fov: 2.0, heading: 90.0, sun_elevation, ..View::default() };
                 all.push(Edge::new("posts", &row(view), [N, 1], posts(distance)));
             }
         }
@@ -455,7 +476,9 @@ fn edges() -> Vec<Edge> {
         let pitch = -(1500.0_f64 / 50e3).atan().to_degrees() - 0.22;
         let table = View { pitch, fov: 0.4, ..view.clone() };
         let ends = |_: usize, ray: &RayQuery| Some(sphere(ray, 500.0, radius)).filter(|t| *t < 50e3);
-        all.push(Edge::new("plain's end", &column(table), [1, N], move |i, ray| ends(i, ray).unwrap_or(f64::INFINITY)));
+        all.push(Edge::new("plain's end", &column(table), [1, N], move |i, ray| {
+            ends(i, ray).unwrap_or(f64::INFINITY)
+        }));
         // Farther and farther, to the far end of the air and on, then nothing.
         let wide = |pitch| row(View { pitch, fov: 60.0, ..view.clone() });
         let step = |i: usize| i as f64 / (f64::from(N) - 4.0);
@@ -475,14 +498,20 @@ fn mountains(b: &mut dyn Backend) -> Vec<Edge> {
     let style = TerrainStyle::earth();
     let (latitude, longitude) = ((-20.0_f64).to_radians(), 30.0_f64.to_radians());
     let up = DVec3::new(latitude.cos() * longitude.cos(), latitude.cos() * longitude.sin(), latitude.sin());
-    let north = DVec3::new(-latitude.sin() * longitude.cos(), -latitude.sin() * longitude.sin(), latitude.cos());
+    let north =
+        DVec3::new(-latitude.sin() * longitude.cos(), -latitude.sin() * longitude.sin(), latitude.cos());
     let mut all = Vec::new();
     for (sun_elevation, [w, h]) in [(20.0_f64, [1, N]), (20.0, [N, 1]), (2.0, [1, N]), (2.0, [N, 1])] {
         let view = View::default();
         let altitude = style.height(up, view.params.planet_radius).0 + 600.0;
         let fov = (if h == 1 { 40.0 / f64::from(N) } else { 4.0_f64 }).to_radians();
         let pitch = (if h == 1 { 1.0_f64 } else { 0.0 }).to_radians();
-        let pose = Pose { altitude, pitch, heading: (if h == 1 { -5.0_f64 } else { -15.0 }).to_radians(), fov_y: fov };
+        let pose = Pose {
+            altitude,
+            pitch,
+            heading: (if h == 1 { -5.0_f64 } else { -15.0 }).to_radians(),
+            fov_y: fov,
+        };
         let aspect = f64::from(w) / f64::from(h);
         let camera = Camera::above(DVec3::ZERO, view.params.planet_radius, up, north, pose, aspect).unwrap();
         let (sin, cos) = sun_elevation.to_radians().sin_cos();
@@ -504,8 +533,8 @@ fn mountains(b: &mut dyn Backend) -> Vec<Edge> {
     all
 }
 
-/// Bounds as in [`BOUNDS`], then the largest error of light over the light, or over a thousandth of the line's brightest
-/// where it has less, and the largest of transmittance. Single scattering, then tables.
+/// Bounds as in [`BOUNDS`], then the largest error of light over the light, or over a thousandth of the
+/// line's brightest where it has less, and the largest of transmittance. Single scattering, then tables.
 const EDGE_BOUNDS: [(&str, [f64; 4], [f64; 4]); 7] = [
     ("posts", [2e-3, 2.0, 2e-3, 1e-4], [0.2, 8.0, 0.2, 0.045]),
     ("posts from orbit", [2e-3, 2.0, 2e-3, 1e-4], [0.06, 3.0, 0.05, 0.08]),
@@ -528,9 +557,11 @@ fn continuous_across_edges(method: Method, bounds: impl Fn(&str) -> [f64; 4]) {
             let line = Line { got: &light, want: &want[0] };
             // The background dims what is behind the sky by the mean of the channels.
             let mean = |v: &[f64; 3]| v.iter().sum::<f64>() / 3.0;
-            let dims = through.iter().zip(&want[1]).zip(&edge.ends).map(|((got, want), end)| match end.is_finite() {
-                true => (0..3).map(|c| (got[c] - want[c]).abs()).fold(0.0, f64::max),
-                false => (mean(got) - mean(want)).abs(),
+            let dims = through.iter().zip(&want[1]).zip(&edge.ends).map(|((got, want), end)| {
+                match end.is_finite() {
+                    true => (0..3).map(|c| (got[c] - want[c]).abs()).fold(0.0, f64::max),
+                    false => (mean(got) - mean(want)).abs(),
+                }
             });
             let levels = line.levels().max(line.levels_at(1e5));
             let figures = [line.bend(), levels, line.off(), dims.fold(0.0, f64::max)];
@@ -562,7 +593,10 @@ fn continuous_across_edges(method: Method, bounds: impl Fn(&str) -> [f64; 4]) {
         println!("{name} {}: bend, 255ths, light and transmittance off: {worst:.4?}", method.name());
         for (line, figures) in worst {
             let allowed = bounds(line);
-            assert!(figures.iter().zip(allowed).all(|(f, b)| *f <= b), "{name} {line}: {figures:.4?}, {allowed:?}");
+            assert!(
+                figures.iter().zip(allowed).all(|(f, b)| *f <= b),
+                "{name} {line}: {figures:.4?}, {allowed:?}"
+            );
         }
     });
 }
@@ -574,5 +608,7 @@ fn single_scattering_is_continuous_across_edges() {
 
 #[test]
 fn tables_are_continuous_across_edges() {
-    continuous_across_edges(method_of(Quality::MEDIUM), |line| EDGE_BOUNDS.iter().find(|b| b.0 == line).unwrap().2);
+    continuous_across_edges(method_of(Quality::MEDIUM), |line| {
+        EDGE_BOUNDS.iter().find(|b| b.0 == line).unwrap().2
+    });
 }

@@ -1,5 +1,5 @@
-//! A lost device is an error, a renderer that was kept draws on a new device what a new one draws, and contexts come
-//! and go without harm to each other.
+//! A lost device is an error, a renderer that was kept draws on a new device what a new one draws, and
+//! contexts come and go without harm to each other.
 
 use welkin::gpu::egl::Headless;
 use welkin::gpu::wgpu::WgpuBackend;
@@ -29,7 +29,10 @@ fn a_renderer_outlives_its_device() {
             let users: Vec<_> =
                 (0..round * others).map(|_| texture(b, "user's", [10, 8], Format::Rgba32Float)).collect();
             users.iter().for_each(|&id| b.write_texture(id, &[0.25; 320]).unwrap());
-            assert!(whole_picture(b, &mut kept, &world, &settings) == want, "{others} textures, round {round}");
+            assert!(
+                whole_picture(b, &mut kept, &world, &settings) == want,
+                "{others} textures, round {round}"
+            );
             for &id in &users {
                 let pixels = b.texture(id).map(|_| b.read(id).unwrap());
                 assert!(pixels.is_some_and(|p| p.iter().all(|v| *v == 0.25)), "a user's texture was taken");
@@ -81,10 +84,16 @@ fn tables_of_a_lost_device_are_forgotten() {
             let users: Vec<_> = (0..if seen == 0 { 0 } else { own }).map(|_| target_of(b)).collect();
             users.iter().for_each(|&id| b.write_texture(id, &[0.25; 320]).unwrap());
             let got = sky_over(b, &mut kept, target);
-            assert!(got == want[seen], "{own} textures: the new device's sky is not drawn from its own tables");
+            assert!(
+                got == want[seen],
+                "{own} textures: the new device's sky is not drawn from its own tables"
+            );
             for &id in &users {
                 let pixels = b.texture(id).map(|_| b.read(id).unwrap());
-                assert!(pixels.is_some_and(|p| p.iter().all(|v| *v == 0.25)), "{own}: a user's texture was taken");
+                assert!(
+                    pixels.is_some_and(|p| p.iter().all(|v| *v == 0.25)),
+                    "{own}: a user's texture was taken"
+                );
             }
             seen += 1;
         });

@@ -11,13 +11,13 @@ use welkin::reference::path::{Settings, path_trace};
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering, transmittance};
 use welkin::render::cpu_picture::render;
 use welkin::{
-    AtmosphereParams, Bound, Composition, EffectPlan, Error, LutSettings, Method, PictureRenderer, PictureSettings,
-    Scene, SkyRenderer, SkySettings, TerrainStyle,
+    AtmosphereParams, Bound, Composition, EffectPlan, Error, LutSettings, Method, PictureRenderer,
+    PictureSettings, Scene, SkyRenderer, SkySettings, TerrainStyle,
 };
 
 use crate::harness::{
-    View, aerial_passes, background, background_passes, cleared, draw, frame_textures, free, luts, march, mean,
-    on_both, orders, query, rgb, sky,
+    View, aerial_passes, background, background_passes, cleared, draw, frame_textures, free, luts, march,
+    mean, on_both, orders, query, rgb, sky,
 };
 
 /// Of the real one, metres.
@@ -35,8 +35,13 @@ fn light(query: &RayQuery) -> [f64; 3] {
     single_scattering(&AtmosphereParams::earth(), query, Sun::Point, Tolerance::TRUTH).unwrap().per_irradiance
 }
 
-const RAYS: [(f64, f64, f64, f64); 5] =
-    [(2.0, 0.4, 0.6, 0.3), (2.0, 1.5, 0.9, 2.5), (2.0, 1.565, 1.3, 0.0), (4e5, 1.95, 1.2, 1.0), (2e7, 3.0, 2.2, 0.5)];
+const RAYS: [(f64, f64, f64, f64); 5] = [
+    (2.0, 0.4, 0.6, 0.3),
+    (2.0, 1.5, 0.9, 2.5),
+    (2.0, 1.565, 1.3, 0.0),
+    (4e5, 1.95, 1.2, 1.0),
+    (2e7, 3.0, 2.2, 0.5),
+];
 
 #[test]
 fn a_far_moon_dims_all_air_alike() {
@@ -70,9 +75,12 @@ fn a_far_moon_dims_all_air_alike() {
 #[test]
 fn every_point_of_a_ray_has_its_own_share() {
     // Pieces of the ray by differences of its light up to them, each times the share in its middle.
-    for (altitude, view, sun, azimuth, apart) in
-        [(2.0, 1.45, 0.6, 0.3, 0.0), (2.0, 0.8, 0.9, 2.0, 0.5), (2.0, 1.52, 0.3, 1.0, 1.2), (4e5, 1.9, 1.2, 1.0, 1.0)]
-    {
+    for (altitude, view, sun, azimuth, apart) in [
+        (2.0, 1.45, 0.6, 0.3, 0.0),
+        (2.0, 0.8, 0.9, 2.0, 0.5),
+        (2.0, 1.52, 0.3, 1.0, 1.2),
+        (4e5, 1.9, 1.2, 1.0, 1.0),
+    ] {
         let query = RayQuery::new(altitude, view, sun, azimuth);
         let moon = moon(&query, 1.05, apart, query.direction, DISTANCE);
         let p = AtmosphereParams::earth();
@@ -135,7 +143,8 @@ fn what_has_no_shadow_says_so() {
     let query = RayQuery::new(2.0, 0.4, 0.6, 0.3);
     let moon = Moon::new(query.sun * DISTANCE, MOON_RADIUS);
     let field = |e: Error| e.to_string().split(' ').next().unwrap_or_default().to_owned();
-    let disk = single_scattering(&params, &query.eclipsed_by(moon), Sun::Disk { rings: 2 }, Tolerance::PICTURE);
+    let disk =
+        single_scattering(&params, &query.eclipsed_by(moon), Sun::Disk { rings: 2 }, Tolerance::PICTURE);
     assert_eq!(field(disk.unwrap_err()), "sun");
     let orders = orders(&params, Solve::QUICK);
     orders.radiance(&query, Tolerance::PICTURE).unwrap();
@@ -173,7 +182,12 @@ fn shares_in_f32_are_those_of_f64() {
     }
     // Behind the point, and in its plane.
     for along in [-3.6e5, 0.0] {
-        cases.push(Case { direction: [0.0, 0.0, along], altitude: 1737.0, fraction: tangent, ..Case::default() });
+        cases.push(Case {
+            direction: [0.0, 0.0, along],
+            altitude: 1737.0,
+            fraction: tangent,
+            ..Case::default()
+        });
     }
     on_both(|b| {
         let answers = probe::run(b, Probe::Eclipse, &cases).unwrap();
@@ -185,8 +199,9 @@ fn shares_in_f32_are_those_of_f64() {
             let disks = Disks { sun, moon: f64::from(case.altitude) / along, apart: x.hypot(y) / along };
             let uniform = if along > 0.0 { disks.visible() } else { 1.0 };
             worst = worst.max((f64::from(got[0]) - uniform).abs());
-            // The last of the sun keeps its digits, as far as the place of the moon has them: light goes with the depth of
-            // the crescent to the power of 1.5, and that is a difference of numbers rounded to 2^-22 of them.
+            // The last of the sun keeps its digits, as far as the place of the moon has them: light goes with
+            // the depth of the crescent to the power of 1.5, and that is a difference of numbers rounded to
+            // 2^-22 of them.
             let depth = (disks.apart + sun - disks.moon) / sun;
             if uniform < 1e-3 && depth > 9e-5 && disks.moon > 1.04 * sun {
                 let off = (f64::from(got[0]) / uniform - 1.0).abs();
@@ -236,7 +251,8 @@ fn a_darker_limb_keeps_the_suns_light() {
         // From 140 pixels across to less than one.
         for (n, fov, off) in [(160, 0.6, 5e-3), (64, 1.0, 5e-3), (16, 1.0, 0.02), (9, 3.0, 0.05)] {
             let scene = at_the_sun(fov).scene();
-            let [flat, dark] = [BARE, DARKENED].map(|s| irradiance(&black_background(b, &scene, s, n), fov, n));
+            let [flat, dark] =
+                [BARE, DARKENED].map(|s| irradiance(&black_background(b, &scene, s, n), fov, n));
             for c in 0..3 {
                 println!("{n} pixels of {fov}°: {} of {}", dark[c], flat[c]);
                 assert!((dark[c] / flat[c] - 1.0).abs() < off, "{n} {fov} {c}: {dark:?} {flat:?}");
@@ -288,7 +304,10 @@ fn the_moon_hides_the_drawn_sun() {
             // Of a pixel or two.
             let coarse = irradiance(&black_background(b, &scene, BARE, 3), 0.6, 3);
             let whole = irradiance(&black_background(b, &view.scene(), BARE, 3), 0.6, 3);
-            assert!((coarse[1] - share * whole[1]).abs() < 0.02, "{size} {apart}: {coarse:?} {share} of {whole:?}");
+            assert!(
+                (coarse[1] - share * whole[1]).abs() < 0.02,
+                "{size} {apart}: {coarse:?} {share} of {whole:?}"
+            );
         }
     });
 }
@@ -309,7 +328,10 @@ fn the_moon_has_its_phase_and_the_air_dims_it() {
                 scene.sun_direction.z = -0.8;
             }
             let towards = scene.camera.forward.normalize();
-            let moon = Moon { earthshine: 0.01, ..Moon::new(scene.camera.position + towards * DISTANCE, MOON_RADIUS) };
+            let moon = Moon {
+                earthshine: 0.01,
+                ..Moon::new(scene.camera.position + towards * DISTANCE, MOON_RADIUS)
+            };
             scene.moon = Some(moon);
             let n = 48;
             let got = black_background(b, &scene, BARE, n);
@@ -333,11 +355,16 @@ fn the_moon_has_its_phase_and_the_air_dims_it() {
                         continue;
                     }
                     let radiance = moon.radiance(scene.camera.position, world, sun).unwrap();
-                    let through = transmittance(&scene.atmosphere, &query, Tolerance { relative: 1e-6 }).unwrap();
+                    let through =
+                        transmittance(&scene.atmosphere, &query, Tolerance { relative: 1e-6 }).unwrap();
                     for c in 0..3 {
                         let want = radiance * through[c] + f64::from(sky[i + c]);
                         let off = (f64::from(got[i + c]) - want).abs();
-                        assert!(off < 2e-3 * want + 2e-6, "{altitude} {sun_azimuth} {offset}: {} {want}", got[i + c]);
+                        assert!(
+                            off < 2e-3 * want + 2e-6,
+                            "{altitude} {sun_azimuth} {offset}: {} {want}",
+                            got[i + c]
+                        );
                     }
                     seen += 1;
                 }
@@ -352,9 +379,11 @@ fn without_a_moon_there_is_nothing_of_it() {
     let view = at_the_sun(1.0);
     let mut scene = view.scene();
     let plan = |scene: &Scene| EffectPlan::new(scene, &SkySettings::default(), [64, 64]).unwrap();
-    let labels = |scene: &Scene| plan(scene).passes().iter().map(|p| p.program.map(|p| p.name())).collect::<Vec<_>>();
+    let labels =
+        |scene: &Scene| plan(scene).passes().iter().map(|p| p.program.map(|p| p.name())).collect::<Vec<_>>();
     assert!(labels(&scene).iter().flatten().all(|name| !name.contains("moon")));
-    let towards = |direction: DVec3| Some(Moon::new(scene.camera.position + direction * DISTANCE, MOON_RADIUS));
+    let towards =
+        |direction: DVec3| Some(Moon::new(scene.camera.position + direction * DISTANCE, MOON_RADIUS));
     let (sun, up) = (scene.sun_direction, scene.camera.up);
     let [behind, total, partial, beside] = [-sun, sun, sun + up * 2e-3, up].map(towards);
     for (moon, drawn, hides) in
@@ -380,8 +409,10 @@ fn the_processor_draws_the_same_disks() {
     let p = scene.atmosphere.clone();
     let (sin, cos) = (0.7 * p.sun_angular_radius).sin_cos();
     let towards = scene.sun_direction * cos + DVec3::Y * sin;
-    scene.moon =
-        Some(Moon::new(scene.camera.position + towards * DISTANCE, (0.97 * p.sun_angular_radius).sin() * DISTANCE));
+    scene.moon = Some(Moon::new(
+        scene.camera.position + towards * DISTANCE,
+        (0.97 * p.sun_angular_radius).sin() * DISTANCE,
+    ));
     let n = 24;
     let settings = PictureSettings {
         sky: SkySettings { composition: Composition::SkyDome, ..DARKENED },
@@ -394,7 +425,8 @@ fn the_processor_draws_the_same_disks() {
         let brightest = f64::from(gpu.iter().copied().fold(0.0, f32::max));
         for (i, (a, b)) in cpu.iter().zip(gpu.chunks_exact(4)).enumerate() {
             for c in 0..3 {
-                // Disks by one formula; the sky behind, under the shadow in one of them only, is 1e-5 of that.
+                // Disks by one formula; the sky behind, under the shadow in one of them only, is 1e-5 of
+                // that.
                 let off = (f64::from(a[c]) - f64::from(b[c])).abs();
                 assert!(off < 2e-3 * f64::from(a[c]) + 5e-3 * brightest, "{i} {c}: {a:?} {b:?}");
             }
@@ -409,7 +441,8 @@ fn under(moon: &Moon, view: View) -> Scene {
     scene
 }
 
-/// What the first pixel of the air's passes has: the background alone, or the air before a scene at a distance.
+/// What the first pixel of the air's passes has: the background alone, or the air before a scene at a
+/// distance.
 fn air(b: &mut dyn Backend, scene: &Scene, sky: SkySettings, distance: Option<f64>) -> [f64; 3] {
     let [color, depth, out] = frame_textures(b, [1, 1]);
     let mut renderer = SkyRenderer::new(sky).unwrap();
@@ -426,7 +459,10 @@ fn air(b: &mut dyn Backend, scene: &Scene, sky: SkySettings, distance: Option<f6
         passes.extend(aerial_passes(b, &mut renderer, scene, [color, depth, out]));
         from = out;
     }
-    assert!(passes.iter().any(|p| ["background sky", "aerial perspective"].contains(&p.label)), "nothing is drawn");
+    assert!(
+        passes.iter().any(|p| ["background sky", "aerial perspective"].contains(&p.label)),
+        "nothing is drawn"
+    );
     b.run(&passes).unwrap();
     let pixel = b.read(from).unwrap();
     renderer.destroy(b);
@@ -434,7 +470,8 @@ fn air(b: &mut dyn Backend, scene: &Scene, sky: SkySettings, distance: Option<f6
     rgb(&pixel, 0)
 }
 
-/// Light scattered once under the shadow, against the reference: from the ground, from orbit, and before a scene.
+/// Light scattered once under the shadow, against the reference: from the ground, from orbit, and before a
+/// scene.
 #[test]
 fn light_scattered_once_under_a_shadow() {
     let p = AtmosphereParams { sun_intensity: 1.0, ..AtmosphereParams::earth() };
@@ -460,7 +497,8 @@ fn light_scattered_once_under_a_shadow() {
                 let query = RayQuery::new(altitude, z, sun, a);
                 let moon = moon(&query, 1.05, apart, DVec3::Y, DISTANCE);
                 let query = distance.map_or(query, |end| query.ended_at(end)).eclipsed_by(moon);
-                let want = single_scattering(&p, &query, Sun::Point, Tolerance::PICTURE).unwrap().per_irradiance;
+                let want =
+                    single_scattering(&p, &query, Sun::Point, Tolerance::PICTURE).unwrap().per_irradiance;
                 let view = View {
                     params: p.clone(),
                     altitude,
@@ -487,8 +525,8 @@ fn light_scattered_once_under_a_shadow() {
 fn light_of_all_orders_under_a_shadow() {
     let p = AtmosphereParams { sun_intensity: 1.0, ..AtmosphereParams::earth() };
     let sky = SkySettings { composition: Composition::SkyDome, ..luts(LutSettings::MEDIUM) };
-    // Distance of the disks' middles as seen from the camera in sun radii (0.0566 is the umbra's edge), and by which
-    // factor light may be off: what is scattered more often is an estimate.
+    // Distance of the disks' middles as seen from the camera in sun radii (0.0566 is the umbra's edge), and
+    // by which factor light may be off: what is scattered more often is an estimate.
     let places = [(0.0, 2.0), (0.04, 2.4), (0.1, 1.6), (0.5, 1.04), (1.0, 1.02)];
     // Zenith angle and azimuth from the sun, degrees.
     let rays: [(f64, f64); 5] = [(0.0, 0.0), (45.0, 90.0), (45.0, 180.0), (80.0, 90.0), (88.0, 180.0)];
@@ -496,10 +534,18 @@ fn light_of_all_orders_under_a_shadow() {
     let mut wanted = Vec::new();
     for (apart, _) in places {
         for (zenith, azimuth) in rays {
-            let query = RayQuery::new(2.0, zenith.to_radians(), (90.0 - elevation).to_radians(), azimuth.to_radians());
+            let query = RayQuery::new(
+                2.0,
+                zenith.to_radians(),
+                (90.0 - elevation).to_radians(),
+                azimuth.to_radians(),
+            );
             let moon = moon(&query, 1.0566, apart, DVec3::Y, DISTANCE);
             let paths = if apart < 0.2 { 60_000 } else { 20_000 };
-            wanted.push((moon, path_trace(&p, &query.eclipsed_by(moon), Settings { paths, seed: 11 }).unwrap()));
+            wanted.push((
+                moon,
+                path_trace(&p, &query.eclipsed_by(moon), Settings { paths, seed: 11 }).unwrap(),
+            ));
         }
     }
     on_both(|b| {
@@ -523,21 +569,36 @@ fn light_of_all_orders_under_a_shadow() {
                 let noise: [f64; 3] = std::array::from_fn(|c| all.std_err[c] / want[c]);
                 let short = |v: [f64; 3], digits: usize| v.map(|v| format!("{v:.digits$}")).join(" ");
                 let light = want.map(|v| format!("{v:.2e}")).join(" ");
-                println!("{apart:4} {zenith:2}° {azimuth:3}°  {light}  {}  {}", short(ratio, 2), short(noise, 3));
+                println!(
+                    "{apart:4} {zenith:2}° {azimuth:3}°  {light}  {}  {}",
+                    short(ratio, 2),
+                    short(noise, 3)
+                );
                 for c in 0..3 {
                     let room = allowed * (1.0 + 4.0 * noise[c]);
-                    assert!(ratio[c] < room && ratio[c] > 1.0 / room, "{apart} {zenith} {azimuth}: {ratio:?}");
+                    assert!(
+                        ratio[c] < room && ratio[c] > 1.0 / room,
+                        "{apart} {zenith} {azimuth}: {ratio:?}"
+                    );
                 }
             }
         }
     });
 }
 
-/// The ground and the air under the shadow from orbit: dark in the umbra, and as without a moon where it does not reach.
+/// The ground and the air under the shadow from orbit: dark in the umbra, and as without a moon where it does
+/// not reach.
 #[test]
 fn the_umbra_is_on_the_planet_and_nowhere_else() {
     let size = [48, 48];
-    let view = View { altitude: 1.2e7, pitch: -90.0, fov: 44.0, sun_elevation: 70.0, aspect: 1.0, ..View::default() };
+    let view = View {
+        altitude: 1.2e7,
+        pitch: -90.0,
+        fov: 44.0,
+        sun_elevation: 70.0,
+        aspect: 1.0,
+        ..View::default()
+    };
     let clear = view.scene();
     let sun = clear.sun_direction;
     let planet = |b: &mut dyn Backend, scene: &Scene, method| {

@@ -1,5 +1,5 @@
-//! In somebody else's frame: the user's own device, encoder and views; the user's own context, with its state as it
-//! was; and each of the four modes in a frame of the user's.
+//! In somebody else's frame: the user's own device, encoder and views; the user's own context, with its state
+//! as it was; and each of the four modes in a frame of the user's.
 
 #![allow(unsafe_code)] // The test plays the user, who calls OpenGL.
 
@@ -85,7 +85,8 @@ fn a_wgpu_user_hands_in_device_queue_encoder_and_view() {
         mapped_at_creation: false,
     });
 
-    let mut backend = WgpuBackend::from_device(device.clone(), queue.clone(), &adapter.get_info().name).unwrap();
+    let mut backend =
+        WgpuBackend::from_device(device.clone(), queue.clone(), &adapter.get_info().name).unwrap();
     let mut sky = SkyRenderer::new(SkySettings::default()).unwrap();
     let desc = TextureDesc::new("user's target", SIZE, SIZE, Format::Bgra8);
     let id = backend.import_view(texture.create_view(&Default::default()), desc).unwrap();
@@ -209,14 +210,24 @@ fn a_webgl2_user_gets_the_contexts_state_back() {
         gl.active_texture(glow::TEXTURE3);
         let framebuffer = gl.create_framebuffer().unwrap();
         gl.bind_framebuffer(glow::FRAMEBUFFER, Some(framebuffer));
-        gl.framebuffer_texture_2d(glow::FRAMEBUFFER, glow::COLOR_ATTACHMENT0, glow::TEXTURE_2D, Some(color), 0);
+        gl.framebuffer_texture_2d(
+            glow::FRAMEBUFFER,
+            glow::COLOR_ATTACHMENT0,
+            glow::TEXTURE_2D,
+            Some(color),
+            0,
+        );
         let buffer = gl.create_buffer().unwrap();
         gl.bind_buffer_base(glow::UNIFORM_BUFFER, 1, Some(buffer));
         gl.viewport(3, 4, 5, 6);
         gl.clear_color(0.1, 0.2, 0.3, 0.4);
-        for switch in
-            [glow::SCISSOR_TEST, glow::DEPTH_TEST, glow::CULL_FACE, glow::STENCIL_TEST, glow::POLYGON_OFFSET_FILL]
-        {
+        for switch in [
+            glow::SCISSOR_TEST,
+            glow::DEPTH_TEST,
+            glow::CULL_FACE,
+            glow::STENCIL_TEST,
+            glow::POLYGON_OFFSET_FILL,
+        ] {
             gl.enable(switch);
         }
         gl.scissor(1, 1, 2, 2);
@@ -235,8 +246,10 @@ fn a_webgl2_user_gets_the_contexts_state_back() {
     assert_eq!(state(&gl), before, "making the backend changed the state");
 
     // The sky into the user's framebuffer, whose rows run upwards.
-    let desc =
-        TextureDesc { rows: RowOrder::BottomUp, ..TextureDesc::new("user's framebuffer", SIZE, SIZE, Format::Rgba8) };
+    let desc = TextureDesc {
+        rows: RowOrder::BottomUp,
+        ..TextureDesc::new("user's framebuffer", SIZE, SIZE, Format::Rgba8)
+    };
     let id = backend.import_framebuffer(Some(framebuffer), desc).unwrap();
     let mut sky = SkyRenderer::new(SkySettings::default()).unwrap();
     let passes = background_passes(&mut backend, &mut sky, &scene(), cleared(id));
@@ -290,13 +303,15 @@ struct WgpuUser {
 impl WgpuUser {
     fn new() -> Self {
         let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
-        let adapter = pollster::block_on(instance.request_adapter(&Default::default())).expect("a Vulkan driver");
+        let adapter =
+            pollster::block_on(instance.request_adapter(&Default::default())).expect("a Vulkan driver");
         let desc = wgpu::DeviceDescriptor {
             required_features: adapter.features() & wgpu::Features::FLOAT32_BLENDABLE,
             ..Default::default()
         };
         let (device, queue) = pollster::block_on(adapter.request_device(&desc)).unwrap();
-        let backend = WgpuBackend::from_device(device.clone(), queue.clone(), &adapter.get_info().name).unwrap();
+        let backend =
+            WgpuBackend::from_device(device.clone(), queue.clone(), &adapter.get_info().name).unwrap();
         Self { device, queue, backend }
     }
 }
@@ -441,10 +456,17 @@ fn each_mode_draws_in_a_users_own_frame() {
             user.frame(&passes);
             // Then the user draws the plane.
             let mut drawn = content(user, color);
-            (0..TEXELS).filter(|&i| is_plane(i)).for_each(|i| drawn[4 * i..4 * i + 4].copy_from_slice(&BEHIND));
+            (0..TEXELS)
+                .filter(|&i| is_plane(i))
+                .for_each(|i| drawn[4 * i..4 * i + 4].copy_from_slice(&BEHIND));
             let drawn_color = user.texture(4, &drawn);
             let passes = aerial_passes(user.backend(), &mut sky, &scene, [drawn_color, depth, out]);
-            assert_eq!(passes.len() - tables_in(&passes), [0, 1, 0, 1][mode as usize], "{}: aerial", mode.name());
+            assert_eq!(
+                passes.len() - tables_in(&passes),
+                [0, 1, 0, 1][mode as usize],
+                "{}: aerial",
+                mode.name()
+            );
             user.frame(&passes);
             let after = passes.last().map_or(drawn_color, |p| p.target.color);
             let passes = shell_passes(user.backend(), &mut sky, &scene, depth, Target::color(after));
@@ -467,7 +489,11 @@ fn each_mode_draws_in_a_users_own_frame() {
                         Mode::Lut => behind * grey + light[c],
                     };
                     worst = worst.max((got[c] / want - 1.0).abs());
-                    assert!((got[c] / want - 1.0).abs() < 0.03, "{name} {} {i} {c}: {got:?} {want}", mode.name());
+                    assert!(
+                        (got[c] / want - 1.0).abs() < 0.03,
+                        "{name} {} {i} {c}: {got:?} {want}",
+                        mode.name()
+                    );
                 }
             }
             println!("{name} {}: largest deviation {worst:.4}", mode.name());

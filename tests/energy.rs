@@ -16,8 +16,8 @@ fn gas(depth: f64, albedo: f64) -> AtmosphereParams {
     }
 }
 
-/// Net flux upwards of all light but the sun's own, through spheres: altitude and flux for each row of the table, the mean
-/// over all angles of the sun, in shares of what meets a flat plate.
+/// Net flux upwards of all light but the sun's own, through spheres: altitude and flux for each row of the
+/// table, the mean over all angles of the sun, in shares of what meets a flat plate.
 fn diffuse_flux(b: &mut dyn Backend, params: &AtmosphereParams, lut: LutSettings) -> Vec<(f64, [f64; 3])> {
     let view = View { params: params.clone(), ..View::default() };
     let target = target(b, [4, 4]);
@@ -41,11 +41,13 @@ fn diffuse_flux(b: &mut dyn Backend, params: &AtmosphereParams, lut: LutSettings
         .map(|row| {
             let altitude = rows(params, lut)[row];
             let flux = std::array::from_fn(|c| {
-                // The moment of cos(zenith) of where light comes from, over its harmonic's factor sqrt(3 / 4π).
+                // The moment of cos(zenith) of where light comes from, over its harmonic's factor sqrt(3 /
+                // 4π).
                 let factor = (3.0 / (4.0 * std::f64::consts::PI)).sqrt();
                 let diffuse = |x: usize| -value(x, 6 * row, c).exp2() * value(x, 6 * row + 1, c) / factor;
                 // Trapezia: the columns crowd where light changes.
-                (1..suns).map(|x| 0.5 * (diffuse(x) + diffuse(x - 1)) * (sun(x) - sun(x - 1))).sum::<f64>() * 0.5
+                (1..suns).map(|x| 0.5 * (diffuse(x) + diffuse(x - 1)) * (sun(x) - sun(x - 1))).sum::<f64>()
+                    * 0.5
             });
             (altitude, flux)
         })
@@ -56,7 +58,8 @@ fn diffuse_flux(b: &mut dyn Backend, params: &AtmosphereParams, lut: LutSettings
 fn rows(params: &AtmosphereParams, lut: LutSettings) -> Vec<f64> {
     let t = TablesUniform::new(params, &lut);
     let share = |row: u32| f64::from(row) / f64::from(lut.moments[1] - 1);
-    let grown = |row| (share(row).powi(2) * f64::from(t.altitude_steepness)).exp_m1() / f64::from(t.altitude_growth);
+    let grown =
+        |row| (share(row).powi(2) * f64::from(t.altitude_steepness)).exp_m1() / f64::from(t.altitude_growth);
     (0..lut.moments[1]).map(|row| params.thickness() * grown(row).min(1.0)).collect()
 }
 
@@ -101,7 +104,8 @@ fn energy_neither_comes_nor_goes() {
                 ((radius + altitude) / radius).powi(2) * (direct[c] - flux[c]) / INCOMING
             };
             let mut worst = [0.0_f64; 2];
-            for ((altitude, open), ((_, closed), direct_here)) in furnace.iter().zip(black.iter().zip(direct)) {
+            for ((altitude, open), ((_, closed), direct_here)) in furnace.iter().zip(black.iter().zip(direct))
+            {
                 for c in 0..3 {
                     worst[0] = worst[0].max(lost(*open, *direct_here, *altitude, c).abs());
                     let here = lost(*closed, *direct_here, *altitude, c);
@@ -110,7 +114,10 @@ fn energy_neither_comes_nor_goes() {
                     worst[1] = worst[1].max((here - ground).abs());
                 }
             }
-            println!("{name}: depth {depth}: white ground loses {:.4}, air over black {:.4}", worst[0], worst[1]);
+            println!(
+                "{name}: depth {depth}: white ground loses {:.4}, air over black {:.4}",
+                worst[0], worst[1]
+            );
             assert!(worst.iter().all(|w| *w < 0.02), "{name} {depth}: {worst:?}");
         }
         // An absorber over black ground creates nothing.

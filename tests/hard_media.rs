@@ -37,7 +37,11 @@ fn media() -> Vec<(&'static str, AtmosphereParams)> {
     all.extend([
         (
             "ozone",
-            AtmosphereParams { ozone_absorption: earth().ozone_absorption, rayleigh_scattering: [0.0; 3], ..gas() },
+            AtmosphereParams {
+                ozone_absorption: earth().ozone_absorption,
+                rayleigh_scattering: [0.0; 3],
+                ..gas()
+            },
         ),
         ("dust g -0.5", dust(-0.5, MiePhase::HenyeyGreenstein)),
         ("dust g 0.5", dust(0.5, MiePhase::CornetteShanks)),
@@ -46,7 +50,10 @@ fn media() -> Vec<(&'static str, AtmosphereParams)> {
         ("dust g -0.999", dust(-0.999, MiePhase::HenyeyGreenstein)),
         ("depth 1e-9", depth(1e-9)),
         ("depth 1e4", depth(1e4)),
-        ("scale height 1 m", AtmosphereParams { rayleigh_scale_height: 1.0, mie_scale_height: 1.0, ..earth() }),
+        (
+            "scale height 1 m",
+            AtmosphereParams { rayleigh_scale_height: 1.0, mie_scale_height: 1.0, ..earth() },
+        ),
         ("thin shell", ball(6.36e6, 63.7, 8.0)),
         ("thick shell", ball(6.36e6, 12.72e6, 1e6)),
         ("1 km planet", ball(1e3, 300.0, 40.0)),
@@ -79,7 +86,8 @@ fn hard_media_are_finite() {
             ];
             let mut lit = 0.0_f32;
             for altitude in altitudes {
-                for sun_elevation in if (altitude / thickness - 1.0).abs() < 0.1 { &[3.0][..] } else { &[90.0, -20.0] }
+                for sun_elevation in
+                    if (altitude / thickness - 1.0).abs() < 0.1 { &[3.0][..] } else { &[90.0, -20.0] }
                 {
                     let sun_elevation = *sun_elevation;
                     let dip = (radius / (radius + altitude.max(0.0))).acos().to_degrees();
@@ -92,7 +100,8 @@ fn hard_media_are_finite() {
                         ..View::default()
                     };
                     let settings = over_black(in_quality(quality));
-                    let what = format!("{} {quality:?} {name}, {altitude} m, sun {sun_elevation}", b.info().backend);
+                    let what =
+                        format!("{} {quality:?} {name}, {altitude} m, sun {sun_elevation}", b.info().backend);
                     let pixels = draw(b, &mut renderer, &view.scene(), &settings, [8, 8]);
                     assert_physical(&pixels, &what);
                     lit = pixels.chunks_exact(4).fold(lit, |m, p| m.max(p[2]));

@@ -1,11 +1,13 @@
 //! The library's layers import in one direction, and no line of the project is too long to read.
 //!
-//! `cargo test --test all layers -- --nocapture` prints the arrows between layers, with how many lines draw each.
+//! `cargo test --test all layers -- --nocapture` prints the arrows between layers, with how many lines draw
+//! each.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
-/// From the ground up: a layer imports only what stands before it. `reference` is beside them: see [`may_import`].
+/// From the ground up: a layer imports only what stands before it. `reference` is beside them: see
+/// [`may_import`].
 const LAYERS: [&str; 8] = ["error", "model", "settings", "gpu", "shaders", "frame", "render", "probe"];
 const REFERENCE: &str = "reference";
 
@@ -14,9 +16,9 @@ const LONGEST: usize = 110;
 
 /// Whether a layer may name another one.
 ///
-/// The reference is the judge: it imports the model and errors, so that it shares nothing with what it judges; and
-/// what it judges does not import it. Rendering without a GPU is the reference's own picture, and probes compare with
-/// it: these two may.
+/// The reference is the judge: it imports the model and errors, so that it shares nothing with what it
+/// judges; and what it judges does not import it. Rendering without a GPU is the reference's own picture, and
+/// probes compare with it: these two may.
 fn may_import(from: &str, to: &str) -> bool {
     let place = |name: &str| LAYERS.iter().position(|l| *l == name);
     match (place(from), place(to)) {
@@ -83,7 +85,8 @@ fn code_only(text: &str) -> String {
             'r' if matches!(next, '"' | '#') && !out.ends_with(|c: char| c.is_alphanumeric() || c == '_') => {
                 let hashes = chars[i + 1..].iter().take_while(|c| **c == '#').count();
                 if chars.get(i + 1 + hashes) == Some(&'"') {
-                    let close: Vec<char> = std::iter::once('"').chain(std::iter::repeat_n('#', hashes)).collect();
+                    let close: Vec<char> =
+                        std::iter::once('"').chain(std::iter::repeat_n('#', hashes)).collect();
                     let from = i + 2 + hashes;
                     let found = chars[from..].windows(close.len()).position(|w| w == close);
                     found.map_or(chars.len(), |n| from + n + close.len())
@@ -147,13 +150,14 @@ fn name_at(code: &str) -> &str {
     &code[..code.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(code.len())]
 }
 
-/// The first names of every path from the crate's root: of `crate::a::b`, of each branch of `crate::{a, b::c}`, and of
-/// `super::super::a` where that many steps lead there. Each with its place.
+/// The first names of every path from the crate's root: of `crate::a::b`, of each branch of `crate::{a,
+/// b::c}`, and of `super::super::a` where that many steps lead there. Each with its place.
 fn from_root(code: &str, depth: usize) -> Vec<(usize, String)> {
     let mut found = Vec::new();
     let climb = "super::".repeat(depth);
     for start in ["crate::", &climb] {
-        let before = |at: usize| !code[..at].ends_with(|c: char| c.is_alphanumeric() || matches!(c, '_' | ':'));
+        let before =
+            |at: usize| !code[..at].ends_with(|c: char| c.is_alphanumeric() || matches!(c, '_' | ':'));
         for (at, _) in code.match_indices(start).filter(|(at, _)| !start.is_empty() && before(*at)) {
             let at = at + start.len();
             if !code[at..].starts_with('{') {
@@ -249,7 +253,8 @@ fn layers_import_in_one_direction() {
 
 #[test]
 fn the_reader_of_imports_reads() {
-    let code = "use crate::{error::{Error, Result}, frame::lut::X, Scene};\n// crate::probe\nlet s = \"crate::web\";\n\
+    let code = "use crate::{error::{Error, Result}, frame::lut::X, Scene};\n\
+                // crate::probe\nlet s = \"crate::web\";\n\
                 fn f(c: &'static str) -> crate::gpu::Pass { g('\"', super::super::render::h) }\n\
                 /* crate::x /* y */ */ let r = r#\"crate::z\"#; $crate::model::m;\n\
                 #[cfg(test)]\nmod tests { use crate::reference::single; }\n";
@@ -258,7 +263,11 @@ fn the_reader_of_imports_reads() {
     names.sort();
     assert_eq!(names, ["Scene", "error", "frame", "gpu", "model", "render"]);
     assert!(may_import("frame", "gpu") && !may_import("gpu", "frame") && !may_import("model", "reference"));
-    assert!(may_import("reference", "model") && !may_import("reference", "settings") && may_import("probe", "reference"));
+    assert!(
+        may_import("reference", "model")
+            && !may_import("reference", "settings")
+            && may_import("probe", "reference")
+    );
     assert_eq!(exports()["Scene"], "model");
 }
 
@@ -275,7 +284,8 @@ fn lines_are_short_enough_to_read() {
         ("examples", &[".rs"]),
         ("shaders/wgsl", &[".wgsl"]),
     ];
-    let mut all: Vec<PathBuf> = hand_written.iter().flat_map(|(folder, endings)| files(folder, endings)).collect();
+    let mut all: Vec<PathBuf> =
+        hand_written.iter().flat_map(|(folder, endings)| files(folder, endings)).collect();
     // Not the packages and modules below.
     all.extend(std::fs::read_dir(root().join("web")).unwrap().map(|e| e.unwrap().path()));
     all.extend(std::fs::read_dir(root().join("web/test")).unwrap().map(|e| e.unwrap().path()));
@@ -296,5 +306,10 @@ fn lines_are_short_enough_to_read() {
         }
     }
     assert!(count > 10_000, "only {count} lines were found: not a test");
-    assert!(long.is_empty(), "{} of {count} lines have more than {LONGEST}:\n{}", long.len(), long.join("\n"));
+    assert!(
+        long.is_empty(),
+        "{} of {count} lines have more than {LONGEST}:\n{}",
+        long.len(),
+        long.join("\n")
+    );
 }

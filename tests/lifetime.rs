@@ -1,7 +1,9 @@
 //! Nothing is left behind: textures that no frame needs any more go, and what is in use stays as it is.
 
 use welkin::gpu::{Backend, Target};
-use welkin::{AtmosphereParams, Composition, LutSettings, PictureRenderer, PictureSettings, SkyRenderer, SkySettings};
+use welkin::{
+    AtmosphereParams, Composition, LutSettings, PictureRenderer, PictureSettings, SkyRenderer, SkySettings,
+};
 
 use crate::embedding::scene;
 use crate::harness::world::World;
@@ -19,8 +21,10 @@ fn tables_are_freed() {
             world.sky.render_scale = if i.is_multiple_of(3) { 0.5 } else { 1.0 };
             // Now and then other tables, and another medium's.
             world.lut = LutSettings { sky: [8 + i % 100 / 50, 12], ..TINY };
-            world.view.params = if i % 50 < 25 { AtmosphereParams::earth() } else { AtmosphereParams::rayleigh() };
-            world.sky.composition = if i.is_multiple_of(5) { Composition::SkyDome } else { Composition::Full };
+            world.view.params =
+                if i % 50 < 25 { AtmosphereParams::earth() } else { AtmosphereParams::rayleigh() };
+            world.sky.composition =
+                if i.is_multiple_of(5) { Composition::SkyDome } else { Composition::Full };
             let settings = over_black(world.sky());
             renderer.draw(b, &world.view.scene(), &settings, world.size).unwrap();
         };
@@ -63,7 +67,8 @@ fn nothing_leaks_over_many_sizes_and_settings() {
 #[test]
 fn tables_go_when_the_camera_stays_away() {
     on_both(|b| {
-        let mut renderer = SkyRenderer::new(SkySettings { method: tables(), ..SkySettings::default() }).unwrap();
+        let mut renderer =
+            SkyRenderer::new(SkySettings { method: tables(), ..SkySettings::default() }).unwrap();
         let color = target(b, [4, 4]);
         let before = b.live().textures;
         let day = View { pitch: 20.0, ..View::default() }.scene();
@@ -86,13 +91,16 @@ fn tables_go_when_the_camera_stays_away() {
     });
 }
 
-/// Night and day in turn make nothing anew but the tables of the camera; what night has no use for goes after a while.
+/// Night and day in turn make nothing anew but the tables of the camera; what night has no use for goes after
+/// a while.
 #[test]
 fn a_night_keeps_the_tables_of_the_medium_for_a_while() {
     on_both(|b| {
-        let mut renderer = SkyRenderer::new(SkySettings { method: tables(), ..SkySettings::default() }).unwrap();
+        let mut renderer =
+            SkyRenderer::new(SkySettings { method: tables(), ..SkySettings::default() }).unwrap();
         let color = target(b, [4, 4]);
-        let scene = |sun_elevation| View { sun_elevation, pitch: 20.0, heading: 180.0, ..View::default() }.scene();
+        let scene =
+            |sun_elevation| View { sun_elevation, pitch: 20.0, heading: 180.0, ..View::default() }.scene();
         let [day, night] = [30.0, -60.0].map(scene);
         let mut labels = |b: &mut dyn Backend, scene| -> Vec<&str> {
             let passes = background_passes(b, &mut renderer, scene, Target::color(color));
@@ -109,7 +117,11 @@ fn a_night_keeps_the_tables_of_the_medium_for_a_while() {
         for _ in 0..700 {
             labels(b, &night);
         }
-        assert_eq!(b.live().textures, with - 4, "gathered radiance, two tables of moments, the aerosol's light");
+        assert_eq!(
+            b.live().textures,
+            with - 4,
+            "gathered radiance, two tables of moments, the aerosol's light"
+        );
         assert!(labels(b, &day).contains(&"moments table"));
         renderer.destroy(b);
         b.destroy_texture(color);

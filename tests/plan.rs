@@ -1,7 +1,7 @@
 //! What a plan leaves out: why, how little it changes, and that nothing is made for it. On both backends.
 //!
-//! `WELKIN_PLAN_SCENES=2000 cargo test --test all plan -- --nocapture` tries more random scenes and prints the largest
-//! changes.
+//! `WELKIN_SCENES=2000 cargo test --test all plan -- --nocapture` tries more random scenes and prints the
+//! largest changes.
 
 use std::collections::BTreeMap;
 
@@ -11,7 +11,8 @@ use welkin::{
 };
 
 use crate::harness::{
-    View, aerial_passes, airless, background_passes, clear_pass, frame_textures, free, march, on_both, shell_passes,
+    View, aerial_passes, airless, asked_for, background_passes, clear_pass, frame_textures, free, march,
+    on_both, shell_passes,
 };
 
 const SIZE: [u32; 2] = [12, 9];
@@ -35,7 +36,8 @@ impl Case {
         sky.set_settings(SkySettings { bound, ..self.sky }).unwrap();
         let scene = self.view.scene();
         let [color, depth, out] = frame_textures(b, SIZE);
-        let stored = |z: f64| if z.is_finite() { scene.depth.encode(z) } else { scene.depth.background() } as f32;
+        let stored =
+            |z: f64| if z.is_finite() { scene.depth.encode(z) } else { scene.depth.background() } as f32;
         let texels = (SIZE[0] * SIZE[1]) as usize;
         // Columns of the plane and of what is behind it.
         let depths: Vec<f32> =
@@ -69,12 +71,18 @@ fn change(b: &mut dyn Backend, case: &Case, renderers: &mut [SkyRenderer; 2]) ->
     let worst = some.iter().zip(&all).map(share).fold(0.0, f64::max);
     let full = EffectPlan::new(&case.view.scene(), &SkySettings { bound: None, ..case.sky }, SIZE).unwrap();
     let plan = case.plan();
-    let off: Vec<_> =
-        plan.effects().iter().zip(full.effects()).filter(|(a, b)| b.on && !a.on).map(|(e, _)| e.name).collect();
+    let off: Vec<_> = plan
+        .effects()
+        .iter()
+        .zip(full.effects())
+        .filter(|(a, b)| b.on && !a.on)
+        .map(|(e, _)| e.name)
+        .collect();
     (worst, off.join(", "))
 }
 
-/// Runs cases on both backends, prints the largest change for every set of effects that was left out, and checks them.
+/// Runs cases on both backends, prints the largest change for every set of effects that was left out, and
+/// checks them.
 fn check(name: &str, cases: &[Case]) -> BTreeMap<String, usize> {
     let mut seen = BTreeMap::new();
     on_both(|b| {
@@ -144,7 +152,10 @@ fn a_flight_changes_by_no_more_than_the_bound() {
     for method in [march(32, 8), tables()] {
         let seen = check(method.name(), &flight(method));
         assert!(seen.keys().any(|off| off.contains("sunlight")), "no night in {seen:?}");
-        assert!(seen.keys().any(|off| off.contains("background sky")), "no sky out of the picture in {seen:?}");
+        assert!(
+            seen.keys().any(|off| off.contains("background sky")),
+            "no sky out of the picture in {seen:?}"
+        );
         assert!(seen.keys().any(|off| off.contains("atmosphere")), "never without the planet in {seen:?}");
     }
 }
@@ -159,7 +170,8 @@ fn random(count: usize) -> Vec<Case> {
             let thickness = params.thickness();
             if i % 3 > 0 {
                 // Every constituent from a billionth of the preset's to twice as much; some have none.
-                let mut scale = || if uniform(0.0, 1.0) < 0.15 { 0.0 } else { 10_f64.powf(uniform(-9.0, 0.3)) };
+                let mut scale =
+                    || if uniform(0.0, 1.0) < 0.15 { 0.0 } else { 10_f64.powf(uniform(-9.0, 0.3)) };
                 params.rayleigh_scattering = params.rayleigh_scattering.map(|v| v * scale());
                 let haze = scale();
                 params.mie_scattering = params.mie_scattering.map(|v| v * haze);
@@ -189,10 +201,13 @@ fn random(count: usize) -> Vec<Case> {
             };
             let method = [march(32, 8), tables()][usize::from(uniform(0.0, 1.0) < 0.3)];
             let composition =
-                [Composition::Full, Composition::SkyDome, Composition::AtmospherePost, Composition::Planet][i / 3 % 4];
-            let bound = [Bound::LINEAR, Bound::eight_bit(1.0), Bound::eight_bit(0.01), Bound::EXACT][i / 7 % 4];
+                [Composition::Full, Composition::SkyDome, Composition::AtmospherePost, Composition::Planet]
+                    [i / 3 % 4];
+            let bound =
+                [Bound::LINEAR, Bound::eight_bit(1.0), Bound::eight_bit(0.01), Bound::EXACT][i / 7 % 4];
             let foreground = i % 5 > 0;
-            let sky = SkySettings { method, composition, foreground, bound: Some(bound), ..SkySettings::default() };
+            let sky =
+                SkySettings { method, composition, foreground, bound: Some(bound), ..SkySettings::default() };
             let plane = if foreground { 10_f64.powf(uniform(0.0, 7.0)) } else { f64::INFINITY };
             Case { view, sky, plane, behind: [0.0, 0.5][i / 2 % 2] }
         })
@@ -201,9 +216,11 @@ fn random(count: usize) -> Vec<Case> {
 
 #[test]
 fn random_scenes_change_by_no_more_than_the_bound() {
-    let count = std::env::var("WELKIN_PLAN_SCENES").ok().and_then(|n| n.parse().ok()).unwrap_or(160);
+    let count = asked_for("WELKIN_SCENES", 160);
     let seen = check("random", &random(count));
-    for effect in ["rayleigh", "mie", "ozone", "sunlight", "multiple scattering", "sun disk", "background sky"] {
+    for effect in
+        ["rayleigh", "mie", "ozone", "sunlight", "multiple scattering", "sun disk", "background sky"]
+    {
         assert!(seen.keys().any(|off| off.contains(effect)), "{effect} was never left out");
     }
 }
@@ -227,8 +244,15 @@ fn scenes_call_for_what_they_should() {
     let ground = View { pitch: 10.0, heading: 180.0, ..View::default() };
     // Day, from the ground.
     let day = plan(ground.clone(), sky);
-    for name in ["rayleigh", "mie", "ozone", "sunlight", "multiple scattering", "background sky", "aerial perspective"]
-    {
+    for name in [
+        "rayleigh",
+        "mie",
+        "ozone",
+        "sunlight",
+        "multiple scattering",
+        "background sky",
+        "aerial perspective",
+    ] {
         assert!(on(&day).contains(&name), "{name}: {}", why(&day, name));
     }
     assert_eq!(why(&day, "planet shell"), "below 15 km the background is all of the sky; camera at 0.1 km");
@@ -244,7 +268,10 @@ fn scenes_call_for_what_they_should() {
         let plan = plan(View { altitude, pitch: -5.0, ..ground.clone() }, sky);
         ["background sky", "planet shell"].map(|n| on(&plan).contains(&n))
     };
-    assert_eq!([14.9e3, 15.1e3, 49.9e3, 50.1e3].map(shell), [[true, false], [true, true], [true, true], [false, true]]);
+    assert_eq!(
+        [14.9e3, 15.1e3, 49.9e3, 50.1e3].map(shell),
+        [[true, false], [true, true], [true, true], [false, true]]
+    );
     // The planet outside the picture: nothing, from just above the air to the moon's distance.
     for altitude in [1.5e5, 4e5, 3.8e8] {
         let away = plan(View { altitude, pitch: 50.0, ..ground.clone() }, sky);
@@ -278,7 +305,8 @@ fn night_begins_where_the_light_does_not_count() {
     let seen = Bound::eight_bit(1.0);
     let from_ground = begins(1.7, sky(tables(), seen)).unwrap();
     assert!((16.0..19.0).contains(&from_ground), "{from_ground}");
-    // Marching: where the shadow covers all air in sight, acos(6360 / 6460) twice, even if nothing may change.
+    // Marching: where the shadow covers all air in sight, acos(6360 / 6460) twice, even if nothing may
+    // change.
     let covered = begins(0.0, sky(march(32, 8), Bound::EXACT)).unwrap();
     assert!((covered - 2.0 * (6360.0_f64 / 6460.0).acos().to_degrees()).abs() < 0.2, "{covered}");
     // Deeper for a camera that sees over the horizon, by its dip.
@@ -305,7 +333,8 @@ fn eight_bits_show_no_more_than_half_a_step() {
                 for tint in [[1.0, 1.0, 1.0], [0.3, 0.6, 1.0], [1.0, 0.4, 0.1]] {
                     let color = tint.map(|t| t * radiance);
                     let more = color.map(|v| v * (1.0 + bound.relative) + bound.absolute);
-                    let [a, b] = [color, more].map(|c| tone_map(curve, c.map(|v| v * exposure)).map(srgb_encode));
+                    let [a, b] =
+                        [color, more].map(|c| tone_map(curve, c.map(|v| v * exposure)).map(srgb_encode));
                     worst = (0..3).map(|c| (a[c] - b[c]).abs() * 255.0).fold(worst, f64::max);
                 }
             }
@@ -324,7 +353,10 @@ fn nothing_is_made_for_what_is_off() {
         let mut view = ground.clone();
         view.params.rayleigh_scattering = view.params.rayleigh_scattering.map(|v| v * scale);
         view.params.ground_albedo = [0.0; 3];
-        View { params: AtmosphereParams { mie_scattering: [0.0; 3], mie_absorption: [0.0; 3], ..view.params }, ..view }
+        View {
+            params: AtmosphereParams { mie_scattering: [0.0; 3], mie_absorption: [0.0; 3], ..view.params },
+            ..view
+        }
     };
     let cases = [
         ("day", ground.clone(), sky(tables())),
@@ -356,7 +388,8 @@ fn nothing_is_made_for_what_is_off() {
             drawn.sort_unstable();
             assert_eq!(drawn, wanted, "{name}");
             // A program for each that the plan names, and no other.
-            let programs: std::collections::HashSet<_> = plan.passes().iter().filter_map(|p| p.program).collect();
+            let programs: std::collections::HashSet<_> =
+                plan.passes().iter().filter_map(|p| p.program).collect();
             assert_eq!(live.programs - before.programs, programs.len(), "{name}: programs");
             // Textures: what the passes draw to and read, besides the user's.
             let mut used: Vec<_> = passes.iter().map(|p| p.target.color).collect();
@@ -423,7 +456,10 @@ fn pipelines_are_made_ahead() {
             let mut made = b.live();
             while warm_up.step(b).unwrap() {
                 let now = b.live();
-                assert!(now.programs <= made.programs + 1 && now.pipelines <= made.pipelines + 1, "too much at once");
+                assert!(
+                    now.programs <= made.programs + 1 && now.pipelines <= made.pipelines + 1,
+                    "too much at once"
+                );
                 (made, steps) = (now, steps + 1);
             }
             let ready = b.live();

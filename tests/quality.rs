@@ -22,7 +22,8 @@ fn truth(setup: &Setup, frame: &Frame, orders: &Orders) -> Truth {
     let values = frame.pixels().into_iter().map(|[x, y]| {
         let query = query(&scene, frame.size, (y * frame.size[0] + x) as usize);
         let all = orders.radiance(&query, Tolerance { relative: 1e-4 }).unwrap();
-        let once = single_scattering(&scene.atmosphere, &query, Sun::Point, Tolerance { relative: 1e-4 }).unwrap();
+        let once =
+            single_scattering(&scene.atmosphere, &query, Sun::Point, Tolerance { relative: 1e-4 }).unwrap();
         (std::array::from_fn(|c| all.per_irradiance[c] - all.ground[c]), once.per_irradiance)
     });
     let (all, once) = values.unzip();
@@ -55,10 +56,13 @@ fn mean_error(backend: &mut dyn Backend, quality: Quality, frame: &Frame, truths
 fn what_is_chosen_by_error_is_that_exact() {
     let front = Front::committed();
     let quick = front.measured[0].errors_from.contains("quick scenes");
-    // The table's own pixels and its own truth: a coarser one would be as far off as the tables of the sky are.
+    // The table's own pixels and its own truth: a coarser one would be as far off as the tables of the sky
+    // are.
     let slack = 1.01;
-    let (frame, truth_settings) = if quick { (Frame::QUICK, Settings::QUICK) } else { (Frame::WHOLE, Settings::FINE) };
-    let setups: Vec<_> = SETUPS.iter().filter(|s| MEDIA[s.medium] == "earth" && (s.quick || !quick)).collect();
+    let (frame, truth_settings) =
+        if quick { (Frame::QUICK, Settings::QUICK) } else { (Frame::WHOLE, Settings::FINE) };
+    let setups: Vec<_> =
+        SETUPS.iter().filter(|s| MEDIA[s.medium] == "earth" && (s.quick || !quick)).collect();
     let orders = orders(&scenes::medium(0).unwrap(), truth_settings);
     let truths: Vec<_> = setups.iter().map(|s| truth(s, &frame, &orders)).collect();
     on_both(|backend| {

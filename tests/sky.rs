@@ -10,8 +10,9 @@ use welkin::{
 };
 
 use crate::harness::{
-    View, aerial_passes, airless, assert_physical, background, background_passes, cleared, copy_pass, draw_both, frame_textures, free,
-    march, mean, on_both, over_black, picture, picture_passes, query, rays, rgb, texture,
+    View, aerial_passes, airless, assert_physical, background, background_passes, cleared, copy_pass,
+    draw_both, frame_textures, free, march, mean, on_both, over_black, picture, picture_passes, query, rays,
+    rgb, texture,
 };
 
 const FINE: SkySettings = SkySettings {
@@ -57,11 +58,26 @@ fn radiance_is_the_references() {
         ("ground, dusk", View { sun_elevation: -4.0, pitch: 25.0, ..View::default() }),
         ("11 km", View { altitude: 11e3, sun_elevation: 10.0, ..View::default() }),
         ("30 km, half handed over", View { altitude: 30e3, sun_elevation: 10.0, ..View::default() }),
-        ("400 km, limb", View { altitude: 4e5, pitch: -19.0, fov: 10.0, sun_elevation: 20.0, ..View::default() }),
-        ("12,000 km", View { altitude: 1.2e7, pitch: -90.0, fov: 44.0, sun_elevation: 35.0, ..View::default() }),
-        ("moon's distance", View { altitude: 3.8e8, pitch: -90.0, fov: 2.2, sun_elevation: 35.0, ..View::default() }),
-        ("mars", View { params: AtmosphereParams::mars(), sun_elevation: 5.0, pitch: 25.0, ..View::default() }),
-        ("earth-like", View { params: AtmosphereParams::earth_like(6_371_000.0), pitch: 30.0, ..View::default() }),
+        (
+            "400 km, limb",
+            View { altitude: 4e5, pitch: -19.0, fov: 10.0, sun_elevation: 20.0, ..View::default() },
+        ),
+        (
+            "12,000 km",
+            View { altitude: 1.2e7, pitch: -90.0, fov: 44.0, sun_elevation: 35.0, ..View::default() },
+        ),
+        (
+            "moon's distance",
+            View { altitude: 3.8e8, pitch: -90.0, fov: 2.2, sun_elevation: 35.0, ..View::default() },
+        ),
+        (
+            "mars",
+            View { params: AtmosphereParams::mars(), sun_elevation: 5.0, pitch: 25.0, ..View::default() },
+        ),
+        (
+            "earth-like",
+            View { params: AtmosphereParams::earth_like(6_371_000.0), pitch: 30.0, ..View::default() },
+        ),
     ];
     on_both(|backend| {
         for (name, view) in &views {
@@ -71,9 +87,13 @@ fn radiance_is_the_references() {
             let brightest = pixels.iter().copied().fold(0.0, f32::max);
             let (mut worst, mut compared) = (0.0_f64, 0);
             for (x, y) in (0..24).step_by(5).flat_map(|y| (0..24).step_by(5).map(move |x| (x, y))) {
-                let want =
-                    single_scattering(&scene.atmosphere, &query(&scene, size, (y * 24 + x) as usize), Sun::Point, Tolerance::TRUTH)
-                        .unwrap();
+                let want = single_scattering(
+                    &scene.atmosphere,
+                    &query(&scene, size, (y * 24 + x) as usize),
+                    Sun::Point,
+                    Tolerance::TRUTH,
+                )
+                .unwrap();
                 let got = pixel(&pixels, 24, x, y);
                 for c in 0..3 {
                     // Deviation relative to the value, or to a thousandth of the picture's brightest.
@@ -112,14 +132,16 @@ fn looks_are_those_of_the_documents() {
             c[0] / c[2]
         });
         assert!(ratios.windows(2).all(|w| w[1] > w[0]), "{ratios:?}");
-        // Dusk is dark, night is black: nothing is scattered once behind the planet's shadow, and next to nothing often.
+        // Dusk is dark, night is black: nothing is scattered once behind the planet's shadow, and next to
+        // nothing often.
         let dusk = see(View { pitch: 90.0, sun_elevation: -5.0, ..narrow.clone() });
         let night = see(View { pitch: 90.0, sun_elevation: -30.0, ..narrow.clone() });
         assert!(sum(dusk) > 0.0 && sum(dusk) < 2e-2 * sum(zenith), "{dusk:?}");
         let single = settings.method.is_single_scattering();
         assert!(sum(night) <= if single { 0.0 } else { 1e-6 * sum(zenith) }, "{night:?}");
         // The zenith darkens with altitude.
-        let up = [100.0, 5e3, 15e3, 40e3].map(|altitude| sum(see(View { pitch: 90.0, altitude, ..narrow.clone() })));
+        let up = [100.0, 5e3, 15e3, 40e3]
+            .map(|altitude| sum(see(View { pitch: 90.0, altitude, ..narrow.clone() })));
         assert!(up.windows(2).all(|w| w[1] < 0.8 * w[0]), "{up:?}");
         // From orbit the limb is a thin bright line: bright at its foot, black 150 km above.
         let dip = |h: f64, tangent: f64| -((6.36e6 + tangent) / (6.36e6 + h)).acos().to_degrees();
@@ -149,12 +171,17 @@ fn planet_rays_draw_nothing_and_depth_is_left_alone() {
             .map(|format| texture(b, "shared", [16, 16], format));
         let mut sky = SkyRenderer::new(settings).unwrap();
         for stored in [0.0, 0.7, 1.0] {
-            let target = Target { clear: Some(sentinel), clear_depth: Some(stored), depth: Some(depth), color };
+            let target =
+                Target { clear: Some(sentinel), clear_depth: Some(stored), depth: Some(depth), color };
             let mut passes = background_passes(b, &mut sky, &scene, target);
             let copy = copy_pass(b, depth, out);
             passes.push(Pass { target: Target::color(out), ..copy });
             b.run(&passes).unwrap();
-            assert_eq!(pixel(&b.read(color).unwrap(), 16, 3, 2), pixel(&p, 16, 3, 2), "depth {stored} changed the sky");
+            assert_eq!(
+                pixel(&b.read(color).unwrap(), 16, 3, 2),
+                pixel(&p, 16, 3, 2),
+                "depth {stored} changed the sky"
+            );
             assert!(b.read(out).unwrap().iter().all(|d| *d == stored), "the sky wrote depth");
         }
     });
@@ -183,7 +210,15 @@ fn both_backends_draw_the_same() {
         ("30 km", View { altitude: 30e3, ..View::default() }),
         ("limb", View { altitude: 4e5, pitch: -19.0, fov: 40.0, ..View::default() }),
         ("planet", View { altitude: 1.2e7, pitch: -90.0, fov: 44.0, ..View::default() }),
-        ("mars", View { params: AtmosphereParams::mars(), altitude: 3000.0, sun_elevation: 4.0, ..View::default() }),
+        (
+            "mars",
+            View {
+                params: AtmosphereParams::mars(),
+                altitude: 3000.0,
+                sun_elevation: 4.0,
+                ..View::default()
+            },
+        ),
     ];
     let mut drawn: Vec<Vec<Vec<f32>>> = Vec::new();
     on_both(|b| {
@@ -201,10 +236,14 @@ fn both_backends_draw_the_same() {
         );
     });
     for (i, (name, _)) in views.iter().enumerate() {
-        let differences: Vec<f32> = drawn[0][i].iter().zip(&drawn[1][i]).map(|(a, b)| (a - b).abs() * 255.0).collect();
+        let differences: Vec<f32> =
+            drawn[0][i].iter().zip(&drawn[1][i]).map(|(a, b)| (a - b).abs() * 255.0).collect();
         let largest = differences.iter().copied().fold(0.0, f32::max);
         let beyond = differences.iter().filter(|d| **d > 1.5).count();
-        println!("{name}: largest difference {largest:.0}/255, {beyond} of {} values beyond 1/255", differences.len());
+        println!(
+            "{name}: largest difference {largest:.0}/255, {beyond} of {} values beyond 1/255",
+            differences.len()
+        );
         // A triangle's edge may fall on the other side of a pixel's centre; the sky may not.
         assert!(beyond * 1000 <= differences.len(), "{name}: {beyond} values differ by more than 1/255");
     }
@@ -235,7 +274,9 @@ fn air_dims_the_scene_and_adds_light_as_the_reference_does() {
             let q = query(&scene, [8, 8], 4 * 8 + 3);
             let ndc = DVec2::new(3.5 / 4.0 - 1.0, 1.0 - 4.5 / 4.0);
             let length = z * scene.camera.basis().unwrap().ray(ndc).length();
-            let want = single_scattering(&scene.atmosphere, &q.ended_at(length), Sun::Point, Tolerance::TRUTH).unwrap();
+            let want =
+                single_scattering(&scene.atmosphere, &q.ended_at(length), Sun::Point, Tolerance::TRUTH)
+                    .unwrap();
             let (added, both) = (pixel(&dark, 8, 3, 4), pixel(&bright, 8, 3, 4));
             for c in 0..3 {
                 let through = both[c] - added[c];
@@ -266,23 +307,33 @@ fn every_depth_convention_gives_the_same_air() {
             let results: Vec<_> = conventions
                 .iter()
                 .map(|&depth| {
-                    let scene =
-                        Scene { depth, ..View { altitude: 20e3, pitch: -5.0, fov: 30.0, ..View::default() }.scene() };
+                    let scene = Scene {
+                        depth,
+                        ..View { altitude: 20e3, pitch: -5.0, fov: 30.0, ..View::default() }.scene()
+                    };
                     air_before(b, settings, &scene, z, 0.5)
                 })
                 .collect();
             for (depth, r) in conventions.iter().zip(&results) {
-                let worst =
-                    r.iter().zip(&results[0]).map(|(a, b)| (a - b).abs() / b.abs().max(1e-3)).fold(0.0, f32::max);
+                let worst = r
+                    .iter()
+                    .zip(&results[0])
+                    .map(|(a, b)| (a - b).abs() / b.abs().max(1e-3))
+                    .fold(0.0, f32::max);
                 // A forward 32-bit depth with near 10 m resolves 40 km to 1 %; the others to 1e-5.
-                let forward =
-                    matches!(depth, DepthConvention::ZeroToOne { .. } | DepthConvention::NegativeOneToOne { .. });
+                let forward = matches!(
+                    depth,
+                    DepthConvention::ZeroToOne { .. } | DepthConvention::NegativeOneToOne { .. }
+                );
                 assert!(worst < if forward { 1e-2 } else { 1e-4 }, "{depth:?} at {z} m: {worst}");
             }
         }
         // A plane a metre away and one at the background are not the same, or nothing was tested.
         let scene = View { altitude: 20e3, ..View::default() }.scene();
-        assert_ne!(air_before(b, settings, &scene, 1e4, 0.0), air_before(b, settings, &scene, f64::INFINITY, 0.0));
+        assert_ne!(
+            air_before(b, settings, &scene, 1e4, 0.0),
+            air_before(b, settings, &scene, f64::INFINITY, 0.0)
+        );
     });
 }
 
@@ -300,9 +351,15 @@ fn hand_over_keeps_the_sum() {
             // The two passes alone: their weights add up to one.
             let first = mean(&background(b, &scene, settings, [8, 8], [0.0; 4]));
             let weight = background_weight(altitude);
-            assert!((first[1] - weight * total[1]).abs() < 2e-3 * total[1], "{altitude}: {first:?} {total:?}");
+            assert!(
+                (first[1] - weight * total[1]).abs() < 2e-3 * total[1],
+                "{altitude}: {first:?} {total:?}"
+            );
             if let Some(last) = last.filter(|_| (altitude % 1000.0) == 1.0) {
-                assert!((total[2] / last[2] - 1.0).abs() < 1e-3, "a step at {altitude} m: {last:?} {total:?}");
+                assert!(
+                    (total[2] / last[2] - 1.0).abs() < 1e-3,
+                    "a step at {altitude} m: {last:?} {total:?}"
+                );
             }
             last = Some(total);
         }
@@ -313,13 +370,19 @@ fn hand_over_keeps_the_sum() {
 fn half_resolution_looks_like_full_resolution() {
     on_each(|b, full| {
         for size in [[64, 48], [65, 47], [7, 5]] {
-            let scene = View { pitch: 5.0, aspect: f64::from(size[0]) / f64::from(size[1]), ..View::default() }.scene();
+            let scene =
+                View { pitch: 5.0, aspect: f64::from(size[0]) / f64::from(size[1]), ..View::default() }
+                    .scene();
             let half = SkySettings { render_scale: 0.5, ..full };
             let clear = [0.0, 0.0, 0.0, 1.0];
             let (f, h) = (background(b, &scene, full, size, clear), background(b, &scene, half, size, clear));
             assert_physical(&h, "half resolution");
             for (i, (a, c)) in f.chunks_exact(4).zip(h.chunks_exact(4)).enumerate() {
-                assert_eq!(a[1] > 0.0, c[1] > 0.0, "{size:?}: pixel {i} is sky in one and planet in the other");
+                assert_eq!(
+                    a[1] > 0.0,
+                    c[1] > 0.0,
+                    "{size:?}: pixel {i} is sky in one and planet in the other"
+                );
             }
             if size[0] < 20 {
                 continue; // Four texels for 60° resolve no horizon: only the planet's edge is promised.
@@ -334,9 +397,13 @@ fn half_resolution_looks_like_full_resolution() {
 fn extreme_viewports_are_drawn() {
     on_both(|b| {
         for size in [[1, 1], [1, 4096], [4096, 1], [3, 2]] {
-            let scene =
-                View { pitch: 30.0, fov: 1.0, aspect: f64::from(size[0]) / f64::from(size[1]), ..View::default() }
-                    .scene();
+            let scene = View {
+                pitch: 30.0,
+                fov: 1.0,
+                aspect: f64::from(size[0]) / f64::from(size[1]),
+                ..View::default()
+            }
+            .scene();
             let method = march(4, 2);
             let p = whole_sky(b, &scene, SkySettings { method, ..Default::default() }, size);
             assert_physical(&p, "viewport");
@@ -396,7 +463,8 @@ fn sun_disk_has_the_suns_irradiance() {
     on_both(|b| {
         // Above the air the disk's mean radiance times its solid angle is the sun's irradiance.
         let params = AtmosphereParams { sun_intensity: 1.0, ..AtmosphereParams::earth() };
-        let view = View { params, altitude: 1e6, pitch: 30.0, fov: 1.0, sun_elevation: 30.0, ..View::default() };
+        let view =
+            View { params, altitude: 1e6, pitch: 30.0, fov: 1.0, sun_elevation: 30.0, ..View::default() };
         let settings = SkySettings::default();
         let n = 64;
         let p = background(b, &view.scene(), settings, [n, n], [0.0; 4]);
@@ -405,7 +473,8 @@ fn sun_disk_has_the_suns_irradiance() {
         assert!((total - 1.0).abs() < 5e-3, "{total}");
         // In 16-bit targets the earth's sun at 22 is cut at half of the largest half float.
         let bright = View { params: AtmosphereParams::earth(), ..view };
-        let pixels = picture(b, &bright.scene(), &PictureSettings { terrain: None, ..Default::default() }, [16, 16]);
+        let pixels =
+            picture(b, &bright.scene(), &PictureSettings { terrain: None, ..Default::default() }, [16, 16]);
         assert_physical(&pixels, "sun at half float");
         assert!(pixels.iter().copied().fold(0.0, f32::max) > 3e4);
     });
@@ -419,17 +488,24 @@ fn bare_disk(scene: &Scene, size: [u32; 2]) -> Vec<f64> {
     let pixel = 2.0 * view.basis.up.length() / f64::from(size[1]);
     let full = p.sun_intensity / (std::f64::consts::PI * chord * chord);
     let rays = rays(scene, size);
-    rays.iter().map(|q| full * ((chord - (q.direction - view.sun).length()) / pixel + 0.5).clamp(0.0, 1.0)).collect()
+    rays.iter()
+        .map(|q| full * ((chord - (q.direction - view.sun).length()) / pixel + 0.5).clamp(0.0, 1.0))
+        .collect()
 }
 
 #[test]
 fn sun_is_drawn_where_it_is_in_either_row_order() {
-    let params =
-        AtmosphereParams { sun_intensity: 1.0, sun_angular_radius: 0.03, ..airless(AtmosphereParams::earth()) };
+    let params = AtmosphereParams {
+        sun_intensity: 1.0,
+        sun_angular_radius: 0.03,
+        ..airless(AtmosphereParams::earth())
+    };
     let size = [60, 36];
     let view = View { params, altitude: 1e7, sun_elevation: 40.0, aspect: 60.0 / 36.0, ..View::default() };
-    // In the middle, at an edge, in a corner, just outside, behind; narrow, and so wide that the disk is drawn out.
-    let views = [(40.0, 0.0, 60.0), (12.0, 0.0, 60.0), (28.0, 48.0, 50.0), (40.0, 1.6, 1.0), (5.0, 70.0, 150.0)];
+    // In the middle, at an edge, in a corner, just outside, behind; narrow, and so wide that the disk is
+    // drawn out.
+    let views =
+        [(40.0, 0.0, 60.0), (12.0, 0.0, 60.0), (28.0, 48.0, 50.0), (40.0, 1.6, 1.0), (5.0, 70.0, 150.0)];
     let away = [(40.0, 90.0, 60.0), (-40.0, 180.0, 60.0), (-89.0, 0.0, 170.0)];
     on_both(|b| {
         for (i, (pitch, heading, fov)) in views.into_iter().chain(away).enumerate() {
@@ -438,11 +514,15 @@ fn sun_is_drawn_where_it_is_in_either_row_order() {
             let shown = want.iter().filter(|v| **v > 0.0).count();
             assert!((i < views.len()) == (shown > 0), "{pitch} {heading} {fov}: {shown} pixels");
             for rows in [RowOrder::TopDown, RowOrder::BottomUp] {
-                let desc = TextureDesc { rows, ..TextureDesc::new("target", size[0], size[1], Format::Rgba32Float) };
+                let desc =
+                    TextureDesc { rows, ..TextureDesc::new("target", size[0], size[1], Format::Rgba32Float) };
                 let target = b.create_texture(&desc).unwrap();
                 let mut sky = SkyRenderer::new(SkySettings::default()).unwrap();
                 let passes = background_passes(b, &mut sky, &scene, cleared(target));
-                assert!(i < views.len() || passes.iter().all(|p| p.label != "sun") || fov == 170.0, "{heading}");
+                assert!(
+                    i < views.len() || passes.iter().all(|p| p.label != "sun") || fov == 170.0,
+                    "{heading}"
+                );
                 let got = if passes.is_empty() {
                     vec![0.0; 4 * want.len()]
                 } else {
@@ -454,7 +534,10 @@ fn sun_is_drawn_where_it_is_in_either_row_order() {
                     let y = if rows == RowOrder::TopDown { y } else { size[1] as usize - 1 - y };
                     let want = want[y * size[0] as usize + x];
                     let off = (f64::from(pixel[0]) - want).abs();
-                    assert!(off < 1e-3 * want.max(1.0), "{pitch} {heading} {fov} {rows:?}: {x} {y}: {pixel:?} {want}");
+                    assert!(
+                        off < 1e-3 * want.max(1.0),
+                        "{pitch} {heading} {fov} {rows:?}: {x} {y}: {pixel:?} {want}"
+                    );
                 }
                 b.destroy_texture(target);
             }
@@ -466,16 +549,22 @@ fn sun_is_drawn_where_it_is_in_either_row_order() {
 fn sun_is_dimmed_by_the_air_as_in_the_reference() {
     // So dim that disk and sky simply add up.
     let params = AtmosphereParams { sun_intensity: 1e-3, ..AtmosphereParams::earth() };
-    let settings = |sun_disk| SkySettings { composition: Composition::SkyDome, sun_disk, ..SkySettings::default() };
+    let settings =
+        |sun_disk| SkySettings { composition: Composition::SkyDome, sun_disk, ..SkySettings::default() };
     let mut worst = 0.0_f64;
     on_both(|b| {
         // From the ground to the horizon, from the stratosphere below it, through the limb from orbit.
-        for (altitude, elevation) in [(2.0, 60.0), (2.0, 5.0), (2.0, 0.5), (30e3, -4.0), (4e5, -19.0), (4e5, -18.0)] {
-            let view = View { params: params.clone(), altitude, pitch: elevation, fov: 0.02, ..View::default() };
+        for (altitude, elevation) in
+            [(2.0, 60.0), (2.0, 5.0), (2.0, 0.5), (30e3, -4.0), (4e5, -19.0), (4e5, -18.0)]
+        {
+            let view =
+                View { params: params.clone(), altitude, pitch: elevation, fov: 0.02, ..View::default() };
             let scene = View { sun_elevation: elevation, ..view }.scene();
-            let [with, without] = [true, false].map(|on| background(b, &scene, settings(on), [3, 3], [0.0; 4]));
+            let [with, without] =
+                [true, false].map(|on| background(b, &scene, settings(on), [3, 3], [0.0; 4]));
             let full = bare_disk(&scene, [3, 3])[4];
-            let through = transmittance(&params, &rays(&scene, [3, 3])[4], Tolerance { relative: 1e-8 }).unwrap();
+            let through =
+                transmittance(&params, &rays(&scene, [3, 3])[4], Tolerance { relative: 1e-8 }).unwrap();
             for c in 0..3 {
                 let got = f64::from(with[16 + c]) - f64::from(without[16 + c]);
                 let off = (got / full - through[c]).abs();
@@ -492,8 +581,13 @@ fn sun_is_dimmed_by_the_air_as_in_the_reference() {
 fn passes_are_timed() {
     on_both(|b| {
         let mut renderer = PictureRenderer::default();
-        let passes =
-            picture_passes(b, &mut renderer, &View::default().scene(), &PictureSettings::default(), [256, 144]);
+        let passes = picture_passes(
+            b,
+            &mut renderer,
+            &View::default().scene(),
+            &PictureSettings::default(),
+            [256, 144],
+        );
         let times = b.times(&passes).unwrap();
         println!("{}: {times:?}", b.info());
         assert_eq!(

@@ -1,5 +1,5 @@
-//! No LUT is ever stale: whatever a renderer has drawn before, it draws what a new one draws; and nothing is made
-//! again without need.
+//! No LUT is ever stale: whatever a renderer has drawn before, it draws what a new one draws; and nothing is
+//! made again without need.
 
 use welkin::gpu::{Backend, Format, Pass, TextureId};
 use welkin::{AtmosphereParams, PictureRenderer, PictureSettings, SkyRenderer, TerrainStyle, ToneMap};
@@ -34,7 +34,8 @@ fn no_table_is_ever_stale() {
     });
 }
 
-/// One change upon the other, never back: whatever a renderer has drawn before, it draws what a fresh one does.
+/// One change upon the other, never back: whatever a renderer has drawn before, it draws what a fresh one
+/// does.
 #[test]
 fn a_kept_renderer_draws_what_a_fresh_one_does() {
     on_both(|b| {
@@ -189,4 +190,3 @@ fn lost_textures_are_made_again() {
         }
     });
 }
-

@@ -66,7 +66,10 @@ fn curves_are_the_twins() {
                         let tie = (want - want.floor() - 0.5).abs() < 2e-3;
                         ties += usize::from(tie);
                         let off = (got[c] - want.clamp(0.0, 255.0).round()).abs();
-                        assert!(off < if tie { 1.01 } else { 0.01 }, "{map:?} {on} {color:?}: {got:?}, not {want}");
+                        assert!(
+                            off < if tie { 1.01 } else { 0.01 },
+                            "{map:?} {on} {color:?}: {got:?}, not {want}"
+                        );
                     }
                 }
                 assert!(ties < 40, "{ties} of {} are no test", 3 * colors.len());
@@ -119,7 +122,8 @@ fn longest_runs(pixels: &[[f64; 3]], width: usize) -> [usize; 3] {
     })
 }
 
-/// Root mean square of what means over areas `window` pixels wide and all rows high differ by from the exact values'.
+/// Root mean square of what means over areas `window` pixels wide and all rows high differ by from the exact
+/// values'.
 fn banding(pixels: &[[f64; 3]], want: &[[f64; 3]], window: usize) -> f64 {
     let columns: Vec<f64> =
         (0..want.len()).map(|x| mean(pixels[x..].iter().step_by(want.len()).map(|p| p[1]))).collect();
@@ -144,14 +148,16 @@ fn gradients_have_no_bands() {
             let want: Vec<_> = row.iter().map(|&c| exact(ToneMap::Neutral, c)).collect();
             let field: Vec<_> = (0..16).flat_map(|_| row.iter().copied()).collect();
             let size = [width, 16];
-            let [off, on] = [false, true].map(|on| shown(b, &field, size, ToneMap::Neutral, on, Format::Rgba8));
+            let [off, on] =
+                [false, true].map(|on| shown(b, &field, size, ToneMap::Neutral, on, Format::Rgba8));
             let w = width as usize;
             let (bands, runs) = (longest_runs(&off, w), longest_runs(&on, w));
             let per_step = w as f64 / f64::from(steps);
             let window = (0.5 * per_step) as usize;
             let [left, right] = [&off, &on].map(|p| banding(p, &want, window));
             println!(
-                "{}: a step in {per_step} pixels: runs of {bands:?} become {runs:?}, bands of {left:.3} {right:.3}",
+                "{}: a step in {per_step} pixels: runs of {bands:?} become {runs:?}, \
+                 bands of {left:.3} {right:.3}",
                 b.info().backend
             );
             for c in 0..3 {
@@ -212,17 +218,23 @@ fn pictures_of_all_renderers_have_the_same_noise() {
         for (i, (p, light)) in with.chunks_exact(4).zip(radiance.chunks_exact(4)).enumerate() {
             let want = exact(ToneMap::Aces, [light[0], light[1], light[2]]);
             let noise = dither([i as u32 % size[0], i as u32 / size[0]]);
-            off += (0..3).filter(|&c| (255.0 * f64::from(p[c]) - (want[c] + noise[c]).round()).abs() > 0.1).count();
+            off += (0..3)
+                .filter(|&c| (255.0 * f64::from(p[c]) - (want[c] + noise[c]).round()).abs() > 0.1)
+                .count();
         }
         assert!(off < 10, "{off} values are not the twin's");
         displays.push(with);
         renderer.destroy(b);
     });
     let differ = displays[0].iter().zip(&displays[1]).filter(|(a, b)| a != b).count();
-    assert!(differ * 50 < displays[0].len(), "the backends differ in {differ} of {} values", displays[0].len());
+    assert!(
+        differ * 50 < displays[0].len(),
+        "the backends differ in {differ} of {} values",
+        displays[0].len()
+    );
     // On the processor, by its own light.
-    let [on, off] =
-        [true, false].map(|dither| render(&scene, &PictureSettings { dither, ..settings }, size, &|_| ()).unwrap());
+    let [on, off] = [true, false]
+        .map(|dither| render(&scene, &PictureSettings { dither, ..settings }, size, &|_| ()).unwrap());
     assert!(on.radiance == off.radiance);
     for (i, p) in on.radiance.iter().enumerate() {
         let want = exact(ToneMap::Aces, [p[0], p[1], p[2]]);

@@ -1,14 +1,15 @@
 //! Counts what a thread allocates, for tests that a steady frame allocates nothing.
 //!
-//! Each thread has its own count, so that tests beside it do not matter; what a driver's C or C++ code takes from the
-//! system does not pass through Rust's allocator and is not counted.
+//! Each thread has its own count, so that tests beside it do not matter; what a driver's C or C++ code takes
+//! from the system does not pass through Rust's allocator and is not counted.
 #![allow(unsafe_code)] // An allocator is an unsafe trait; every call is handed on to the system's as it came.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
 thread_local! {
-    // Initialised at compile time and without a destructor: reading it allocates nothing, at any time of a thread.
+    // Initialised at compile time and without a destructor: reading it allocates nothing, at any time of a
+    // thread.
     static ALLOCATIONS: Cell<u64> = const { Cell::new(0) };
 }
 
@@ -20,8 +21,8 @@ impl Counting {
     }
 }
 
-// SAFETY: each method passes its arguments on to `System`, whose contract is the same; counting neither allocates nor
-// touches the memory.
+// SAFETY: each method passes its arguments on to `System`, whose contract is the same; counting neither
+// allocates nor touches the memory.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         Self::count();

@@ -2,7 +2,9 @@
 
 use welkin::gpu::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
 use welkin::shaders::Program;
-use welkin::{LutSettings, Method, PictureRenderer, PictureSettings, Quality, Scene, SkyRenderer, SkySettings};
+use welkin::{
+    LutSettings, Method, PictureRenderer, PictureSettings, Quality, Scene, SkyRenderer, SkySettings,
+};
 
 /// Small LUTs, for what does not depend on how exact they are.
 pub const TINY: LutSettings = LutSettings {
@@ -99,7 +101,12 @@ pub fn copy_pass(b: &mut dyn Backend, from: TextureId, to: TextureId) -> Pass {
 }
 
 /// The passes behind a scene.
-pub fn background_passes(b: &mut dyn Backend, sky: &mut SkyRenderer, scene: &Scene, target: Target) -> Vec<Pass> {
+pub fn background_passes(
+    b: &mut dyn Backend,
+    sky: &mut SkyRenderer,
+    scene: &Scene,
+    target: Target,
+) -> Vec<Pass> {
     sky.background(b, scene, target).unwrap().to_vec()
 }
 

@@ -11,8 +11,8 @@ impl Line<'_> {
         self.want.iter().flatten().fold(0.0, |m: f64, v| m.max(*v))
     }
 
-    /// Largest second difference of the logarithm of light that the reference does not have; what is less than a
-    /// thousandth of the brightest, or what is black at an exposure of 1e5, counts as that.
+    /// Largest second difference of the logarithm of light that the reference does not have; what is less
+    /// than a thousandth of the brightest, or what is black at an exposure of 1e5, counts as that.
     pub fn bend(&self) -> f64 {
         let floor = (1e-3 * self.brightest()).max(1e-8);
         let log = |v: &[f64; 3], c: usize| v[c].max(floor).ln();
@@ -32,12 +32,13 @@ impl Line<'_> {
         self.levels_at((1.6 / self.brightest()).min(1e5))
     }
 
-    /// Largest step between neighbours on a screen of 8 bits, in 255ths, that the reference does not have. Of light L a
-    /// screen shows 1 - exp(-L × exposure), with the gamma of 2.2.
+    /// Largest step between neighbours on a screen of 8 bits, in 255ths, that the reference does not have. Of
+    /// light L a screen shows 1 - exp(-L × exposure), with the gamma of 2.2.
     pub fn levels_at(&self, exposure: f64) -> f64 {
         let shown = |v: f64| (255.0 * (1.0 - (-v * exposure).exp()).powf(1.0 / 2.2)).round();
-        let steps =
-            |l: &[[f64; 3]], c: usize| -> Vec<f64> { l.windows(2).map(|w| shown(w[1][c]) - shown(w[0][c])).collect() };
+        let steps = |l: &[[f64; 3]], c: usize| -> Vec<f64> {
+            l.windows(2).map(|w| shown(w[1][c]) - shown(w[0][c])).collect()
+        };
         (0..3)
             .flat_map(|c| {
                 let (got, want) = (steps(self.got, c), steps(self.want, c));

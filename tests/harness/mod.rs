@@ -1,7 +1,7 @@
 //! What the tests share: both backends, scenes, drawing, rays and the reference's light.
 //!
-//! A missing driver is a failure, never a skip. Every call of a renderer goes through a function of this module or of
-//! [`draw`], so that a test says what must hold and not how a frame is assembled.
+//! A missing driver is a failure, never a skip. Every call of a renderer goes through a function of this
+//! module or of [`draw`], so that a test says what must hold and not how a frame is assembled.
 
 pub mod allocations;
 pub mod draw;
@@ -25,6 +25,12 @@ pub fn on_both(mut body: impl FnMut(&mut dyn Backend)) {
     let mut webgl2 = Headless::new().expect("WebGL2 needs EGL with OpenGL ES 3: run scripts/setup");
     eprintln!("{}", webgl2.backend.info());
     body(&mut webgl2.backend);
+}
+
+/// How many cases or scenes to try: what an environment variable says, or else the usual number.
+pub fn asked_for(variable: &str, usual: usize) -> usize {
+    let Ok(text) = std::env::var(variable) else { return usual };
+    text.parse().unwrap_or_else(|e| panic!("{variable} = {text:?} must be a whole number: {e}"))
 }
 
 /// Red, green and blue of a pixel of an RGBA picture.

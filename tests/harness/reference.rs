@@ -9,7 +9,8 @@ use welkin::{AtmosphereParams, Method, Scene};
 
 /// Light of all orders of scattering in a medium, solved by the first test that asks; others wait for it.
 ///
-/// Per unit of the sun's irradiance: solutions know nothing of [`AtmosphereParams::sun_intensity`], which is 1 here.
+/// Per unit of the sun's irradiance: solutions know nothing of [`AtmosphereParams::sun_intensity`], which is
+/// 1 here.
 pub fn orders(params: &AtmosphereParams, settings: Settings) -> Arc<Orders> {
     type Slot = Arc<OnceLock<Arc<Orders>>>;
     static SOLVED: Mutex<Option<HashMap<String, Slot>>> = Mutex::new(None);

@@ -4,8 +4,8 @@ use glam::{DVec2, DVec3};
 use welkin::reference::single::RayQuery;
 use welkin::{AtmosphereParams, Camera, DepthConvention, Pose, Scene};
 
-/// A scene on the planet's north pole: heading 0 looks along +X, the sun's azimuth counts from there. Metres and
-/// degrees.
+/// A scene on the planet's north pole: heading 0 looks along +X, the sun's azimuth counts from there. Metres
+/// and degrees.
 #[derive(Clone, Debug)]
 pub struct View {
     pub params: AtmosphereParams,
@@ -40,7 +40,8 @@ impl View {
             fov_y: self.fov.to_radians(),
         };
         let camera =
-            Camera::above(DVec3::ZERO, self.params.planet_radius, DVec3::Z, DVec3::X, pose, self.aspect).unwrap();
+            Camera::above(DVec3::ZERO, self.params.planet_radius, DVec3::Z, DVec3::X, pose, self.aspect)
+                .unwrap();
         let e = self.sun_elevation.to_radians();
         Scene {
             camera,
@@ -64,7 +65,8 @@ pub fn airless(params: AtmosphereParams) -> AtmosphereParams {
     }
 }
 
-/// The vector through the middle of a pixel, one metre deep: its length is metres along the ray per metre of depth.
+/// The vector through the middle of a pixel, one metre deep: its length is metres along the ray per metre of
+/// depth.
 pub fn through_pixel(scene: &Scene, [w, h]: [u32; 2], i: usize) -> DVec3 {
     let basis = scene.validate().unwrap().basis;
     let share = |i: u32, n: u32| (f64::from(i) + 0.5) / f64::from(n) * 2.0 - 1.0;

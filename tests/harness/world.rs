@@ -1,14 +1,13 @@
-//! Everything that a picture depends on, and a change of each input, for tests that compare a renderer with a new one.
+//! Everything that a picture depends on, and a change of each input, for tests that compare a renderer with a
+//! new one.
 
 use welkin::gpu::{Backend, Pass, Target};
 use welkin::{
-    AtmosphereParams, Composition, LutSettings, Method, MiePhase, PictureRenderer, PictureSettings, SkyRenderer,
-    SkySettings,
+    AtmosphereParams, Composition, LutSettings, Method, MiePhase, PictureRenderer, PictureSettings,
+    SkyRenderer, SkySettings,
 };
 
-use super::{
-    TINY, View, aerial_passes, background_passes, draw_both, frame_textures, free, shell_passes,
-};
+use super::{TINY, View, aerial_passes, background_passes, draw_both, frame_textures, free, shell_passes};
 
 /// What is behind the air in the user's frame.
 pub const BEHIND: [f32; 4] = [0.5, 0.25, 1.0, 1.0];
@@ -26,7 +25,8 @@ impl World {
     pub fn new() -> Self {
         let params = AtmosphereParams { sun_angular_radius: 0.1, ..AtmosphereParams::earth() };
         // Half handed over, with the ground below and the sun in the picture: every pass and table counts.
-        let view = View { params, altitude: 25e3, pitch: 5.0, fov: 60.0, sun_elevation: 15.0, ..View::default() };
+        let view =
+            View { params, altitude: 25e3, pitch: 5.0, fov: 60.0, sun_elevation: 15.0, ..View::default() };
         Self { view, sky: SkySettings::default(), lut: TINY, size: [10, 8] }
     }
 
@@ -38,12 +38,15 @@ impl World {
         SkySettings { method, ..self.sky }
     }
 
-    /// The passes before and behind a scene of planes, nearer from row to row, and what they leave in the target.
+    /// The passes before and behind a scene of planes, nearer from row to row, and what they leave in the
+    /// target.
     pub fn run(&self, b: &mut dyn Backend, sky: &mut SkyRenderer) -> (Vec<Pass>, Vec<f32>) {
         let [w, h] = self.size;
         let scene = self.view.scene();
         let [color, depth, out] = frame_textures(b, self.size);
-        let planes = |y: u32| if y < 2 { scene.depth.background() } else { scene.depth.encode(4e5 / f64::from(y * y)) };
+        let planes = |y: u32| {
+            if y < 2 { scene.depth.background() } else { scene.depth.encode(4e5 / f64::from(y * y)) }
+        };
         let stored: Vec<f32> = (0..w * h).map(|i| planes(i / w) as f32).collect();
         b.write_texture(depth, &stored).unwrap();
         b.write_texture(color, &BEHIND.repeat((w * h) as usize)).unwrap();
@@ -128,7 +131,9 @@ pub fn changes() -> Vec<Change> {
         change("air steps", |w| w.lut.air_steps = 2),
     ];
     for c in 0..3 {
-        all.push(change(format!("rayleigh scattering {c}"), move |w| w.view.params.rayleigh_scattering[c] *= 1.05));
+        all.push(change(format!("rayleigh scattering {c}"), move |w| {
+            w.view.params.rayleigh_scattering[c] *= 1.05
+        }));
         all.push(change(format!("mie scattering {c}"), move |w| w.view.params.mie_scattering[c] *= 3.0));
         all.push(change(format!("mie absorption {c}"), move |w| w.view.params.mie_absorption[c] *= 3.0));
         all.push(change(format!("mie asymmetry {c}"), move |w| w.view.params.mie_asymmetry[c] = 0.7));
