@@ -8,12 +8,14 @@
 //! [`Promise`] says what may be lost.
 
 mod cases;
+pub mod film;
 mod frames;
 #[allow(dead_code)] // Constants that only some probes ask for.
 #[rustfmt::skip]
 mod generated;
 mod judge;
 mod report;
+pub mod scenes;
 mod shrink;
 mod truth;
 

@@ -1,5 +1,4 @@
 //! Tables of `tests/data` (see the README there), their rays, and how differences are summed up.
-#![allow(dead_code)]
 
 use std::path::Path;
 
@@ -18,7 +17,8 @@ impl Table {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(name);
         let mut reader = csv::Reader::from_path(path).unwrap();
         let columns = reader.headers().unwrap().iter().map(String::from).collect();
-        let rows: Vec<Vec<String>> = reader.records().map(|r| r.unwrap().iter().map(String::from).collect()).collect();
+        let rows: Vec<Vec<String>> =
+            reader.records().map(|r| r.unwrap().iter().map(String::from).collect()).collect();
         assert!(rows.len() > 40, "{name} has only {} rows", rows.len());
         Self { columns, rows }
     }

@@ -1,21 +1,5 @@
 //! Light along a line of pixels or frames, beside the reference's.
 
-use glam::DVec2;
-use welkin::Scene;
-use welkin::reference::single::RayQuery;
-
-/// The rays through the middles of a picture's pixels, row by row from the top.
-pub fn along(scene: &Scene, [w, h]: [u32; 2]) -> Vec<RayQuery> {
-    let view = scene.validate().unwrap();
-    let share = |i: u32, n: u32| (f64::from(i) + 0.5) / f64::from(n) * 2.0 - 1.0;
-    (0..w * h)
-        .map(|i| {
-            let direction = view.basis.ray(DVec2::new(share(i % w, w), -share(i / w, h))).normalize();
-            RayQuery { altitude: view.altitude, direction, sun: view.sun, length: f64::INFINITY, moon: None }
-        })
-        .collect()
-}
-
 /// What was drawn along a line, and what the reference has there.
 pub struct Line<'a> {
     pub got: &'a [[f64; 3]],
@@ -27,8 +11,8 @@ impl Line<'_> {
         self.want.iter().flatten().fold(0.0, |m: f64, v| m.max(*v))
     }
 
-    /// Largest second difference of the logarithm of light that the reference does not have; what is less than a
-    /// thousandth of the brightest, or what is black at an exposure of 1e5, counts as that.
+    /// Largest second difference of the logarithm of light that the reference does not have; what is less
+    /// than a thousandth of the brightest, or what is black at an exposure of 1e5, counts as that.
     pub fn bend(&self) -> f64 {
         let floor = (1e-3 * self.brightest()).max(1e-8);
         let log = |v: &[f64; 3], c: usize| v[c].max(floor).ln();
@@ -48,12 +32,13 @@ impl Line<'_> {
         self.levels_at((1.6 / self.brightest()).min(1e5))
     }
 
-    /// Largest step between neighbours on a screen of 8 bits, in 255ths, that the reference does not have. Of light L a
-    /// screen shows 1 - exp(-L × exposure), with the gamma of 2.2.
+    /// Largest step between neighbours on a screen of 8 bits, in 255ths, that the reference does not have. Of
+    /// light L a screen shows 1 - exp(-L × exposure), with the gamma of 2.2.
     pub fn levels_at(&self, exposure: f64) -> f64 {
         let shown = |v: f64| (255.0 * (1.0 - (-v * exposure).exp()).powf(1.0 / 2.2)).round();
-        let steps =
-            |l: &[[f64; 3]], c: usize| -> Vec<f64> { l.windows(2).map(|w| shown(w[1][c]) - shown(w[0][c])).collect() };
+        let steps = |l: &[[f64; 3]], c: usize| -> Vec<f64> {
+            l.windows(2).map(|w| shown(w[1][c]) - shown(w[0][c])).collect()
+        };
         (0..3)
             .flat_map(|c| {
                 let (got, want) = (steps(self.got, c), steps(self.want, c));

@@ -1,31 +1,29 @@
 //! From radiance to display values: the curves are the twin's, dither hides bands and keeps every mean.
-#![cfg(all(feature = "egl", feature = "translate", feature = "reference"))]
 
-mod common;
-
-use common::{View, on_both};
 use welkin::frame::tone_map::{dither, srgb_encode, tone_map, tone_pass};
-use welkin::gpu::{Backend, Format, TextureDesc};
+use welkin::gpu::{Backend, Format};
 use welkin::render::cpu_picture::render;
 use welkin::{PictureRenderer, PictureSettings, Scene, SkySettings, ToneMap};
+
+use crate::harness::{View, airless, draw_both, free, on_both, texture};
 
 /// Display values of radiance as a pass leaves them in a target, red, green and blue of each pixel, 0 to 255.
 fn shown(
     b: &mut dyn Backend,
     radiance: &[[f32; 3]],
-    [w, h]: [u32; 2],
+    size: [u32; 2],
     map: ToneMap,
     dither: bool,
     format: Format,
 ) -> Vec<[f64; 3]> {
     let [from, to] = [("radiance", Format::Rgba32Float), ("display", format)]
-        .map(|(label, format)| b.create_texture(&TextureDesc::new(label, w, h, format)).unwrap());
+        .map(|(label, format)| texture(b, label, size, format));
     let texels: Vec<f32> = radiance.iter().flat_map(|[r, g, b]| [*r, *g, *b, 1.0]).collect();
     b.write_texture(from, &texels).unwrap();
     let pass = tone_pass(b, map, 1.0, dither, from, to).unwrap();
     b.run(&[pass]).unwrap();
     let pixels = b.read(to).unwrap();
-    [from, to].into_iter().for_each(|id| b.destroy_texture(id));
+    free(b, [from, to]);
     assert!(pixels.chunks_exact(4).all(|p| p[3] == 1.0), "alpha");
     pixels.chunks_exact(4).map(|p| [p[0], p[1], p[2]].map(|v| 255.0 * f64::from(v))).collect()
 }
@@ -67,7 +65,10 @@ fn curves_are_the_twins() {
                         let tie = (want - want.floor() - 0.5).abs() < 2e-3;
                         ties += usize::from(tie);
                         let off = (got[c] - want.clamp(0.0, 255.0).round()).abs();
-                        assert!(off < if tie { 1.01 } else { 0.01 }, "{map:?} {on} {color:?}: {got:?}, not {want}");
+                        assert!(
+                            off < if tie { 1.01 } else { 0.01 },
+                            "{map:?} {on} {color:?}: {got:?}, not {want}"
+                        );
                     }
                 }
                 assert!(ties < 40, "{ties} of {} are no test", 3 * colors.len());
@@ -120,7 +121,8 @@ fn longest_runs(pixels: &[[f64; 3]], width: usize) -> [usize; 3] {
     })
 }
 
-/// Root mean square of what means over areas `window` pixels wide and all rows high differ by from the exact values'.
+/// Root mean square of what means over areas `window` pixels wide and all rows high differ by from the exact
+/// values'.
 fn banding(pixels: &[[f64; 3]], want: &[[f64; 3]], window: usize) -> f64 {
     let columns: Vec<f64> =
         (0..want.len()).map(|x| mean(pixels[x..].iter().step_by(want.len()).map(|p| p[1]))).collect();
@@ -145,14 +147,16 @@ fn gradients_have_no_bands() {
             let want: Vec<_> = row.iter().map(|&c| exact(ToneMap::Neutral, c)).collect();
             let field: Vec<_> = (0..16).flat_map(|_| row.iter().copied()).collect();
             let size = [width, 16];
-            let [off, on] = [false, true].map(|on| shown(b, &field, size, ToneMap::Neutral, on, Format::Rgba8));
+            let [off, on] =
+                [false, true].map(|on| shown(b, &field, size, ToneMap::Neutral, on, Format::Rgba8));
             let w = width as usize;
             let (bands, runs) = (longest_runs(&off, w), longest_runs(&on, w));
             let per_step = w as f64 / f64::from(steps);
             let window = (0.5 * per_step) as usize;
             let [left, right] = [&off, &on].map(|p| banding(p, &want, window));
             println!(
-                "{}: a step in {per_step} pixels: runs of {bands:?} become {runs:?}, bands of {left:.3} {right:.3}",
+                "{}: a step in {per_step} pixels: runs of {bands:?} become {runs:?}, \
+                 bands of {left:.3} {right:.3}",
                 b.info().backend
             );
             for c in 0..3 {
@@ -185,14 +189,7 @@ fn dither_is_for_bytes_alone() {
 fn pictures_of_all_renderers_have_the_same_noise() {
     let size = [48, 32];
     let scene: Scene = View { pitch: 20.0, sun_elevation: 20.0, aspect: 1.5, ..View::default() }.scene();
-    let airless = {
-        let mut scene = scene.clone();
-        let a = &mut scene.atmosphere;
-        for c in [&mut a.rayleigh_scattering, &mut a.mie_scattering, &mut a.mie_absorption, &mut a.ozone_absorption] {
-            *c = [0.0; 3];
-        }
-        scene
-    };
+    let empty = Scene { atmosphere: airless(scene.atmosphere.clone()), ..scene.clone() };
     let settings = PictureSettings {
         sky: SkySettings { sun_disk: false, ..SkySettings::default() },
         terrain: None,
@@ -203,32 +200,36 @@ fn pictures_of_all_renderers_have_the_same_noise() {
     on_both(|b| {
         let mut renderer = PictureRenderer::default();
         let mut draw = |scene: &Scene, dither| {
-            let drawn = renderer.draw(b, scene, &PictureSettings { dither, ..settings }, size).unwrap();
-            let pixels = b.read(drawn.display).unwrap();
-            (b.read(drawn.radiance).unwrap(), pixels)
+            draw_both(b, &mut renderer, scene, &PictureSettings { dither, ..settings }, size)
         };
-        let (radiance, with) = draw(&scene, true);
-        let (same, without) = draw(&scene, false);
+        let [radiance, with] = draw(&scene, true);
+        let [same, without] = draw(&scene, false);
         assert!(radiance == same, "dither changed the radiance");
         assert!(with != without);
-        assert!(draw(&scene, true).1 == with, "not the same twice");
-        assert!(draw(&airless, true).1.chunks_exact(4).all(|p| p[..3] == [0.0; 3]), "black is not black");
+        assert!(draw(&scene, true)[1] == with, "not the same twice");
+        assert!(draw(&empty, true)[1].chunks_exact(4).all(|p| p[..3] == [0.0; 3]), "black is not black");
         // The noise that the twin adds to this backend's own radiance.
         let mut off = 0;
         for (i, (p, light)) in with.chunks_exact(4).zip(radiance.chunks_exact(4)).enumerate() {
             let want = exact(ToneMap::Aces, [light[0], light[1], light[2]]);
             let noise = dither([i as u32 % size[0], i as u32 / size[0]]);
-            off += (0..3).filter(|&c| (255.0 * f64::from(p[c]) - (want[c] + noise[c]).round()).abs() > 0.1).count();
+            off += (0..3)
+                .filter(|&c| (255.0 * f64::from(p[c]) - (want[c] + noise[c]).round()).abs() > 0.1)
+                .count();
         }
         assert!(off < 10, "{off} values are not the twin's");
         displays.push(with);
         renderer.destroy(b);
     });
     let differ = displays[0].iter().zip(&displays[1]).filter(|(a, b)| a != b).count();
-    assert!(differ * 50 < displays[0].len(), "the backends differ in {differ} of {} values", displays[0].len());
+    assert!(
+        differ * 50 < displays[0].len(),
+        "the backends differ in {differ} of {} values",
+        displays[0].len()
+    );
     // On the processor, by its own light.
-    let [on, off] =
-        [true, false].map(|dither| render(&scene, &PictureSettings { dither, ..settings }, size, &|_| ()).unwrap());
+    let [on, off] = [true, false]
+        .map(|dither| render(&scene, &PictureSettings { dither, ..settings }, size, &|_| ()).unwrap());
     assert!(on.radiance == off.radiance);
     for (i, p) in on.radiance.iter().enumerate() {
         let want = exact(ToneMap::Aces, [p[0], p[1], p[2]]);
