@@ -43,45 +43,6 @@ struct Frame {
     float camera_altitude;
     vec4 limb;
 };
-struct AirRay {
-    float start;
-    float length_;
-    float x;
-    float b;
-    float x_closest;
-    float sun_b;
-    float nu;
-    float cross2_;
-    float shadow_b;
-    float shadow_c;
-    float shadow_half2_;
-    bool ground;
-};
-struct SunSide {
-    float sun_b;
-    float nu;
-    float cross2_;
-    float shadow_b;
-    float shadow_c;
-    float shadow_half2_;
-};
-struct Line {
-    float b;
-    float p;
-    float x_closest;
-    bool ground;
-};
-struct AirPath {
-    float start;
-    float length_;
-    float x;
-    float b;
-};
-struct Low {
-    float t;
-    float x;
-    float b;
-};
 struct Tables {
     vec3 mie_extinction;
     float altitude_steepness;
@@ -103,15 +64,6 @@ struct Tables {
     uint slices;
     float air_ground_rows;
 };
-struct Corner {
-    ivec2 low;
-    ivec2 high;
-    vec2 part;
-};
-struct Source {
-    vec3 gas;
-    vec3 aerosol;
-};
 struct MoonShadow {
     vec3 across;
     float along;
@@ -119,15 +71,6 @@ struct MoonShadow {
     float tangent;
     float least;
     float rate;
-};
-struct Gathered {
-    vec3 radiance;
-    vec3 transmittance;
-    vec3 columns;
-};
-struct Scattered {
-    vec3 radiance;
-    vec3 transmittance;
 };
 struct Uniforms {
     Frame frame;
@@ -165,18 +108,18 @@ vec3 pixel_ray(vec2 pixel, vec2 size, vec3 forward, vec3 right, vec3 up) {
     return ((forward + (right * ndc.x)) + (up * ndc.y));
 }
 
-float depth_distance(DepthCode c, float depth, float ray_length) {
-    if ((depth == c.background)) {
+float depth_distance(float c_scale, float c_bias, float c_log, float c_background, float depth, float ray_length_1) {
+    if ((depth == c_background)) {
         return -1.0;
     }
-    if ((c.log_ > 0.0)) {
-        return (((exp2((depth * c.log_)) - 1.0) * 0.001) * ray_length);
+    if ((c_log > 0.0)) {
+        return (((exp2((depth * c_log)) - 1.0) * 0.001) * ray_length_1);
     }
-    float inverse_ = ((depth * c.scale) + c.bias);
+    float inverse_ = ((depth * c_scale) + c_bias);
     if ((inverse_ <= 0.0)) {
         return -1.0;
     }
-    return (ray_length / inverse_);
+    return (ray_length_1 / inverse_);
 }
 
 float scene_reach(float start, float length_, float b, bool ground, float distance_, float radius, float pixel_angle) {
@@ -186,8 +129,8 @@ float scene_reach(float start, float length_, float b, bool ground, float distan
     }
     float slant = max((abs((b + length_)) / radius), 0.05);
     float snap = (((SUBPIXEL * pixel_angle) * distance_) / slant);
-    float before_1 = smoothstep((0.5 * snap), snap, (length_ - reach));
-    return ((length_ * (1.0 - before_1)) + (reach * before_1));
+    float before = smoothstep((0.5 * snap), snap, (length_ - reach));
+    return ((length_ * (1.0 - before)) + (reach * before));
 }
 
 float altitude_of(float x, float radius_1) {
@@ -204,10 +147,10 @@ float altitude_after(float x_1, float b_1, float t, float radius_3) {
 }
 
 float distance_to_top(float x_2, float b_2, float x_top) {
-    float c_3 = max((x_top - x_2), 0.0);
-    float root_1 = sqrt(((b_2 * b_2) + c_3));
+    float c = max((x_top - x_2), 0.0);
+    float root_1 = sqrt(((b_2 * b_2) + c));
     if ((b_2 > 0.0)) {
-        return (c_3 / (b_2 + root_1));
+        return (c / (b_2 + root_1));
     }
     return (root_1 - b_2);
 }
@@ -220,214 +163,333 @@ float half_chord2_(float b_3, float above, float depth_1, float p) {
     return (depth_1 * (sphere + p));
 }
 
-float shadow_half2_(SunSide s, float side_z, float r, float radius_4) {
-    float sine = max(sqrt(s.cross2_), 1e-18);
+float shadow_half2_(float s_cross2_, float s_shadow_b, float s_shadow_c, float side_z, float r, float radius_4) {
+    float sine = max(sqrt(s_cross2_), 1e-18);
     float p_1 = ((r * abs(side_z)) / sine);
-    float _e15 = half_chord2_((s.shadow_b / sine), s.shadow_c, (radius_4 - p_1), p_1);
-    return _e15;
+    float _e14 = half_chord2_((s_shadow_b / sine), s_shadow_c, (radius_4 - p_1), p_1);
+    return _e14;
 }
 
-SunSide sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_3, float radius_5) {
-    SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    s_1.nu = dot(dir, sun);
-    float _e9 = s_1.nu;
-    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s_1.cross2_ = dot(side, side);
-    s_1.sun_b = (r_1 * sun.z);
-    s_1.shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+void sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_3, float radius_5, inout float out_sun_b, inout float out_nu, inout float out_cross2_, inout float out_shadow_b, inout float out_shadow_c, inout float out_shadow_half2_) {
+    float s_sun_b = 0.0;
+    float s_nu = 0.0;
+    float s_cross2_1 = 0.0;
+    float s_shadow_b_1 = 0.0;
+    float s_shadow_c_1 = 0.0;
+    float s_shadow_half2_ = 0.0;
+    s_nu = dot(dir, sun);
+    float _e15 = s_nu;
+    vec3 side = cross((dir - (((_e15 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    s_cross2_1 = dot(side, side);
+    s_sun_b = (r_1 * sun.z);
+    s_shadow_b_1 = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
     float q = (r_1 * length(sun.xy));
-    float _e37 = s_1.sun_b;
-    float _e39 = half_chord2_(_e37, x_3, (radius_5 - q), q);
-    s_1.shadow_c = -(_e39);
-    SunSide _e42 = s_1;
-    float _e44 = shadow_half2_(_e42, side.z, r_1, radius_5);
-    s_1.shadow_half2_ = _e44;
-    SunSide _e45 = s_1;
-    return _e45;
+    float _e39 = s_sun_b;
+    float _e43 = half_chord2_(_e39, x_3, (radius_5 - q), q);
+    s_shadow_c_1 = -(_e43);
+    float _e45 = s_cross2_1;
+    float _e46 = s_shadow_b_1;
+    float _e47 = s_shadow_c_1;
+    float _e49 = shadow_half2_(_e45, _e46, _e47, side.z, r_1, radius_5);
+    s_shadow_half2_ = _e49;
+    float _e50 = s_sun_b;
+    float _e51 = s_nu;
+    float _e52 = s_cross2_1;
+    float _e53 = s_shadow_b_1;
+    float _e54 = s_shadow_c_1;
+    float _e55 = s_shadow_half2_;
+    out_sun_b = _e50;
+    out_nu = _e51;
+    out_cross2_ = _e52;
+    out_shadow_b = _e53;
+    out_shadow_c = _e54;
+    out_shadow_half2_ = _e55;
 }
 
-SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start_1, float half_, float x_top_1, float radius_6) {
-    SunSide s_2 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    s_2.nu = dot(dir_1, sun_1);
-    float _e11 = s_2.nu;
-    float same = ((_e11 >= 0.0) ? 1.0 : -1.0);
+void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start_1, float half_, float x_top_1, float radius_6, inout float out_sun_b_1, inout float out_nu_1, inout float out_cross2_1, inout float out_shadow_b_1, inout float out_shadow_c_1, inout float out_shadow_half2_1) {
+    float s_sun_b_1 = 0.0;
+    float s_nu_1 = 0.0;
+    float s_cross2_2 = 0.0;
+    float s_shadow_b_2 = 0.0;
+    float s_shadow_c_2 = 0.0;
+    float s_shadow_half2_1 = 0.0;
+    s_nu_1 = dot(dir_1, sun_1);
+    float _e15 = s_nu_1;
+    float same = ((_e15 >= 0.0) ? 1.0 : -1.0);
     vec3 apart_4 = (dir_1 - (same * sun_1));
     vec3 side_1 = cross(apart_4, sun_1);
-    s_2.cross2_ = dot(side_1, side_1);
+    s_cross2_2 = dot(side_1, side_1);
     vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
     float there = (-(same) * dot(closest, apart_4));
     float here = (r_2 * sun_1.z);
-    float _e38 = s_2.nu;
-    float _e44 = s_2.nu;
-    bool nearer = ((abs(here) + (start_1 * abs(_e38))) < (abs(there) + (half_ * abs(_e44))));
-    float _e51 = s_2.nu;
-    float _e55 = s_2.nu;
-    s_2.sun_b = (nearer ? (here + (start_1 * _e55)) : (there - (half_ * _e51)));
+    float _e41 = s_nu_1;
+    float _e47 = s_nu_1;
+    bool nearer = ((abs(here) + (start_1 * abs(_e41))) < (abs(there) + (half_ * abs(_e47))));
+    float _e53 = s_nu_1;
+    float _e56 = s_nu_1;
+    s_sun_b_1 = (nearer ? (here + (start_1 * _e56)) : (there - (half_ * _e53)));
     vec3 closest_side = cross(closest, sun_1);
-    float _e63 = s_2.cross2_;
-    s_2.shadow_b = (dot(closest_side, side_1) - (half_ * _e63));
+    float _e62 = s_cross2_2;
+    s_shadow_b_2 = (dot(closest_side, side_1) - (half_ * _e62));
     float q_1 = length((closest_side - (half_ * side_1)));
-    float _e71 = s_2.sun_b;
-    float _e73 = half_chord2_(_e71, x_top_1, (radius_6 - q_1), q_1);
-    s_2.shadow_c = -(_e73);
-    SunSide _e76 = s_2;
-    float _e78 = shadow_half2_(_e76, side_1.z, r_2, radius_6);
-    s_2.shadow_half2_ = _e78;
-    SunSide _e79 = s_2;
-    return _e79;
+    float _e68 = s_sun_b_1;
+    float _e72 = half_chord2_(_e68, x_top_1, (radius_6 - q_1), q_1);
+    s_shadow_c_2 = -(_e72);
+    float _e74 = s_cross2_2;
+    float _e75 = s_shadow_b_2;
+    float _e76 = s_shadow_c_2;
+    float _e78 = shadow_half2_(_e74, _e75, _e76, side_1.z, r_2, radius_6);
+    s_shadow_half2_1 = _e78;
+    float _e79 = s_sun_b_1;
+    float _e80 = s_nu_1;
+    float _e81 = s_cross2_2;
+    float _e82 = s_shadow_b_2;
+    float _e83 = s_shadow_c_2;
+    float _e84 = s_shadow_half2_1;
+    out_sun_b_1 = _e79;
+    out_nu_1 = _e80;
+    out_cross2_1 = _e81;
+    out_shadow_b_1 = _e82;
+    out_shadow_c_1 = _e83;
+    out_shadow_half2_1 = _e84;
 }
 
-Line line_past(vec3 dir_2, float h_1, float radius_7) {
-    bool local_1 = false;
+void line_past(vec3 dir_2, float h_1, float radius_7, inout float out_b, inout float out_x_closest, inout bool out_ground) {
+    bool unnamed_1 = false;
     float r_3 = (radius_7 + h_1);
     float b_7 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
-    float _e11 = excess_of(h_1, radius_7);
-    float _e13 = half_chord2_(b_7, _e11, (radius_7 - p_2), p_2);
+    float _e14 = excess_of(h_1, radius_7);
+    float _e16 = half_chord2_(b_7, _e14, (radius_7 - p_2), p_2);
     if ((b_7 < 0.0)) {
-        local_1 = (_e13 >= 0.0);
+        unnamed_1 = (_e16 >= 0.0);
     } else {
-        local_1 = false;
+        unnamed_1 = false;
     }
-    bool _e22 = local_1;
-    return Line(b_7, p_2, -(_e13), _e22);
+    bool _e25 = unnamed_1;
+    out_b = b_7;
+    out_x_closest = -(_e16);
+    out_ground = _e25;
 }
 
-float top_half_chord2_(Line line, float h_2, float radius_8, float thickness) {
-    float b2_ = (line.b * line.b);
-    float _e7 = excess_of(thickness, radius_8);
+float top_half_chord2_(float line_b, float line_x_closest, float h_2, float radius_8, float thickness) {
+    float b2_ = (line_b * line_b);
+    float _e5 = excess_of(thickness, radius_8);
     float above_1 = ((h_2 - thickness) * (((2.0 * radius_8) + thickness) + h_2));
-    return ((b2_ < _e7) ? (b2_ - above_1) : (_e7 - line.x_closest));
+    return ((b2_ < _e5) ? (b2_ - above_1) : (_e5 - line_x_closest));
 }
 
 float to_ground(float x_4, float b_4, float root) {
     return min((x_4 / (root - b_4)), -(b_4));
 }
 
-AirPath air_path(Line line_1, float h_3, float radius_9, float thickness_1) {
-    bool local_2 = false;
-    float _e4 = excess_of(thickness_1, radius_9);
-    float ground_root = sqrt(max(-(line_1.x_closest), 0.0));
+void air_path(float line_b_1, float line_x_closest_1, bool line_ground, float h_3, float radius_9, float thickness_1, inout float out_start, inout float out_length, inout float out_x, inout float out_b_1) {
+    bool unnamed_2 = false;
+    float _e6 = excess_of(thickness_1, radius_9);
+    float ground_root = sqrt(max(-(line_x_closest_1), 0.0));
     if ((h_3 <= thickness_1)) {
-        float _e11 = excess_of(h_3, radius_9);
-        float _e13 = distance_to_top(_e11, line_1.b, _e4);
-        float _e15 = to_ground(_e11, line_1.b, ground_root);
-        float reach_1 = (line_1.ground ? _e15 : _e13);
-        return AirPath(0.0, reach_1, _e11, line_1.b);
+        float _e16 = excess_of(h_3, radius_9);
+        float _e17 = distance_to_top(_e16, line_b_1, _e6);
+        float _e18 = to_ground(_e16, line_b_1, ground_root);
+        float reach_1 = (line_ground ? _e18 : _e17);
+        out_start = 0.0;
+        out_length = reach_1;
+        out_x = _e16;
+        out_b_1 = line_b_1;
+        return;
     }
     float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_9) + thickness_1) + h_3));
-    float _e27 = top_half_chord2_(line_1, h_3, radius_9, thickness_1);
-    if (!((line_1.b >= 0.0))) {
-        local_2 = (_e27 <= 0.0);
+    float _e27 = top_half_chord2_(line_b_1, line_x_closest_1, h_3, radius_9, thickness_1);
+    if (!((line_b_1 >= 0.0))) {
+        unnamed_2 = (_e27 <= 0.0);
     } else {
-        local_2 = true;
+        unnamed_2 = true;
     }
-    bool _e37 = local_2;
-    if (_e37) {
-        return AirPath(0.0, -1.0, 0.0, 0.0);
+    bool _e36 = unnamed_2;
+    if (_e36) {
+        out_start = 0.0;
+        out_length = -1.0;
+        out_x = 0.0;
+        out_b_1 = 0.0;
+        return;
     }
     float half_2 = sqrt(_e27);
-    float _e50 = to_ground(_e4, -(half_2), ground_root);
-    return AirPath((above_2 / (half_2 - line_1.b)), (line_1.ground ? _e50 : (2.0 * half_2)), _e4, -(half_2));
+    float _e47 = to_ground(_e6, -(half_2), ground_root);
+    out_start = (above_2 / (half_2 - line_b_1));
+    out_length = (line_ground ? _e47 : (2.0 * half_2));
+    out_x = _e6;
+    out_b_1 = -(half_2);
 }
 
-AirRay air_ray(vec3 dir_3, float h_4, float radius_10, float thickness_2, vec3 sun_2) {
-    SunSide s_3 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    bool local_3 = false;
-    Line _e5 = line_past(dir_3, h_4, radius_10);
-    AirPath _e6 = air_path(_e5, h_4, radius_10, thickness_2);
+void air_ray(vec3 dir_3, float h_4, float radius_10, float thickness_2, vec3 sun_2, inout float out_start_1, inout float out_length_1, inout float out_x_1, inout float out_b_2, inout float out_x_closest_1, inout float out_sun_b_2, inout float out_nu_2, inout float out_cross2_2, inout float out_shadow_b_2, inout float out_shadow_c_2, inout float out_shadow_half2_2, inout bool out_ground_1) {
+    float s_sun_b_2 = 0.0;
+    float s_nu_2 = 0.0;
+    float s_cross2_3 = 0.0;
+    float s_shadow_b_3 = 0.0;
+    float s_shadow_c_3 = 0.0;
+    float s_shadow_half2_2 = 0.0;
+    bool unnamed_3 = false;
+    float line_b_2 = 0.0;
+    float line_x_closest_2 = 0.0;
+    bool line_ground_1 = false;
+    float path_start = 0.0;
+    float path_length = 0.0;
+    float path_x = 0.0;
+    float path_b = 0.0;
+    float sun_side_inside_sun_b = 0.0;
+    float sun_side_inside_nu = 0.0;
+    float sun_side_inside_cross2_ = 0.0;
+    float sun_side_inside_shadow_b = 0.0;
+    float sun_side_inside_shadow_c = 0.0;
+    float sun_side_inside_shadow_half2_ = 0.0;
+    float sun_side_outside_sun_b = 0.0;
+    float sun_side_outside_nu = 0.0;
+    float sun_side_outside_cross2_ = 0.0;
+    float sun_side_outside_shadow_b = 0.0;
+    float sun_side_outside_shadow_c = 0.0;
+    float sun_side_outside_shadow_half2_ = 0.0;
+    line_past(dir_3, h_4, radius_10, line_b_2, line_x_closest_2, line_ground_1);
+    float _e18 = line_b_2;
+    float _e19 = line_x_closest_2;
+    bool _e20 = line_ground_1;
+    air_path(_e18, _e19, _e20, h_4, radius_10, thickness_2, path_start, path_length, path_x, path_b);
+    float _e26 = path_start;
+    float _e27 = path_length;
+    float _e28 = path_x;
+    float _e29 = path_b;
     if ((h_4 <= thickness_2)) {
-        SunSide _e11 = sun_side_inside(dir_3, sun_2, (radius_10 + h_4), _e6.x, radius_10);
-        s_3 = _e11;
+        sun_side_inside(dir_3, sun_2, (radius_10 + h_4), _e28, radius_10, sun_side_inside_sun_b, sun_side_inside_nu, sun_side_inside_cross2_, sun_side_inside_shadow_b, sun_side_inside_shadow_c, sun_side_inside_shadow_half2_);
+        float _e39 = sun_side_inside_sun_b;
+        float _e40 = sun_side_inside_nu;
+        float _e41 = sun_side_inside_cross2_;
+        float _e42 = sun_side_inside_shadow_b;
+        float _e43 = sun_side_inside_shadow_c;
+        float _e44 = sun_side_inside_shadow_half2_;
+        s_sun_b_2 = _e39;
+        s_nu_2 = _e40;
+        s_cross2_3 = _e41;
+        s_shadow_b_3 = _e42;
+        s_shadow_c_3 = _e43;
+        s_shadow_half2_2 = _e44;
     } else {
-        if ((_e6.length_ > 0.0)) {
-            SunSide _e20 = sun_side_outside(dir_3, sun_2, (radius_10 + h_4), _e6.start, -(_e6.b), _e6.x, radius_10);
-            s_3 = _e20;
+        if ((_e27 > 0.0)) {
+            sun_side_outside(dir_3, sun_2, (radius_10 + h_4), _e26, -(_e29), _e28, radius_10, sun_side_outside_sun_b, sun_side_outside_nu, sun_side_outside_cross2_, sun_side_outside_shadow_b, sun_side_outside_shadow_c, sun_side_outside_shadow_half2_);
+            float _e61 = sun_side_outside_sun_b;
+            float _e62 = sun_side_outside_nu;
+            float _e63 = sun_side_outside_cross2_;
+            float _e64 = sun_side_outside_shadow_b;
+            float _e65 = sun_side_outside_shadow_c;
+            float _e66 = sun_side_outside_shadow_half2_;
+            s_sun_b_2 = _e61;
+            s_nu_2 = _e62;
+            s_cross2_3 = _e63;
+            s_shadow_b_3 = _e64;
+            s_shadow_c_3 = _e65;
+            s_shadow_half2_2 = _e66;
         } else {
-            s_3.nu = dot(dir_3, sun_2);
+            s_nu_2 = dot(dir_3, sun_2);
         }
     }
-    if (_e5.ground) {
-        local_3 = (_e6.length_ >= 0.0);
+    if (_e20) {
+        unnamed_3 = (_e27 >= 0.0);
     } else {
-        local_3 = false;
+        unnamed_3 = false;
     }
-    bool ground_1 = local_3;
-    float _e37 = s_3.sun_b;
-    float _e39 = s_3.nu;
-    float _e41 = s_3.cross2_;
-    float _e43 = s_3.shadow_b;
-    float _e45 = s_3.shadow_c;
-    float _e47 = s_3.shadow_half2_;
-    return AirRay(_e6.start, _e6.length_, _e6.x, _e6.b, _e5.x_closest, _e37, _e39, _e41, _e43, _e45, _e47, ground_1);
+    bool ground_1 = unnamed_3;
+    float _e74 = s_sun_b_2;
+    float _e75 = s_nu_2;
+    float _e76 = s_cross2_3;
+    float _e77 = s_shadow_b_3;
+    float _e78 = s_shadow_c_3;
+    float _e79 = s_shadow_half2_2;
+    out_start_1 = _e26;
+    out_length_1 = _e27;
+    out_x_1 = _e28;
+    out_b_2 = _e29;
+    out_x_closest_1 = _e19;
+    out_sun_b_2 = _e74;
+    out_nu_2 = _e75;
+    out_cross2_2 = _e76;
+    out_shadow_b_2 = _e77;
+    out_shadow_c_2 = _e78;
+    out_shadow_half2_2 = _e79;
+    out_ground_1 = ground_1;
 }
 
-Low lowest(AirRay ray, float length_1, float radius_11) {
-    bool local_4 = false;
-    if ((ray.b >= 0.0)) {
-        return Low(0.0, ray.x, ray.b);
+void lowest(float ray_length_2, float ray_x_1, float ray_b_1, float ray_x_closest_1, bool ray_ground_1, float length_1, float radius_11, inout float out_t, inout float out_x_2, inout float out_b_3) {
+    bool unnamed_4 = false;
+    if ((ray_b_1 >= 0.0)) {
+        out_t = 0.0;
+        out_x_2 = ray_x_1;
+        out_b_3 = ray_b_1;
+        return;
     }
-    if ((-(ray.b) <= length_1)) {
-        return Low(-(ray.b), ray.x_closest, 0.0);
+    if ((-(ray_b_1) <= length_1)) {
+        out_t = -(ray_b_1);
+        out_x_2 = ray_x_closest_1;
+        out_b_3 = 0.0;
+        return;
     }
-    float b_8 = (ray.b + length_1);
-    if (ray.ground) {
-        local_4 = (length_1 >= ray.length_);
+    float b_8 = (ray_b_1 + length_1);
+    if (ray_ground_1) {
+        unnamed_4 = (length_1 >= ray_length_2);
     } else {
-        local_4 = false;
+        unnamed_4 = false;
     }
-    bool _e26 = local_4;
-    if (_e26) {
-        return Low(length_1, 0.0, b_8);
+    bool _e21 = unnamed_4;
+    if (_e21) {
+        out_t = length_1;
+        out_x_2 = 0.0;
+        out_b_3 = b_8;
+        return;
     }
-    bool far = ((-(ray.b) * length_1) > (radius_11 * radius_11));
-    return Low(length_1, (far ? (ray.x_closest + (b_8 * b_8)) : (ray.x + (length_1 * ((2.0 * ray.b) + length_1)))), b_8);
+    bool far = ((-(ray_b_1) * length_1) > (radius_11 * radius_11));
+    out_t = length_1;
+    out_x_2 = (far ? (ray_x_closest_1 + (b_8 * b_8)) : (ray_x_1 + (length_1 * ((2.0 * ray_b_1) + length_1))));
+    out_b_3 = b_8;
 }
 
-vec2 shadow_stretch(AirRay ray_1) {
+vec2 shadow_stretch(float ray_sun_b_1, float ray_nu_1, float ray_cross2_1, float ray_shadow_b_1, float ray_shadow_c_1, float ray_shadow_half2_1) {
     vec2 stretch = vec2(0.0);
     vec2 none = vec2(1.0, 0.0);
-    float a = ray_1.cross2_;
-    float b_9 = ray_1.shadow_b;
-    float c_4 = ray_1.shadow_c;
     stretch = vec2(-(1e30), 1e30);
-    if ((a > 1e-30)) {
-        if ((ray_1.shadow_half2_ <= 0.0)) {
+    if ((ray_cross2_1 > 1e-30)) {
+        if ((ray_shadow_half2_1 <= 0.0)) {
             return none;
         }
-        float q_2 = -((b_9 + (((b_9 >= 0.0) ? 1.0 : -1.0) * sqrt((a * ray_1.shadow_half2_)))));
-        float t0_2 = (q_2 / a);
-        float t1_1 = ((q_2 != 0.0) ? (c_4 / q_2) : t0_2);
+        float q_2 = -((ray_shadow_b_1 + (((ray_shadow_b_1 >= 0.0) ? 1.0 : -1.0) * sqrt((ray_cross2_1 * ray_shadow_half2_1)))));
+        float t0_2 = (q_2 / ray_cross2_1);
+        float t1_1 = ((q_2 != 0.0) ? (ray_shadow_c_1 / q_2) : t0_2);
         stretch = vec2(min(t0_2, t1_1), max(t0_2, t1_1));
     } else {
-        if ((c_4 >= 0.0)) {
+        if ((ray_shadow_c_1 >= 0.0)) {
             return none;
         }
     }
-    if ((abs(ray_1.nu) < 1e-12)) {
-        if ((ray_1.sun_b >= 0.0)) {
+    if ((abs(ray_nu_1) < 1e-12)) {
+        if ((ray_sun_b_1 >= 0.0)) {
             return none;
         }
     } else {
-        float t_5 = (-(ray_1.sun_b) / ray_1.nu);
-        if ((ray_1.nu > 0.0)) {
-            float _e53 = stretch.y;
-            stretch.y = min(_e53, t_5);
+        float t_2 = (-(ray_sun_b_1) / ray_nu_1);
+        if ((ray_nu_1 > 0.0)) {
+            float _e48 = stretch.y;
+            stretch.y = min(_e48, t_2);
         } else {
-            float _e57 = stretch.x;
-            stretch.x = max(_e57, t_5);
+            float _e52 = stretch.x;
+            stretch.x = max(_e52, t_2);
         }
     }
-    vec2 _e59 = stretch;
-    return _e59;
+    vec2 _e54 = stretch;
+    return _e54;
 }
 
-vec4 layers_of(Medium m) {
-    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+vec4 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width) {
+    return vec4(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_center, m_ozone_inv_half_width);
 }
 
-mat3x3 coefficients_of(Medium m_1) {
-    return mat3x3(m_1.rayleigh, m_1.mie_extinction, m_1.ozone);
+mat3x3 coefficients_of(vec3 m_rayleigh, vec3 m_mie_extinction, vec3 m_ozone) {
+    return mat3x3(m_rayleigh, m_mie_extinction, m_ozone);
 }
 
 vec3 densities(vec4 layers, float h_5) {
@@ -441,8 +503,8 @@ vec3 densities(vec4 layers, float h_5) {
 
 vec3 extinction(mat3x3 coefficients, vec3 d_1) {
     vec3 sum = vec3(0.0);
-    vec3 _e5 = sum;
-    sum = (_e5 + (coefficients[0] * d_1.x));
+    vec3 _e3 = sum;
+    sum = (_e3 + (coefficients[0] * d_1.x));
     vec3 _e10 = sum;
     sum = (_e10 + (coefficients[1] * d_1.y));
     vec3 _e15 = sum;
@@ -451,50 +513,58 @@ vec3 extinction(mat3x3 coefficients, vec3 d_1) {
     return _e20;
 }
 
-Corner corner(vec2 at, ivec2 size_1) {
+void corner(vec2 at, ivec2 size_1, inout ivec2 out_low, inout ivec2 out_high, inout vec2 out_part) {
     vec2 inside = clamp(at, vec2(0.0), vec2((size_1 - ivec2(1))));
     ivec2 low_3 = min(ivec2(inside), (size_1 - ivec2(1)));
-    return Corner(low_3, min((low_3 + ivec2(1)), (size_1 - ivec2(1))), (inside - vec2(low_3)));
+    out_low = low_3;
+    out_high = min((low_3 + ivec2(1)), (size_1 - ivec2(1)));
+    out_part = (inside - vec2(low_3));
 }
 
-vec4 bilinear(highp sampler2D table, Corner c_1, ivec2 origin) {
-    ivec2 low_4 = (c_1.low + origin);
-    ivec2 high = (c_1.high + origin);
+vec4 bilinear(highp sampler2D table, ivec2 c_low, ivec2 c_high, vec2 c_part, ivec2 origin) {
+    ivec2 low_4 = (c_low + origin);
+    ivec2 high = (c_high + origin);
     vec4 _e8 = texelFetch(table, low_4, 0);
     vec4 _e13 = texelFetch(table, ivec2(high.x, low_4.y), 0);
-    vec4 bottom = mix(_e8, _e13, c_1.part.x);
-    vec4 _e21 = texelFetch(table, ivec2(low_4.x, high.y), 0);
-    vec4 _e23 = texelFetch(table, high, 0);
-    vec4 top = mix(_e21, _e23, c_1.part.x);
-    return mix(bottom, top, c_1.part.y);
+    vec4 bottom = mix(_e8, _e13, c_part.x);
+    vec4 _e20 = texelFetch(table, ivec2(low_4.x, high.y), 0);
+    vec4 _e22 = texelFetch(table, high, 0);
+    vec4 top = mix(_e20, _e22, c_part.x);
+    return mix(bottom, top, c_part.y);
 }
 
 vec2 columns_share(float x_5, float h_6, float b_5, float radius_12, float thickness_3) {
-    float _e5 = excess_of(thickness_3, radius_12);
+    float _e2 = excess_of(thickness_3, radius_12);
     float rho = sqrt(max(x_5, 0.0));
-    float rho_top = sqrt(_e5);
-    float _e10 = distance_to_top(x_5, b_5, _e5);
+    float rho_top = sqrt(_e2);
+    float _e9 = distance_to_top(x_5, b_5, _e2);
     float shortest = max((thickness_3 - h_6), 0.0);
-    return vec2(((_e10 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
+    return vec2(((_e9 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
 }
 
 vec3 columns_to_top(highp sampler2D table_1, float radius_13, float thickness_4, float x_6, float h_7, float b_6) {
+    ivec2 corner_low = ivec2(0);
+    ivec2 corner_high = ivec2(0);
+    vec2 corner_part = vec2(0.0);
     ivec2 size_2 = ivec2(uvec2(textureSize(table_1, 0).xy));
     vec2 _e8 = columns_share(x_6, h_7, b_6, radius_13, thickness_4);
     vec2 at_2 = (_e8 * vec2((size_2 - ivec2(1))));
-    Corner _e14 = corner(at_2, size_2);
-    vec4 _e17 = bilinear(table_1, _e14, ivec2(0));
-    return exp2(_e17.xyz);
+    corner(at_2, size_2, corner_low, corner_high, corner_part);
+    ivec2 _e17 = corner_low;
+    ivec2 _e18 = corner_high;
+    vec2 _e19 = corner_part;
+    vec4 _e22 = bilinear(table_1, _e17, _e18, _e19, ivec2(0));
+    return exp2(_e22.xyz);
 }
 
 float altitude_share(float steepness, float growth, float h_8, float thickness_5) {
     float grown = ((max(h_8, 0.0) / thickness_5) * growth);
-    float s_6 = ((grown < 0.05) ? (grown * (1.0 - (grown * (0.5 - (grown * (0.33333334 - (grown * 0.25))))))) : log((1.0 + grown)));
-    return sqrt((s_6 / steepness));
+    float s = ((grown < 0.05) ? (grown * (1.0 - (grown * (0.5 - (grown * (0.33333334 - (grown * 0.25))))))) : log((1.0 + grown)));
+    return sqrt((s / steepness));
 }
 
-vec4 sun_axis(Tables t_1) {
-    return vec4(t_1.sun_middle, t_1.sun_width, t_1.sun_first, t_1.sun_span);
+vec4 sun_axis(float t_sun_middle, float t_sun_width, float t_sun_first, float t_sun_span) {
+    return vec4(t_sun_middle, t_sun_width, t_sun_first, t_sun_span);
 }
 
 float sun_share(vec4 axis, float mu) {
@@ -525,51 +595,76 @@ float harmonic(int index, float mu_1, float along) {
     }
 }
 
-Source diffuse_source(highp sampler2D table_2, vec2 at_1, vec3 gas, mat3x3 aerosol, float mu_2, float mu_sun, float nu) {
-    Corner c_2 = Corner(ivec2(0), ivec2(0), vec2(0.0));
-    Source source = Source(vec3(0.0), vec3(0.0));
+void diffuse_source(highp sampler2D table_2, vec2 at_1, vec3 gas, mat3x3 aerosol, float mu_2, float mu_sun, float nu, inout vec3 out_gas, inout vec3 out_aerosol) {
+    ivec2 c_low_1 = ivec2(0);
+    ivec2 c_high_1 = ivec2(0);
+    vec2 c_part_1 = vec2(0.0);
+    vec3 source_gas = vec3(0.0);
+    vec3 source_aerosol = vec3(0.0);
+    ivec2 corner_low_1 = ivec2(0);
+    ivec2 corner_high_1 = ivec2(0);
+    vec2 corner_part_1 = vec2(0.0);
     ivec2 dims_1 = ivec2(uvec2(textureSize(table_2, 0).xy));
-    Corner _e16 = corner(at_1, ivec2(dims_1.x, ((dims_1.y - 1) / MOMENTS)));
-    c_2 = _e16;
-    int _e20 = c_2.low.y;
-    c_2.low.y = (_e20 * MOMENTS);
-    int _e25 = c_2.high.y;
-    c_2.high.y = (_e25 * MOMENTS);
-    Corner _e28 = c_2;
-    vec4 _e31 = bilinear(table_2, _e28, ivec2(0));
-    vec3 mean = exp2(_e31.xyz);
+    corner(at_1, ivec2(dims_1.x, ((dims_1.y - 1) / MOMENTS)), corner_low_1, corner_high_1, corner_part_1);
+    ivec2 _e20 = corner_low_1;
+    ivec2 _e21 = corner_high_1;
+    vec2 _e22 = corner_part_1;
+    c_low_1 = _e20;
+    c_high_1 = _e21;
+    c_part_1 = _e22;
+    int _e27 = c_low_1.y;
+    c_low_1.y = (_e27 * MOMENTS);
+    int _e31 = c_high_1.y;
+    c_high_1.y = (_e31 * MOMENTS);
+    ivec2 _e34 = c_low_1;
+    ivec2 _e35 = c_high_1;
+    vec2 _e36 = c_part_1;
+    vec4 _e39 = bilinear(table_2, _e34, _e35, _e36, ivec2(0));
+    vec3 mean = exp2(_e39.xyz);
     float sin_sun = sqrt(max(((1.0 - mu_sun) * (1.0 + mu_sun)), 1e-12));
     float sin_view = sqrt(max(((1.0 - mu_2) * (1.0 + mu_2)), 0.0));
     float along_2 = clamp(((nu - (mu_2 * mu_sun)) / sin_sun), -(sin_view), sin_view);
-    Corner _e55 = c_2;
-    vec4 _e59 = bilinear(table_2, _e55, ivec2(0, 3));
-    float _e62 = harmonic(3, mu_2, along_2);
-    Corner _e64 = c_2;
-    vec4 _e68 = bilinear(table_2, _e64, ivec2(0, 4));
-    float _e71 = harmonic(4, mu_2, along_2);
-    Corner _e74 = c_2;
-    vec4 _e78 = bilinear(table_2, _e74, ivec2(0, 5));
-    float _e81 = harmonic(5, mu_2, along_2);
-    vec3 l2_ = (((_e59.xyz * _e62) + (_e68.xyz * _e71)) + (_e78.xyz * _e81));
-    source.gas = ((gas * (vec3(0.2820948) + (0.1 * l2_))) * mean);
-    Corner _e98 = c_2;
-    vec4 _e102 = bilinear(table_2, _e98, ivec2(0, 1));
-    float _e105 = harmonic(1, mu_2, along_2);
-    Corner _e107 = c_2;
-    vec4 _e111 = bilinear(table_2, _e107, ivec2(0, 2));
-    float _e114 = harmonic(2, mu_2, along_2);
-    vec3 l1_ = ((_e102.xyz * _e105) + (_e111.xyz * _e114));
-    source.aerosol = ((((SH0_ * aerosol[0]) + (l1_ * aerosol[1])) + (l2_ * aerosol[2])) * mean);
-    Source _e128 = source;
-    return _e128;
+    ivec2 _e66 = c_low_1;
+    ivec2 _e67 = c_high_1;
+    vec2 _e68 = c_part_1;
+    vec4 _e72 = bilinear(table_2, _e66, _e67, _e68, ivec2(0, 3));
+    float _e75 = harmonic(3, mu_2, along_2);
+    ivec2 _e77 = c_low_1;
+    ivec2 _e78 = c_high_1;
+    vec2 _e79 = c_part_1;
+    vec4 _e83 = bilinear(table_2, _e77, _e78, _e79, ivec2(0, 4));
+    float _e86 = harmonic(4, mu_2, along_2);
+    ivec2 _e89 = c_low_1;
+    ivec2 _e90 = c_high_1;
+    vec2 _e91 = c_part_1;
+    vec4 _e95 = bilinear(table_2, _e89, _e90, _e91, ivec2(0, 5));
+    float _e98 = harmonic(5, mu_2, along_2);
+    vec3 l2_ = (((_e72.xyz * _e75) + (_e83.xyz * _e86)) + (_e95.xyz * _e98));
+    source_gas = ((gas * (vec3(0.2820948) + (0.1 * l2_))) * mean);
+    ivec2 _e111 = c_low_1;
+    ivec2 _e112 = c_high_1;
+    vec2 _e113 = c_part_1;
+    vec4 _e117 = bilinear(table_2, _e111, _e112, _e113, ivec2(0, 1));
+    float _e120 = harmonic(1, mu_2, along_2);
+    ivec2 _e122 = c_low_1;
+    ivec2 _e123 = c_high_1;
+    vec2 _e124 = c_part_1;
+    vec4 _e128 = bilinear(table_2, _e122, _e123, _e124, ivec2(0, 2));
+    float _e131 = harmonic(2, mu_2, along_2);
+    vec3 l1_ = ((_e117.xyz * _e120) + (_e128.xyz * _e131));
+    source_aerosol = ((((SH0_ * aerosol[0]) + (l1_ * aerosol[1])) + (l2_ * aerosol[2])) * mean);
+    vec3 _e145 = source_gas;
+    vec3 _e146 = source_aerosol;
+    out_gas = _e145;
+    out_aerosol = _e146;
 }
 
 float warp(float low, float u) {
     return (low + (u * abs(u)));
 }
 
-float unwarp(float low_1, float t_2) {
-    return (sign((t_2 - low_1)) * sqrt(abs((t_2 - low_1))));
+float unwarp(float low_1, float t_1) {
+    return (sign((t_1 - low_1)) * sqrt(abs((t_1 - low_1))));
 }
 
 vec3 mean_transmittance(vec3 tau) {
@@ -579,8 +674,8 @@ vec3 mean_transmittance(vec3 tau) {
 
 float quarter_atan(float y, float x_7) {
     float q_3 = (min(x_7, y) / max(max(x_7, y), 1e-30));
-    float s_7 = (q_3 * q_3);
-    float p_3 = (1.0 + (s_7 * (-0.33333147 + (s_7 * (0.19993551 + (s_7 * (-0.142089 + (s_7 * (0.10656264 + (s_7 * (-0.07528964 + (s_7 * (0.042909615 + (s_7 * (-0.016165737 + (s_7 * 0.0028662258))))))))))))))));
+    float s_1 = (q_3 * q_3);
+    float p_3 = (1.0 + (s_1 * (-0.33333147 + (s_1 * (0.19993551 + (s_1 * (-0.142089 + (s_1 * (0.10656264 + (s_1 * (-0.07528964 + (s_1 * (0.042909615 + (s_1 * (-0.016165737 + (s_1 * 0.0028662258))))))))))))))));
     return ((y > x_7) ? (1.5707964 - (q_3 * p_3)) : (q_3 * p_3));
 }
 
@@ -593,13 +688,13 @@ vec2 half_angle(float own, float apart, float other) {
 
 float segment(vec2 half_1) {
     float _e3 = quarter_atan(half_1.x, half_1.y);
-    float a_1 = (2.0 * _e3);
-    if ((a_1 < 0.5)) {
-        float y2_ = ((4.0 * a_1) * a_1);
-        return (((a_1 * y2_) * 0.16666667) * (1.0 - ((y2_ * 0.05) * (1.0 - ((y2_ * 0.023809524) * (1.0 - (y2_ * 0.013888889)))))));
+    float a = (2.0 * _e3);
+    if ((a < 0.5)) {
+        float y2_ = ((4.0 * a) * a);
+        return (((a * y2_) * 0.16666667) * (1.0 - ((y2_ * 0.05) * (1.0 - ((y2_ * 0.023809524) * (1.0 - (y2_ * 0.013888889)))))));
     }
     float sum_1 = dot(half_1, half_1);
-    return (a_1 - ((((2.0 * half_1.x) * half_1.y) * ((half_1.y * half_1.y) - (half_1.x * half_1.x))) / (sum_1 * sum_1)));
+    return (a - ((((2.0 * half_1.x) * half_1.y) * ((half_1.y * half_1.y) - (half_1.x * half_1.x))) / (sum_1 * sum_1)));
 }
 
 float visible_share(float moon, float apart_1) {
@@ -646,36 +741,36 @@ float limb_place(float moon_1, float apart_3) {
     return (0.25 + (0.75 * sqrt(((apart_3 - inner) / (2.0 * min(moon_1, 1.0))))));
 }
 
-vec3 sun_left(highp sampler2D shade_1, MoonShadow s_4, vec3 position_1, vec3 sun_3) {
+vec3 sun_left(highp sampler2D shade_1, vec3 s_across, float s_along, float s_radius, float s_tangent, float s_least, vec3 position_1, vec3 sun_3) {
     vec3 share_1 = vec3(0.0);
-    bool local_5 = false;
+    bool unnamed_5 = false;
     float beside = dot(position_1, sun_3);
-    float apart_5 = length((s_4.across - (position_1 - (sun_3 * beside))));
-    vec2 _e14 = moon_before_sun(apart_5, (s_4.along - beside), s_4.radius, s_4.tangent);
-    float _e17 = visible_share(_e14.x, _e14.y);
-    share_1 = vec3(_e17);
-    float _e21 = share_1.x;
-    if ((_e21 > 0.0)) {
-        float _e27 = share_1.x;
-        local_5 = (_e27 < 1.0);
+    float apart_5 = length((s_across - (position_1 - (sun_3 * beside))));
+    vec2 _e13 = moon_before_sun(apart_5, (s_along - beside), s_radius, s_tangent);
+    float _e16 = visible_share(_e13.x, _e13.y);
+    share_1 = vec3(_e16);
+    float _e20 = share_1.x;
+    if ((_e20 > 0.0)) {
+        float _e24 = share_1.x;
+        unnamed_5 = (_e24 < 1.0);
     } else {
-        local_5 = false;
+        unnamed_5 = false;
     }
-    bool _e31 = local_5;
-    if (_e31) {
-        vec3 _e32 = share_1;
-        float _e35 = limb_place(_e14.x, _e14.y);
-        vec3 _e37 = shade_at(shade_1, _e35, 1);
-        share_1 = (_e32 * _e37);
+    bool _e30 = unnamed_5;
+    if (_e30) {
+        vec3 _e31 = share_1;
+        float _e34 = limb_place(_e13.x, _e13.y);
+        vec3 _e37 = shade_at(shade_1, _e34, 1);
+        share_1 = (_e31 * _e37);
     }
     vec3 _e39 = share_1;
-    return max(_e39, vec3(s_4.least));
+    return max(_e39, vec3(s_least));
 }
 
-vec3 sun_left_around(highp sampler2D shade_2, MoonShadow s_5, vec3 position_2, vec3 sun_4) {
-    float apart_6 = length((s_5.across - (position_2 - (sun_4 * dot(position_2, sun_4)))));
-    vec3 _e13 = shade_at(shade_2, (apart_6 * s_5.rate), 0);
-    return max(_e13, vec3(s_5.least));
+vec3 sun_left_around(highp sampler2D shade_2, vec3 s_across_1, float s_least_1, float s_rate, vec3 position_2, vec3 sun_4) {
+    float apart_6 = length((s_across_1 - (position_2 - (sun_4 * dot(position_2, sun_4)))));
+    vec3 _e13 = shade_at(shade_2, (apart_6 * s_rate), 0);
+    return max(_e13, vec3(s_least_1));
 }
 
 vec2 lit_part(vec2 shadow, float low_2, float t0_, float t1_, float mid) {
@@ -694,92 +789,100 @@ vec2 lit_part(vec2 shadow, float low_2, float t0_, float t1_, float mid) {
     return vec2(((t1_ - t0_) - dark), _e33);
 }
 
-Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium, Tables t_3, AirRay ray_2, vec3 dir_4, vec3 sun_5, MoonShadow eclipse, highp sampler2D shade_3, Low lowest_1, float u_from, float u_to, vec3 gas_1, vec3 aerosol_1, float diffuse) {
-    Gathered out_ = Gathered(vec3(0.0), vec3(1.0), vec3(0.0));
+void gather(highp sampler2D columns, highp sampler2D moments, vec3 medium_rayleigh, float medium_rayleigh_inv_height, vec3 medium_mie_scattering, float medium_mie_inv_height, float medium_ozone_center, float medium_ozone_inv_half_width, vec3 medium_ozone, float medium_radius, float medium_thickness, vec3 t_mie_extinction, float t_altitude_steepness, vec3 t_mie_moment0_, float t_altitude_growth, vec3 t_mie_moment1_, float t_sun_middle_1, vec3 t_mie_moment2_, float t_sun_width_1, float t_sun_first_1, float t_sun_span_1, uint t_steps, float ray_start_1, float ray_sun_b_2, float ray_nu_2, float ray_cross2_2, float ray_shadow_b_2, float ray_shadow_c_2, float ray_shadow_half2_2, vec3 dir_4, vec3 sun_5, vec3 eclipse_across, float eclipse_along, float eclipse_radius, float eclipse_tangent, float eclipse_least, float eclipse_rate, highp sampler2D shade_3, float lowest_t, float lowest_x, float lowest_b, float u_from, float u_to, vec3 gas_1, vec3 aerosol_1, float diffuse, inout vec3 out_radiance, inout vec3 out_columns) {
+    vec3 out_radiance_1 = vec3(0.0);
+    vec3 out_transmittance = vec3(1.0);
+    vec3 out_columns_1 = vec3(0.0);
     float t0_1 = 0.0;
     uint i = 0u;
-    vec3 source_1 = vec3(0.0);
-    Source before = Source(vec3(0.0), vec3(0.0));
-    float radius_15 = medium.radius;
-    float thickness_6 = medium.thickness;
-    vec4 _e17 = layers_of(medium);
-    mat3x3 coefficients_1 = mat3x3(medium.rayleigh, t_3.mie_extinction, medium.ozone);
-    vec2 _e30 = shadow_stretch(ray_2);
-    vec4 _e31 = sun_axis(t_3);
+    vec3 source = vec3(0.0);
+    vec3 before_gas = vec3(0.0);
+    vec3 before_aerosol = vec3(0.0);
+    vec3 diffuse_source_gas = vec3(0.0);
+    vec3 diffuse_source_aerosol = vec3(0.0);
+    vec4 _e18 = layers_of(medium_rayleigh_inv_height, medium_mie_inv_height, medium_ozone_center, medium_ozone_inv_half_width);
+    mat3x3 coefficients_1 = mat3x3(medium_rayleigh, t_mie_extinction, medium_ozone);
+    vec2 _e38 = shadow_stretch(ray_sun_b_2, ray_nu_2, ray_cross2_2, ray_shadow_b_2, ray_shadow_c_2, ray_shadow_half2_2);
+    vec4 _e39 = sun_axis(t_sun_middle_1, t_sun_width_1, t_sun_first_1, t_sun_span_1);
     ivec2 dims_2 = ivec2(uvec2(textureSize(moments, 0).xy));
     vec2 nodes = (vec2(float(dims_2.x), float(((dims_2.y - 1) / MOMENTS))) - vec2(1.0));
-    mat3x3 scattered = mat3x3((medium.mie_scattering * t_3.mie_moment0_), (medium.mie_scattering * t_3.mie_moment1_), (medium.mie_scattering * t_3.mie_moment2_));
-    float low_6 = lowest_1.t;
-    float du = ((u_to - u_from) / float(t_3.steps));
-    float _e61 = warp(low_6, u_from);
-    t0_1 = _e61;
+    mat3x3 scattered = mat3x3((medium_mie_scattering * t_mie_moment0_), (medium_mie_scattering * t_mie_moment1_), (medium_mie_scattering * t_mie_moment2_));
+    float du = ((u_to - u_from) / float(t_steps));
+    float _e67 = warp(lowest_t, u_from);
+    t0_1 = _e67;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e201 = i;
-            i = (_e201 + 1u);
+            uint _e199 = i;
+            i = (_e199 + 1u);
         }
         loop_init = false;
-        uint _e65 = i;
-        if ((_e65 < t_3.steps)) {
+        uint _e70 = i;
+        if ((_e70 < t_steps)) {
         } else {
             break;
         }
         {
-            uint _e68 = i;
-            float u_1 = (u_from + (du * float(_e68)));
-            float _e73 = warp(low_6, (u_1 + du));
-            float _e74 = t0_1;
-            float step_ = (_e73 - _e74);
-            float _e79 = warp(low_6, (u_1 + (0.5 * du)));
-            float _e83 = altitude_after(lowest_1.x, lowest_1.b, (_e79 - low_6), radius_15);
-            vec3 _e84 = densities(_e17, _e83);
-            vec3 _e85 = extinction(coefficients_1, _e84);
-            vec3 tau_1 = (_e85 * step_);
-            vec3 _e88 = out_.transmittance;
-            vec3 _e89 = mean_transmittance(tau_1);
-            vec3 share_2 = (_e88 * _e89);
-            float _e91 = t0_1;
-            vec2 _e92 = lit_part(_e30, low_6, _e91, _e73, _e79);
-            if ((_e92.x > 0.0)) {
-                float past = (_e92.y - low_6);
-                float lit_x = max((lowest_1.x + (past * ((2.0 * lowest_1.b) + past))), 0.0);
-                float _e107 = altitude_of(lit_x, radius_15);
-                vec3 _e108 = densities(_e17, _e107);
-                vec3 _e114 = columns_to_top(columns, radius_15, thickness_6, lit_x, _e107, (ray_2.sun_b + (ray_2.nu * _e92.y)));
-                vec3 _e120 = extinction(coefficients_1, _e114);
-                source_1 = (((gas_1 * _e108.x) + (aerosol_1 * _e108.y)) * exp(-(_e120)));
-                vec3 _e125 = source_1;
-                vec3 _e130 = sun_left(shade_3, eclipse, (dir_4 * (ray_2.start + _e92.y)), sun_5);
-                source_1 = (_e125 * _e130);
-                vec3 _e133 = out_.radiance;
-                vec3 _e134 = source_1;
-                out_.radiance = (_e133 + ((share_2 * _e134) * _e92.x));
+            uint _e72 = i;
+            float u_1 = (u_from + (du * float(_e72)));
+            float _e77 = warp(lowest_t, (u_1 + du));
+            float _e78 = t0_1;
+            float step_ = (_e77 - _e78);
+            float _e83 = warp(lowest_t, (u_1 + (0.5 * du)));
+            float _e85 = altitude_after(lowest_x, lowest_b, (_e83 - lowest_t), medium_radius);
+            vec3 _e86 = densities(_e18, _e85);
+            vec3 _e87 = extinction(coefficients_1, _e86);
+            vec3 tau_1 = (_e87 * step_);
+            vec3 _e92 = out_transmittance;
+            vec3 _e93 = mean_transmittance(tau_1);
+            vec3 share_2 = (_e92 * _e93);
+            float _e95 = t0_1;
+            vec2 _e96 = lit_part(_e38, lowest_t, _e95, _e77, _e83);
+            if ((_e96.x > 0.0)) {
+                float past = (_e96.y - lowest_t);
+                float lit_x = max((lowest_x + (past * ((2.0 * lowest_b) + past))), 0.0);
+                float _e109 = altitude_of(lit_x, medium_radius);
+                vec3 _e110 = densities(_e18, _e109);
+                vec3 _e115 = columns_to_top(columns, medium_radius, medium_thickness, lit_x, _e109, (ray_sun_b_2 + (ray_nu_2 * _e96.y)));
+                vec3 _e123 = extinction(coefficients_1, _e115);
+                source = (((gas_1 * _e110.x) + (aerosol_1 * _e110.y)) * exp(-(_e123)));
+                vec3 _e128 = source;
+                vec3 _e141 = sun_left(shade_3, eclipse_across, eclipse_along, eclipse_radius, eclipse_tangent, eclipse_least, (dir_4 * (ray_start_1 + _e96.y)), sun_5);
+                source = (_e128 * _e141);
+                vec3 _e143 = out_radiance_1;
+                vec3 _e144 = source;
+                out_radiance_1 = (_e143 + ((share_2 * _e144) * _e96.x));
             }
-            float r_4 = (radius_15 + _e83);
-            float mu_4 = clamp((((lowest_1.b + _e79) - low_6) / r_4), -1.0, 1.0);
-            float mu_sun_1 = clamp(((ray_2.sun_b + (ray_2.nu * _e79)) / r_4), -1.0, 1.0);
-            float _e157 = altitude_share(t_3.altitude_steepness, t_3.altitude_growth, _e83, thickness_6);
-            float _e158 = sun_share(_e31, mu_sun_1);
-            Source _e163 = diffuse_source(moments, (vec2(_e158, _e157) * nodes), medium.rayleigh, scattered, mu_4, mu_sun_1, ray_2.nu);
-            before = _e163;
-            vec3 _e168 = sun_left_around(shade_3, eclipse, (dir_4 * (ray_2.start + _e79)), sun_5);
-            vec3 _e170 = before.gas;
-            vec3 _e173 = before.aerosol;
-            before = Source((_e170 * _e168), (_e173 * _e168));
-            vec3 _e177 = out_.radiance;
-            vec3 _e181 = before.gas;
-            vec3 _e185 = before.aerosol;
-            out_.radiance = (_e177 + ((share_2 * (step_ * diffuse)) * ((_e181 * _e84.x) + (_e185 * _e84.y))));
-            vec3 _e192 = out_.transmittance;
-            out_.transmittance = (_e192 * exp(-(tau_1)));
-            vec3 _e197 = out_.columns;
-            out_.columns = (_e197 + (_e84 * step_));
-            t0_1 = _e73;
+            float r_4 = (medium_radius + _e85);
+            float mu_4 = clamp((((lowest_b + _e83) - lowest_t) / r_4), -1.0, 1.0);
+            float mu_sun_1 = clamp(((ray_sun_b_2 + (ray_nu_2 * _e83)) / r_4), -1.0, 1.0);
+            float _e162 = altitude_share(t_altitude_steepness, t_altitude_growth, _e85, medium_thickness);
+            float _e163 = sun_share(_e39, mu_sun_1);
+            diffuse_source(moments, (vec2(_e163, _e162) * nodes), medium_rayleigh, scattered, mu_4, mu_sun_1, ray_nu_2, diffuse_source_gas, diffuse_source_aerosol);
+            vec3 _e168 = diffuse_source_gas;
+            vec3 _e169 = diffuse_source_aerosol;
+            before_gas = _e168;
+            before_aerosol = _e169;
+            vec3 _e174 = sun_left_around(shade_3, eclipse_across, eclipse_least, eclipse_rate, (dir_4 * (ray_start_1 + _e83)), sun_5);
+            vec3 _e175 = before_gas;
+            vec3 _e177 = before_aerosol;
+            before_gas = (_e175 * _e174);
+            before_aerosol = (_e177 * _e174);
+            vec3 _e179 = out_radiance_1;
+            vec3 _e183 = before_gas;
+            vec3 _e186 = before_aerosol;
+            out_radiance_1 = (_e179 + ((share_2 * (step_ * diffuse)) * ((_e183 * _e86.x) + (_e186 * _e86.y))));
+            vec3 _e192 = out_transmittance;
+            out_transmittance = (_e192 * exp(-(tau_1)));
+            vec3 _e196 = out_columns_1;
+            out_columns_1 = (_e196 + (_e86 * step_));
+            t0_1 = _e77;
         }
     }
-    Gathered _e203 = out_;
-    return _e203;
+    vec3 _e202 = out_radiance_1;
+    vec3 _e203 = out_columns_1;
+    out_radiance = _e202;
+    out_columns = _e203;
 }
 
 float rayleigh_phase(float mu_3) {
@@ -801,18 +904,29 @@ vec3 aerosol_phase(vec3 dir_5, vec3 sun_6, vec3 asymmetry) {
     return _e11;
 }
 
-Scattered all_orders(highp sampler2D columns_1, highp sampler2D moments_1, highp sampler2D shade_4, Medium m_2, Tables t_4, AirRay ray_3, vec3 dir_6, vec3 sun_7, MoonShadow shadow_1, float length_2) {
-    Low _e11 = lowest(ray_3, length_2, m_2.radius);
-    float _e14 = rayleigh_phase(ray_3.nu);
-    vec3 gas_2 = (m_2.rayleigh * _e14);
-    vec3 _e18 = aerosol_phase(dir_6, sun_7, m_2.mie_asymmetry);
-    vec3 aerosol_2 = (m_2.mie_scattering * _e18);
-    float _e22 = unwarp(_e11.t, 0.0);
-    float _e24 = unwarp(_e11.t, length_2);
-    Gathered _e26 = gather(columns_1, moments_1, m_2, t_4, ray_3, dir_6, sun_7, shadow_1, shade_4, _e11, _e22, _e24, gas_2, aerosol_2, 1.0);
-    mat3x3 _e28 = coefficients_of(m_2);
-    vec3 _e30 = extinction(_e28, _e26.columns);
-    return Scattered(_e26.radiance, exp(-(_e30)));
+void all_orders(highp sampler2D columns_1, highp sampler2D moments_1, highp sampler2D shade_4, vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, vec3 m_mie_extinction_1, float m_ozone_center_1, vec3 m_mie_asymmetry, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_thickness, vec3 t_mie_extinction_1, float t_altitude_steepness_1, vec3 t_mie_moment0_1, float t_altitude_growth_1, vec3 t_mie_moment1_1, float t_sun_middle_2, vec3 t_mie_moment2_1, float t_sun_width_2, float t_sun_first_2, float t_sun_span_2, uint t_steps_1, float ray_start_2, float ray_length_3, float ray_x_2, float ray_b_2, float ray_x_closest_2, float ray_sun_b_3, float ray_nu_3, float ray_cross2_3, float ray_shadow_b_3, float ray_shadow_c_3, float ray_shadow_half2_3, bool ray_ground_2, vec3 dir_6, vec3 sun_7, vec3 shadow_across, float shadow_along, float shadow_radius, float shadow_tangent, float shadow_least, float shadow_rate, float length_2, inout vec3 out_radiance_2, inout vec3 out_transmittance_1) {
+    float low_t = 0.0;
+    float low_x = 0.0;
+    float low_b = 0.0;
+    vec3 g_radiance = vec3(0.0);
+    vec3 g_columns = vec3(0.0);
+    lowest(ray_length_3, ray_x_2, ray_b_2, ray_x_closest_2, ray_ground_2, length_2, m_radius, low_t, low_x, low_b);
+    float _e29 = low_t;
+    float _e30 = low_x;
+    float _e31 = low_b;
+    float _e32 = rayleigh_phase(ray_nu_3);
+    vec3 gas_2 = (m_rayleigh_1 * _e32);
+    vec3 _e36 = aerosol_phase(dir_6, sun_7, m_mie_asymmetry);
+    vec3 aerosol_2 = (m_mie_scattering * _e36);
+    float _e39 = unwarp(_e29, 0.0);
+    float _e40 = unwarp(_e29, length_2);
+    gather(columns_1, moments_1, m_rayleigh_1, m_rayleigh_inv_height_1, m_mie_scattering, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1, m_ozone_1, m_radius, m_thickness, t_mie_extinction_1, t_altitude_steepness_1, t_mie_moment0_1, t_altitude_growth_1, t_mie_moment1_1, t_sun_middle_2, t_mie_moment2_1, t_sun_width_2, t_sun_first_2, t_sun_span_2, t_steps_1, ray_start_2, ray_sun_b_3, ray_nu_3, ray_cross2_3, ray_shadow_b_3, ray_shadow_c_3, ray_shadow_half2_3, dir_6, sun_7, shadow_across, shadow_along, shadow_radius, shadow_tangent, shadow_least, shadow_rate, shade_4, _e29, _e30, _e31, _e39, _e40, gas_2, aerosol_2, 1.0, g_radiance, g_columns);
+    vec3 _e64 = g_radiance;
+    vec3 _e65 = g_columns;
+    mat3x3 _e66 = coefficients_of(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
+    vec3 _e67 = extinction(_e66, _e65);
+    out_radiance_2 = _e64;
+    out_transmittance_1 = exp(-(_e67));
 }
 
 void main() {
@@ -820,49 +934,113 @@ void main() {
     float end = 0.0;
     float weight = 1.0;
     bool dims = true;
-    bool local = false;
-    Frame frame = _group_0_binding_0_fs.frame;
+    bool unnamed = false;
+    float ray_start = 0.0;
+    float ray_length = 0.0;
+    float ray_x = 0.0;
+    float ray_b = 0.0;
+    float ray_x_closest = 0.0;
+    float ray_sun_b = 0.0;
+    float ray_nu = 0.0;
+    float ray_cross2_ = 0.0;
+    float ray_shadow_b = 0.0;
+    float ray_shadow_c = 0.0;
+    float ray_shadow_half2_ = 0.0;
+    bool ray_ground = false;
+    vec3 s_radiance = vec3(0.0);
+    vec3 s_transmittance = vec3(0.0);
+    vec3 frame_medium_rayleigh = _group_0_binding_0_fs.frame.medium.rayleigh;
+    float frame_medium_rayleigh_inv_height = _group_0_binding_0_fs.frame.medium.rayleigh_inv_height;
+    vec3 frame_medium_mie_scattering = _group_0_binding_0_fs.frame.medium.mie_scattering;
+    float frame_medium_mie_inv_height = _group_0_binding_0_fs.frame.medium.mie_inv_height;
+    vec3 frame_medium_mie_extinction = _group_0_binding_0_fs.frame.medium.mie_extinction;
+    float frame_medium_ozone_center = _group_0_binding_0_fs.frame.medium.ozone_center;
+    vec3 frame_medium_mie_asymmetry = _group_0_binding_0_fs.frame.medium.mie_asymmetry;
+    float frame_medium_ozone_inv_half_width = _group_0_binding_0_fs.frame.medium.ozone_inv_half_width;
+    vec3 frame_medium_ozone = _group_0_binding_0_fs.frame.medium.ozone;
+    float frame_medium_radius = _group_0_binding_0_fs.frame.medium.radius;
+    vec3 frame_medium_irradiance = _group_0_binding_0_fs.frame.medium.irradiance;
+    float frame_medium_thickness = _group_0_binding_0_fs.frame.medium.thickness;
+    vec3 frame_ray_forward = _group_0_binding_0_fs.frame.ray_forward;
+    float frame_altitude = _group_0_binding_0_fs.frame.altitude;
+    vec3 frame_ray_right = _group_0_binding_0_fs.frame.ray_right;
+    vec3 frame_ray_up = _group_0_binding_0_fs.frame.ray_up;
+    float frame_shell_weight = _group_0_binding_0_fs.frame.shell_weight;
+    vec3 frame_sun = _group_0_binding_0_fs.frame.sun;
+    vec2 frame_size = _group_0_binding_0_fs.frame.size;
+    float frame_pixel_angle = _group_0_binding_0_fs.frame.pixel_angle;
+    float frame_depth_scale = _group_0_binding_0_fs.frame.depth.scale;
+    float frame_depth_bias = _group_0_binding_0_fs.frame.depth.bias;
+    float frame_depth_log = _group_0_binding_0_fs.frame.depth.log_;
+    float frame_depth_background = _group_0_binding_0_fs.frame.depth.background;
     ivec2 pixel_1 = ivec2(position.xy);
     vec4 behind = texelFetch(_group_0_binding_1_fs, pixel_1, 0);
-    vec3 _e14 = pixel_ray(position.xy, frame.size, frame.ray_forward, frame.ray_right, frame.ray_up);
-    float ray_length_1 = length(_e14);
-    vec4 _e19 = texelFetch(_group_0_binding_2_fs, pixel_1, 0);
-    float _e21 = depth_distance(frame.depth, _e19.x, ray_length_1);
-    vec3 dir_7 = (_e14 / vec3(ray_length_1));
-    Medium m_3 = frame.medium;
-    AirRay _e29 = air_ray(dir_7, frame.altitude, m_3.radius, m_3.thickness, frame.sun);
-    end = _e29.length_;
-    if ((_e21 >= 0.0)) {
-        float _e44 = scene_reach(_e29.start, _e29.length_, _e29.b, _e29.ground, _e21, m_3.radius, frame.pixel_angle);
-        end = _e44;
+    vec3 _e61 = pixel_ray(position.xy, frame_size, frame_ray_forward, frame_ray_right, frame_ray_up);
+    float ray_length_4 = length(_e61);
+    vec4 _e65 = texelFetch(_group_0_binding_2_fs, pixel_1, 0);
+    float _e67 = depth_distance(frame_depth_scale, frame_depth_bias, frame_depth_log, frame_depth_background, _e65.x, ray_length_4);
+    vec3 dir_7 = (_e61 / vec3(ray_length_4));
+    air_ray(dir_7, frame_altitude, frame_medium_radius, frame_medium_thickness, frame_sun, ray_start, ray_length, ray_x, ray_b, ray_x_closest, ray_sun_b, ray_nu, ray_cross2_, ray_shadow_b, ray_shadow_c, ray_shadow_half2_, ray_ground);
+    float _e82 = ray_start;
+    float _e83 = ray_length;
+    float _e84 = ray_x;
+    float _e85 = ray_b;
+    float _e86 = ray_x_closest;
+    float _e87 = ray_sun_b;
+    float _e88 = ray_nu;
+    float _e89 = ray_cross2_;
+    float _e90 = ray_shadow_b;
+    float _e91 = ray_shadow_c;
+    float _e92 = ray_shadow_half2_;
+    bool _e93 = ray_ground;
+    end = _e83;
+    if ((_e67 >= 0.0)) {
+        float _e97 = scene_reach(_e82, _e83, _e85, _e93, _e67, frame_medium_radius, frame_pixel_angle);
+        end = _e97;
     } else {
-        if (!(_e29.ground)) {
-            weight = frame.shell_weight;
-            float _e48 = weight;
-            dims = (_e48 >= 1.0);
+        if (!(_e93)) {
+            weight = frame_shell_weight;
+            float _e100 = weight;
+            dims = (_e100 >= 1.0);
         }
     }
-    float _e51 = end;
-    if (!((_e51 <= 0.0))) {
-        float _e57 = weight;
-        local = (_e57 <= 0.0);
+    float _e104 = end;
+    if (!((_e104 <= 0.0))) {
+        float _e108 = weight;
+        unnamed = (_e108 <= 0.0);
     } else {
-        local = true;
+        unnamed = true;
     }
-    bool _e61 = local;
-    if (_e61) {
+    bool _e114 = unnamed;
+    if (_e114) {
         _fs2p_location0 = behind;
         return;
     }
-    vec3 offset = (dir_7 - frame.sun);
-    Tables _e69 = _group_0_binding_0_fs.tables;
-    MoonShadow _e73 = _group_0_binding_0_fs.eclipse;
-    float _e74 = end;
-    Scattered _e75 = all_orders(_group_0_binding_4_fs, _group_0_binding_5_fs, _group_0_binding_3_fs, m_3, _e69, _e29, dir_7, frame.sun, _e73, _e74);
-    bool _e79 = dims;
-    vec3 through = (_e79 ? _e75.transmittance : vec3(1.0));
-    float _e84 = weight;
-    vec3 light = ((_e75.radiance * m_3.irradiance) * _e84);
+    vec3 _e118 = _group_0_binding_0_fs.tables.mie_extinction;
+    float _e120 = _group_0_binding_0_fs.tables.altitude_steepness;
+    vec3 _e122 = _group_0_binding_0_fs.tables.mie_moment0_;
+    float _e124 = _group_0_binding_0_fs.tables.altitude_growth;
+    vec3 _e126 = _group_0_binding_0_fs.tables.mie_moment1_;
+    float _e128 = _group_0_binding_0_fs.tables.sun_middle;
+    vec3 _e130 = _group_0_binding_0_fs.tables.mie_moment2_;
+    float _e132 = _group_0_binding_0_fs.tables.sun_width;
+    float _e134 = _group_0_binding_0_fs.tables.sun_first;
+    float _e136 = _group_0_binding_0_fs.tables.sun_span;
+    uint _e138 = _group_0_binding_0_fs.tables.steps;
+    vec3 _e142 = _group_0_binding_0_fs.eclipse.across;
+    float _e144 = _group_0_binding_0_fs.eclipse.along;
+    float _e146 = _group_0_binding_0_fs.eclipse.radius;
+    float _e148 = _group_0_binding_0_fs.eclipse.tangent;
+    float _e150 = _group_0_binding_0_fs.eclipse.least;
+    float _e152 = _group_0_binding_0_fs.eclipse.rate;
+    float _e153 = end;
+    all_orders(_group_0_binding_4_fs, _group_0_binding_5_fs, _group_0_binding_3_fs, frame_medium_rayleigh, frame_medium_rayleigh_inv_height, frame_medium_mie_scattering, frame_medium_mie_inv_height, frame_medium_mie_extinction, frame_medium_ozone_center, frame_medium_mie_asymmetry, frame_medium_ozone_inv_half_width, frame_medium_ozone, frame_medium_radius, frame_medium_thickness, _e118, _e120, _e122, _e124, _e126, _e128, _e130, _e132, _e134, _e136, _e138, _e82, _e83, _e84, _e85, _e86, _e87, _e88, _e89, _e90, _e91, _e92, _e93, dir_7, frame_sun, _e142, _e144, _e146, _e148, _e150, _e152, _e153, s_radiance, s_transmittance);
+    vec3 _e159 = s_radiance;
+    vec3 _e160 = s_transmittance;
+    bool _e163 = dims;
+    vec3 through = (_e163 ? _e160 : vec3(1.0));
+    float _e166 = weight;
+    vec3 light = ((_e159 * frame_medium_irradiance) * _e166);
     vec3 dimmed = (behind.xyz * through);
     _fs2p_location0 = vec4((dimmed + min(light, max((vec3(32000.0) - dimmed), vec3(0.0)))), behind.w);
     return;

@@ -43,49 +43,6 @@ struct Frame {
     float camera_altitude;
     vec4 limb;
 };
-struct AirRay {
-    float start;
-    float length_;
-    float x;
-    float b;
-    float x_closest;
-    float sun_b;
-    float nu;
-    float cross2_;
-    float shadow_b;
-    float shadow_c;
-    float shadow_half2_;
-    bool ground;
-};
-struct SunSide {
-    float sun_b;
-    float nu;
-    float cross2_;
-    float shadow_b;
-    float shadow_c;
-    float shadow_half2_;
-};
-struct Line {
-    float b;
-    float p;
-    float x_closest;
-    bool ground;
-};
-struct AirPath {
-    float start;
-    float length_;
-    float x;
-    float b;
-};
-struct Low {
-    float t;
-    float x;
-    float b;
-};
-struct Scattered {
-    vec3 radiance;
-    vec3 transmittance;
-};
 const float HALF_MAX = 32000.0;
 const float SUBPIXEL = 0.0625;
 const float INV_4PI = 0.07957747;
@@ -101,18 +58,18 @@ vec3 pixel_ray(vec2 pixel, vec2 size, vec3 forward, vec3 right, vec3 up) {
     return ((forward + (right * ndc.x)) + (up * ndc.y));
 }
 
-float depth_distance(DepthCode c, float depth, float ray_length) {
-    if ((depth == c.background)) {
+float depth_distance(float c_scale, float c_bias, float c_log, float c_background, float depth, float ray_length_1) {
+    if ((depth == c_background)) {
         return -1.0;
     }
-    if ((c.log_ > 0.0)) {
-        return (((exp2((depth * c.log_)) - 1.0) * 0.001) * ray_length);
+    if ((c_log > 0.0)) {
+        return (((exp2((depth * c_log)) - 1.0) * 0.001) * ray_length_1);
     }
-    float inverse_ = ((depth * c.scale) + c.bias);
+    float inverse_ = ((depth * c_scale) + c_bias);
     if ((inverse_ <= 0.0)) {
         return -1.0;
     }
-    return (ray_length / inverse_);
+    return (ray_length_1 / inverse_);
 }
 
 float scene_reach(float start, float length_, float b, bool ground, float distance_, float radius, float pixel_angle) {
@@ -140,10 +97,10 @@ float altitude_after(float x_1, float b_1, float t, float radius_3) {
 }
 
 float distance_to_top(float x_2, float b_2, float x_top) {
-    float c_1 = max((x_top - x_2), 0.0);
-    float root_1 = sqrt(((b_2 * b_2) + c_1));
+    float c = max((x_top - x_2), 0.0);
+    float root_1 = sqrt(((b_2 * b_2) + c));
     if ((b_2 > 0.0)) {
-        return (c_1 / (b_2 + root_1));
+        return (c / (b_2 + root_1));
     }
     return (root_1 - b_2);
 }
@@ -156,176 +113,215 @@ float half_chord2_(float b_3, float above, float depth_1, float p) {
     return (depth_1 * (sphere + p));
 }
 
-float shadow_half2_(SunSide s, float side_z, float r, float radius_4) {
-    float sine = max(sqrt(s.cross2_), 1e-18);
+float shadow_half2_(float s_cross2_, float s_shadow_b, float s_shadow_c, float side_z, float r, float radius_4) {
+    float sine = max(sqrt(s_cross2_), 1e-18);
     float p_1 = ((r * abs(side_z)) / sine);
-    float _e15 = half_chord2_((s.shadow_b / sine), s.shadow_c, (radius_4 - p_1), p_1);
-    return _e15;
+    float _e14 = half_chord2_((s_shadow_b / sine), s_shadow_c, (radius_4 - p_1), p_1);
+    return _e14;
 }
 
-SunSide sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_3, float radius_5) {
-    SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    s_1.nu = dot(dir, sun);
-    float _e9 = s_1.nu;
-    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s_1.cross2_ = dot(side, side);
-    s_1.sun_b = (r_1 * sun.z);
-    s_1.shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+void sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_3, float radius_5) {
+    float s_sun_b = 0.0;
+    float s_nu = 0.0;
+    float s_cross2_1 = 0.0;
+    float s_shadow_b_1 = 0.0;
+    float s_shadow_c_1 = 0.0;
+    s_nu = dot(dir, sun);
+    float _e8 = s_nu;
+    vec3 side = cross((dir - (((_e8 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    s_cross2_1 = dot(side, side);
+    s_sun_b = (r_1 * sun.z);
+    s_shadow_b_1 = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
     float q = (r_1 * length(sun.xy));
-    float _e37 = s_1.sun_b;
-    float _e39 = half_chord2_(_e37, x_3, (radius_5 - q), q);
-    s_1.shadow_c = -(_e39);
-    SunSide _e42 = s_1;
-    float _e44 = shadow_half2_(_e42, side.z, r_1, radius_5);
-    s_1.shadow_half2_ = _e44;
-    SunSide _e45 = s_1;
-    return _e45;
+    float _e32 = s_sun_b;
+    float _e36 = half_chord2_(_e32, x_3, (radius_5 - q), q);
+    s_shadow_c_1 = -(_e36);
+    float _e38 = s_cross2_1;
+    float _e39 = s_shadow_b_1;
+    float _e40 = s_shadow_c_1;
+    float _e42 = shadow_half2_(_e38, _e39, _e40, side.z, r_1, radius_5);
 }
 
-SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start_1, float half_, float x_top_1, float radius_6) {
-    SunSide s_2 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    s_2.nu = dot(dir_1, sun_1);
-    float _e11 = s_2.nu;
-    float same = ((_e11 >= 0.0) ? 1.0 : -1.0);
+void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start_1, float half_, float x_top_1, float radius_6) {
+    float s_sun_b_1 = 0.0;
+    float s_nu_1 = 0.0;
+    float s_cross2_2 = 0.0;
+    float s_shadow_b_2 = 0.0;
+    float s_shadow_c_2 = 0.0;
+    s_nu_1 = dot(dir_1, sun_1);
+    float _e8 = s_nu_1;
+    float same = ((_e8 >= 0.0) ? 1.0 : -1.0);
     vec3 apart = (dir_1 - (same * sun_1));
     vec3 side_1 = cross(apart, sun_1);
-    s_2.cross2_ = dot(side_1, side_1);
+    s_cross2_2 = dot(side_1, side_1);
     vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
     float there = (-(same) * dot(closest, apart));
     float here = (r_2 * sun_1.z);
-    float _e38 = s_2.nu;
-    float _e44 = s_2.nu;
-    bool nearer = ((abs(here) + (start_1 * abs(_e38))) < (abs(there) + (half_ * abs(_e44))));
-    float _e51 = s_2.nu;
-    float _e55 = s_2.nu;
-    s_2.sun_b = (nearer ? (here + (start_1 * _e55)) : (there - (half_ * _e51)));
+    float _e34 = s_nu_1;
+    float _e40 = s_nu_1;
+    bool nearer = ((abs(here) + (start_1 * abs(_e34))) < (abs(there) + (half_ * abs(_e40))));
+    float _e46 = s_nu_1;
+    float _e49 = s_nu_1;
+    s_sun_b_1 = (nearer ? (here + (start_1 * _e49)) : (there - (half_ * _e46)));
     vec3 closest_side = cross(closest, sun_1);
-    float _e63 = s_2.cross2_;
-    s_2.shadow_b = (dot(closest_side, side_1) - (half_ * _e63));
+    float _e55 = s_cross2_2;
+    s_shadow_b_2 = (dot(closest_side, side_1) - (half_ * _e55));
     float q_1 = length((closest_side - (half_ * side_1)));
-    float _e71 = s_2.sun_b;
-    float _e73 = half_chord2_(_e71, x_top_1, (radius_6 - q_1), q_1);
-    s_2.shadow_c = -(_e73);
-    SunSide _e76 = s_2;
-    float _e78 = shadow_half2_(_e76, side_1.z, r_2, radius_6);
-    s_2.shadow_half2_ = _e78;
-    SunSide _e79 = s_2;
-    return _e79;
+    float _e61 = s_sun_b_1;
+    float _e65 = half_chord2_(_e61, x_top_1, (radius_6 - q_1), q_1);
+    s_shadow_c_2 = -(_e65);
+    float _e67 = s_cross2_2;
+    float _e68 = s_shadow_b_2;
+    float _e69 = s_shadow_c_2;
+    float _e71 = shadow_half2_(_e67, _e68, _e69, side_1.z, r_2, radius_6);
 }
 
-Line line_past(vec3 dir_2, float h_1, float radius_7) {
-    bool local_1 = false;
+void line_past(vec3 dir_2, float h_1, float radius_7, inout float out_b, inout float out_x_closest, inout bool out_ground) {
+    bool unnamed_1 = false;
     float r_3 = (radius_7 + h_1);
     float b_5 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
-    float _e11 = excess_of(h_1, radius_7);
-    float _e13 = half_chord2_(b_5, _e11, (radius_7 - p_2), p_2);
+    float _e14 = excess_of(h_1, radius_7);
+    float _e16 = half_chord2_(b_5, _e14, (radius_7 - p_2), p_2);
     if ((b_5 < 0.0)) {
-        local_1 = (_e13 >= 0.0);
+        unnamed_1 = (_e16 >= 0.0);
     } else {
-        local_1 = false;
+        unnamed_1 = false;
     }
-    bool _e22 = local_1;
-    return Line(b_5, p_2, -(_e13), _e22);
+    bool _e25 = unnamed_1;
+    out_b = b_5;
+    out_x_closest = -(_e16);
+    out_ground = _e25;
 }
 
-float top_half_chord2_(Line line, float h_2, float radius_8, float thickness) {
-    float b2_ = (line.b * line.b);
-    float _e7 = excess_of(thickness, radius_8);
+float top_half_chord2_(float line_b, float line_x_closest, float h_2, float radius_8, float thickness) {
+    float b2_ = (line_b * line_b);
+    float _e5 = excess_of(thickness, radius_8);
     float above_1 = ((h_2 - thickness) * (((2.0 * radius_8) + thickness) + h_2));
-    return ((b2_ < _e7) ? (b2_ - above_1) : (_e7 - line.x_closest));
+    return ((b2_ < _e5) ? (b2_ - above_1) : (_e5 - line_x_closest));
 }
 
 float to_ground(float x_4, float b_4, float root) {
     return min((x_4 / (root - b_4)), -(b_4));
 }
 
-AirPath air_path(Line line_1, float h_3, float radius_9, float thickness_1) {
-    bool local_2 = false;
-    float _e4 = excess_of(thickness_1, radius_9);
-    float ground_root = sqrt(max(-(line_1.x_closest), 0.0));
+void air_path(float line_b_1, float line_x_closest_1, bool line_ground, float h_3, float radius_9, float thickness_1, inout float out_start, inout float out_length, inout float out_x, inout float out_b_1) {
+    bool unnamed_2 = false;
+    float _e6 = excess_of(thickness_1, radius_9);
+    float ground_root = sqrt(max(-(line_x_closest_1), 0.0));
     if ((h_3 <= thickness_1)) {
-        float _e11 = excess_of(h_3, radius_9);
-        float _e13 = distance_to_top(_e11, line_1.b, _e4);
-        float _e15 = to_ground(_e11, line_1.b, ground_root);
-        float reach_1 = (line_1.ground ? _e15 : _e13);
-        return AirPath(0.0, reach_1, _e11, line_1.b);
+        float _e16 = excess_of(h_3, radius_9);
+        float _e17 = distance_to_top(_e16, line_b_1, _e6);
+        float _e18 = to_ground(_e16, line_b_1, ground_root);
+        float reach_1 = (line_ground ? _e18 : _e17);
+        out_start = 0.0;
+        out_length = reach_1;
+        out_x = _e16;
+        out_b_1 = line_b_1;
+        return;
     }
     float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_9) + thickness_1) + h_3));
-    float _e27 = top_half_chord2_(line_1, h_3, radius_9, thickness_1);
-    if (!((line_1.b >= 0.0))) {
-        local_2 = (_e27 <= 0.0);
+    float _e27 = top_half_chord2_(line_b_1, line_x_closest_1, h_3, radius_9, thickness_1);
+    if (!((line_b_1 >= 0.0))) {
+        unnamed_2 = (_e27 <= 0.0);
     } else {
-        local_2 = true;
+        unnamed_2 = true;
     }
-    bool _e37 = local_2;
-    if (_e37) {
-        return AirPath(0.0, -1.0, 0.0, 0.0);
+    bool _e36 = unnamed_2;
+    if (_e36) {
+        out_start = 0.0;
+        out_length = -1.0;
+        out_x = 0.0;
+        out_b_1 = 0.0;
+        return;
     }
     float half_1 = sqrt(_e27);
-    float _e50 = to_ground(_e4, -(half_1), ground_root);
-    return AirPath((above_2 / (half_1 - line_1.b)), (line_1.ground ? _e50 : (2.0 * half_1)), _e4, -(half_1));
+    float _e47 = to_ground(_e6, -(half_1), ground_root);
+    out_start = (above_2 / (half_1 - line_b_1));
+    out_length = (line_ground ? _e47 : (2.0 * half_1));
+    out_x = _e6;
+    out_b_1 = -(half_1);
 }
 
-AirRay air_ray(vec3 dir_3, float h_4, float radius_10, float thickness_2, vec3 sun_2) {
-    SunSide s_3 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    bool local_3 = false;
-    Line _e5 = line_past(dir_3, h_4, radius_10);
-    AirPath _e6 = air_path(_e5, h_4, radius_10, thickness_2);
+void air_ray(vec3 dir_3, float h_4, float radius_10, float thickness_2, vec3 sun_2, inout float out_start_1, inout float out_length_1, inout float out_x_1, inout float out_b_2, inout float out_x_closest_1, inout bool out_ground_1) {
+    bool unnamed_3 = false;
+    float line_b_2 = 0.0;
+    float line_x_closest_2 = 0.0;
+    bool line_ground_1 = false;
+    float path_start = 0.0;
+    float path_length = 0.0;
+    float path_x = 0.0;
+    float path_b = 0.0;
+    line_past(dir_3, h_4, radius_10, line_b_2, line_x_closest_2, line_ground_1);
+    float _e12 = line_b_2;
+    float _e13 = line_x_closest_2;
+    bool _e14 = line_ground_1;
+    air_path(_e12, _e13, _e14, h_4, radius_10, thickness_2, path_start, path_length, path_x, path_b);
+    float _e20 = path_start;
+    float _e21 = path_length;
+    float _e22 = path_x;
+    float _e23 = path_b;
     if ((h_4 <= thickness_2)) {
-        SunSide _e11 = sun_side_inside(dir_3, sun_2, (radius_10 + h_4), _e6.x, radius_10);
-        s_3 = _e11;
+        sun_side_inside(dir_3, sun_2, (radius_10 + h_4), _e22, radius_10);
     } else {
-        if ((_e6.length_ > 0.0)) {
-            SunSide _e20 = sun_side_outside(dir_3, sun_2, (radius_10 + h_4), _e6.start, -(_e6.b), _e6.x, radius_10);
-            s_3 = _e20;
+        if ((_e21 > 0.0)) {
+            sun_side_outside(dir_3, sun_2, (radius_10 + h_4), _e20, -(_e23), _e22, radius_10);
         } else {
-            s_3.nu = dot(dir_3, sun_2);
         }
     }
-    if (_e5.ground) {
-        local_3 = (_e6.length_ >= 0.0);
+    if (_e14) {
+        unnamed_3 = (_e21 >= 0.0);
     } else {
-        local_3 = false;
+        unnamed_3 = false;
     }
-    bool ground_1 = local_3;
-    float _e37 = s_3.sun_b;
-    float _e39 = s_3.nu;
-    float _e41 = s_3.cross2_;
-    float _e43 = s_3.shadow_b;
-    float _e45 = s_3.shadow_c;
-    float _e47 = s_3.shadow_half2_;
-    return AirRay(_e6.start, _e6.length_, _e6.x, _e6.b, _e5.x_closest, _e37, _e39, _e41, _e43, _e45, _e47, ground_1);
+    bool ground_1 = unnamed_3;
+    out_start_1 = _e20;
+    out_length_1 = _e21;
+    out_x_1 = _e22;
+    out_b_2 = _e23;
+    out_x_closest_1 = _e13;
+    out_ground_1 = ground_1;
 }
 
-Low lowest(AirRay ray, float length_1, float radius_11) {
-    bool local_4 = false;
-    if ((ray.b >= 0.0)) {
-        return Low(0.0, ray.x, ray.b);
+void lowest(float ray_length_2, float ray_x_1, float ray_b_1, float ray_x_closest_1, bool ray_ground_1, float length_1, float radius_11, inout float out_t, inout float out_x_2, inout float out_b_3) {
+    bool unnamed_4 = false;
+    if ((ray_b_1 >= 0.0)) {
+        out_t = 0.0;
+        out_x_2 = ray_x_1;
+        out_b_3 = ray_b_1;
+        return;
     }
-    if ((-(ray.b) <= length_1)) {
-        return Low(-(ray.b), ray.x_closest, 0.0);
+    if ((-(ray_b_1) <= length_1)) {
+        out_t = -(ray_b_1);
+        out_x_2 = ray_x_closest_1;
+        out_b_3 = 0.0;
+        return;
     }
-    float b_6 = (ray.b + length_1);
-    if (ray.ground) {
-        local_4 = (length_1 >= ray.length_);
+    float b_6 = (ray_b_1 + length_1);
+    if (ray_ground_1) {
+        unnamed_4 = (length_1 >= ray_length_2);
     } else {
-        local_4 = false;
+        unnamed_4 = false;
     }
-    bool _e26 = local_4;
-    if (_e26) {
-        return Low(length_1, 0.0, b_6);
+    bool _e21 = unnamed_4;
+    if (_e21) {
+        out_t = length_1;
+        out_x_2 = 0.0;
+        out_b_3 = b_6;
+        return;
     }
-    bool far = ((-(ray.b) * length_1) > (radius_11 * radius_11));
-    return Low(length_1, (far ? (ray.x_closest + (b_6 * b_6)) : (ray.x + (length_1 * ((2.0 * ray.b) + length_1)))), b_6);
+    bool far = ((-(ray_b_1) * length_1) > (radius_11 * radius_11));
+    out_t = length_1;
+    out_x_2 = (far ? (ray_x_closest_1 + (b_6 * b_6)) : (ray_x_1 + (length_1 * ((2.0 * ray_b_1) + length_1))));
+    out_b_3 = b_6;
 }
 
-vec4 layers_of(Medium m) {
-    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+vec4 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width) {
+    return vec4(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_center, m_ozone_inv_half_width);
 }
 
-mat3x3 coefficients_of(Medium m_1) {
-    return mat3x3(m_1.rayleigh, m_1.mie_extinction, m_1.ozone);
+mat3x3 coefficients_of(vec3 m_rayleigh, vec3 m_mie_extinction, vec3 m_ozone) {
+    return mat3x3(m_rayleigh, m_mie_extinction, m_ozone);
 }
 
 vec3 densities(vec4 layers, float h_5) {
@@ -338,8 +334,8 @@ vec3 densities(vec4 layers, float h_5) {
 
 vec3 extinction(mat3x3 coefficients, vec3 d_1) {
     vec3 sum = vec3(0.0);
-    vec3 _e5 = sum;
-    sum = (_e5 + (coefficients[0] * d_1.x));
+    vec3 _e3 = sum;
+    sum = (_e3 + (coefficients[0] * d_1.x));
     vec3 _e10 = sum;
     sum = (_e10 + (coefficients[1] * d_1.y));
     vec3 _e15 = sum;
@@ -350,48 +346,56 @@ float warp(float low, float u) {
     return (low + (u * abs(u)));
 }
 
-Scattered single_scattering(Medium m_2, AirRay ray_1, float length_2, float away, uint view_samples, uint light_samples) {
-    Scattered out_ = Scattered(vec3(0.0), vec3(0.0));
+void single_scattering(vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, float m_mie_inv_height_1, vec3 m_mie_extinction_1, float m_ozone_center_1, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float ray_length_3, float ray_x_2, float ray_b_2, float ray_x_closest_2, bool ray_ground_2, float length_2, float away, uint view_samples, uint light_samples, inout vec3 out_radiance, inout vec3 out_transmittance) {
+    vec3 out_radiance_1 = vec3(0.0);
+    vec3 out_transmittance_1 = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
-    out_.radiance = vec3(0.0);
-    out_.transmittance = vec3(1.0);
-    vec4 _e13 = layers_of(m_2);
-    mat3x3 _e14 = coefficients_of(m_2);
-    Low _e16 = lowest(ray_1, length_2, m_2.radius);
-    float low_1 = _e16.t;
+    float lowest_t = 0.0;
+    float lowest_x = 0.0;
+    float lowest_b = 0.0;
+    out_radiance_1 = vec3(0.0);
+    out_transmittance_1 = vec3(1.0);
+    vec4 _e18 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
+    mat3x3 _e19 = coefficients_of(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
+    lowest(ray_length_3, ray_x_2, ray_b_2, ray_x_closest_2, ray_ground_2, length_2, m_radius, lowest_t, lowest_x, lowest_b);
+    float low_1 = lowest_t;
+    float _e30 = lowest_x;
+    float _e31 = lowest_b;
     float u0_ = -(sqrt(low_1));
     float du = ((sqrt((length_2 - low_1)) - u0_) / float(view_samples));
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e57 = i;
-            i = (_e57 + 1u);
+            uint _e65 = i;
+            i = (_e65 + 1u);
         }
         loop_init = false;
-        uint _e29 = i;
-        if ((_e29 < view_samples)) {
+        uint _e41 = i;
+        if ((_e41 < view_samples)) {
         } else {
             break;
         }
         {
-            uint _e31 = i;
-            float u_1 = (u0_ + (du * float(_e31)));
-            float _e36 = warp(low_1, (u_1 + du));
-            float _e37 = t0_;
-            float step_ = (_e36 - _e37);
-            float _e42 = warp(low_1, (u_1 + (0.5 * du)));
-            float _e47 = altitude_after(_e16.x, _e16.b, (_e42 - low_1), m_2.radius);
-            vec3 _e48 = densities(_e13, _e47);
-            vec3 _e49 = extinction(_e14, _e48);
-            vec3 tau = (_e49 * step_);
-            vec3 _e52 = out_.transmittance;
-            out_.transmittance = (_e52 * exp(-(tau)));
-            t0_ = _e36;
+            uint _e43 = i;
+            float u_1 = (u0_ + (du * float(_e43)));
+            float _e48 = warp(low_1, (u_1 + du));
+            float _e50 = t0_;
+            float step_ = (_e48 - _e50);
+            float _e55 = warp(low_1, (u_1 + (0.5 * du)));
+            float _e57 = altitude_after(_e30, _e31, (_e55 - low_1), m_radius);
+            vec3 _e58 = densities(_e18, _e57);
+            vec3 _e59 = extinction(_e19, _e58);
+            vec3 tau = (_e59 * step_);
+            vec3 _e61 = out_transmittance_1;
+            out_transmittance_1 = (_e61 * exp(-(tau)));
+            t0_ = _e48;
         }
     }
-    Scattered _e59 = out_;
-    return _e59;
+    vec3 _e68 = out_radiance_1;
+    vec3 _e69 = out_transmittance_1;
+    out_radiance = _e68;
+    out_transmittance = _e69;
 }
 
 void main() {
@@ -399,58 +403,86 @@ void main() {
     float end = 0.0;
     float weight = 1.0;
     bool dims = true;
-    bool local = false;
+    bool unnamed = false;
+    float ray_start = 0.0;
+    float ray_length = 0.0;
+    float ray_x = 0.0;
+    float ray_b = 0.0;
+    float ray_x_closest = 0.0;
+    bool ray_ground = false;
+    vec3 s_radiance = vec3(0.0);
+    vec3 s_transmittance = vec3(0.0);
     ivec2 pixel_1 = ivec2(position.xy);
     vec4 behind = vec4(0.0);
-    vec2 _e8 = _group_0_binding_0_fs.size;
-    vec3 _e11 = _group_0_binding_0_fs.ray_forward;
-    vec3 _e14 = _group_0_binding_0_fs.ray_right;
-    vec3 _e17 = _group_0_binding_0_fs.ray_up;
-    vec3 _e18 = pixel_ray(position.xy, _e8, _e11, _e14, _e17);
-    float ray_length_1 = length(_e18);
-    DepthCode _e22 = _group_0_binding_0_fs.depth;
-    vec4 _e25 = texelFetch(_group_0_binding_1_fs, pixel_1, 0);
-    float _e27 = depth_distance(_e22, _e25.x, ray_length_1);
-    vec3 dir_4 = (_e18 / vec3(ray_length_1));
-    Medium m_3 = _group_0_binding_0_fs.medium;
-    float _e35 = _group_0_binding_0_fs.altitude;
-    vec3 _e40 = _group_0_binding_0_fs.sun;
-    AirRay _e41 = air_ray(dir_4, _e35, m_3.radius, m_3.thickness, _e40);
-    end = _e41.length_;
-    if ((_e27 >= 0.0)) {
-        float _e57 = _group_0_binding_0_fs.pixel_angle;
-        float _e58 = scene_reach(_e41.start, _e41.length_, _e41.b, _e41.ground, _e27, m_3.radius, _e57);
-        end = _e58;
+    vec2 _e10 = _group_0_binding_0_fs.size;
+    vec3 _e13 = _group_0_binding_0_fs.ray_forward;
+    vec3 _e16 = _group_0_binding_0_fs.ray_right;
+    vec3 _e19 = _group_0_binding_0_fs.ray_up;
+    vec3 _e20 = pixel_ray(position.xy, _e10, _e13, _e16, _e19);
+    float ray_length_4 = length(_e20);
+    float _e25 = _group_0_binding_0_fs.depth.scale;
+    float _e27 = _group_0_binding_0_fs.depth.bias;
+    float _e29 = _group_0_binding_0_fs.depth.log_;
+    float _e31 = _group_0_binding_0_fs.depth.background;
+    vec4 _e34 = texelFetch(_group_0_binding_1_fs, pixel_1, 0);
+    float _e36 = depth_distance(_e25, _e27, _e29, _e31, _e34.x, ray_length_4);
+    vec3 dir_4 = (_e20 / vec3(ray_length_4));
+    vec3 m_rayleigh_2 = _group_0_binding_0_fs.medium.rayleigh;
+    float m_rayleigh_inv_height_2 = _group_0_binding_0_fs.medium.rayleigh_inv_height;
+    float m_mie_inv_height_2 = _group_0_binding_0_fs.medium.mie_inv_height;
+    vec3 m_mie_extinction_2 = _group_0_binding_0_fs.medium.mie_extinction;
+    float m_ozone_center_2 = _group_0_binding_0_fs.medium.ozone_center;
+    float m_ozone_inv_half_width_2 = _group_0_binding_0_fs.medium.ozone_inv_half_width;
+    vec3 m_ozone_2 = _group_0_binding_0_fs.medium.ozone;
+    float m_radius_1 = _group_0_binding_0_fs.medium.radius;
+    vec3 m_irradiance = _group_0_binding_0_fs.medium.irradiance;
+    float m_thickness = _group_0_binding_0_fs.medium.thickness;
+    float _e63 = _group_0_binding_0_fs.altitude;
+    vec3 _e66 = _group_0_binding_0_fs.sun;
+    air_ray(dir_4, _e63, m_radius_1, m_thickness, _e66, ray_start, ray_length, ray_x, ray_b, ray_x_closest, ray_ground);
+    float _e73 = ray_start;
+    float _e74 = ray_length;
+    float _e75 = ray_x;
+    float _e76 = ray_b;
+    float _e77 = ray_x_closest;
+    bool _e78 = ray_ground;
+    end = _e74;
+    if ((_e36 >= 0.0)) {
+        float _e84 = _group_0_binding_0_fs.pixel_angle;
+        float _e85 = scene_reach(_e73, _e74, _e76, _e78, _e36, m_radius_1, _e84);
+        end = _e85;
     } else {
-        if (!(_e41.ground)) {
-            float _e63 = _group_0_binding_0_fs.shell_weight;
-            weight = _e63;
-            float _e64 = weight;
-            dims = (_e64 >= 1.0);
+        if (!(_e78)) {
+            float _e89 = _group_0_binding_0_fs.shell_weight;
+            weight = _e89;
+            float _e91 = weight;
+            dims = (_e91 >= 1.0);
         }
     }
-    float _e67 = end;
-    if (!((_e67 <= 0.0))) {
-        float _e73 = weight;
-        local = (_e73 <= 0.0);
+    float _e95 = end;
+    if (!((_e95 <= 0.0))) {
+        float _e99 = weight;
+        unnamed = (_e99 <= 0.0);
     } else {
-        local = true;
+        unnamed = true;
     }
-    bool _e77 = local;
-    if (_e77) {
+    bool _e105 = unnamed;
+    if (_e105) {
         _fs2p_location0 = behind;
         return;
     }
-    vec3 _e80 = _group_0_binding_0_fs.sun;
-    vec3 offset = (dir_4 - _e80);
-    float _e82 = end;
-    uint _e88 = _group_0_binding_0_fs.view_samples;
-    uint _e91 = _group_0_binding_0_fs.light_samples;
-    Scattered _e92 = single_scattering(m_3, _e41, _e82, (0.5 * dot(offset, offset)), _e88, _e91);
-    bool _e96 = dims;
-    vec3 through = (_e96 ? _e92.transmittance : vec3(1.0));
-    float _e101 = weight;
-    vec3 light = ((_e92.radiance * m_3.irradiance) * _e101);
+    vec3 _e108 = _group_0_binding_0_fs.sun;
+    vec3 offset = (dir_4 - _e108);
+    float _e110 = end;
+    uint _e116 = _group_0_binding_0_fs.view_samples;
+    uint _e119 = _group_0_binding_0_fs.light_samples;
+    single_scattering(m_rayleigh_2, m_rayleigh_inv_height_2, m_mie_inv_height_2, m_mie_extinction_2, m_ozone_center_2, m_ozone_inv_half_width_2, m_ozone_2, m_radius_1, _e74, _e75, _e76, _e77, _e78, _e110, (0.5 * dot(offset, offset)), _e116, _e119, s_radiance, s_transmittance);
+    vec3 _e122 = s_radiance;
+    vec3 _e123 = s_transmittance;
+    bool _e126 = dims;
+    vec3 through = (_e126 ? _e123 : vec3(1.0));
+    float _e129 = weight;
+    vec3 light = ((_e122 * m_irradiance) * _e129);
     _fs2p_location0 = vec4(min(light, vec3(32000.0)), (1.0 - dot(through, vec3(0.33333334))));
     return;
 }

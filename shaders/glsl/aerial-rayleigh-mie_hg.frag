@@ -43,49 +43,6 @@ struct Frame {
     float camera_altitude;
     vec4 limb;
 };
-struct AirRay {
-    float start;
-    float length_;
-    float x;
-    float b;
-    float x_closest;
-    float sun_b;
-    float nu;
-    float cross2_;
-    float shadow_b;
-    float shadow_c;
-    float shadow_half2_;
-    bool ground;
-};
-struct SunSide {
-    float sun_b;
-    float nu;
-    float cross2_;
-    float shadow_b;
-    float shadow_c;
-    float shadow_half2_;
-};
-struct Line {
-    float b;
-    float p;
-    float x_closest;
-    bool ground;
-};
-struct AirPath {
-    float start;
-    float length_;
-    float x;
-    float b;
-};
-struct Low {
-    float t;
-    float x;
-    float b;
-};
-struct Scattered {
-    vec3 radiance;
-    vec3 transmittance;
-};
 const float HALF_MAX = 32000.0;
 const float SUBPIXEL = 0.0625;
 const float INV_4PI = 0.07957747;
@@ -103,18 +60,18 @@ vec3 pixel_ray(vec2 pixel, vec2 size, vec3 forward, vec3 right, vec3 up) {
     return ((forward + (right * ndc.x)) + (up * ndc.y));
 }
 
-float depth_distance(DepthCode c, float depth, float ray_length) {
-    if ((depth == c.background)) {
+float depth_distance(float c_scale, float c_bias, float c_log, float c_background, float depth, float ray_length_1) {
+    if ((depth == c_background)) {
         return -1.0;
     }
-    if ((c.log_ > 0.0)) {
-        return (((exp2((depth * c.log_)) - 1.0) * 0.001) * ray_length);
+    if ((c_log > 0.0)) {
+        return (((exp2((depth * c_log)) - 1.0) * 0.001) * ray_length_1);
     }
-    float inverse_ = ((depth * c.scale) + c.bias);
+    float inverse_ = ((depth * c_scale) + c_bias);
     if ((inverse_ <= 0.0)) {
         return -1.0;
     }
-    return (ray_length / inverse_);
+    return (ray_length_1 / inverse_);
 }
 
 float scene_reach(float start, float length_, float b, bool ground, float distance_, float radius, float pixel_angle) {
@@ -142,10 +99,10 @@ float altitude_after(float x_1, float b_1, float t, float radius_3) {
 }
 
 float distance_to_top(float x_2, float b_2, float x_top) {
-    float c_1 = max((x_top - x_2), 0.0);
-    float root_1 = sqrt(((b_2 * b_2) + c_1));
+    float c = max((x_top - x_2), 0.0);
+    float root_1 = sqrt(((b_2 * b_2) + c));
     if ((b_2 > 0.0)) {
-        return (c_1 / (b_2 + root_1));
+        return (c / (b_2 + root_1));
     }
     return (root_1 - b_2);
 }
@@ -158,214 +115,333 @@ float half_chord2_(float b_3, float above, float depth_1, float p) {
     return (depth_1 * (sphere + p));
 }
 
-float shadow_half2_(SunSide s, float side_z, float r, float radius_4) {
-    float sine = max(sqrt(s.cross2_), 1e-18);
+float shadow_half2_(float s_cross2_, float s_shadow_b, float s_shadow_c, float side_z, float r, float radius_4) {
+    float sine = max(sqrt(s_cross2_), 1e-18);
     float p_1 = ((r * abs(side_z)) / sine);
-    float _e15 = half_chord2_((s.shadow_b / sine), s.shadow_c, (radius_4 - p_1), p_1);
-    return _e15;
+    float _e14 = half_chord2_((s_shadow_b / sine), s_shadow_c, (radius_4 - p_1), p_1);
+    return _e14;
 }
 
-SunSide sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_3, float radius_5) {
-    SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    s_1.nu = dot(dir, sun);
-    float _e9 = s_1.nu;
-    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s_1.cross2_ = dot(side, side);
-    s_1.sun_b = (r_1 * sun.z);
-    s_1.shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+void sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_3, float radius_5, inout float out_sun_b, inout float out_nu, inout float out_cross2_, inout float out_shadow_b, inout float out_shadow_c, inout float out_shadow_half2_) {
+    float s_sun_b = 0.0;
+    float s_nu = 0.0;
+    float s_cross2_1 = 0.0;
+    float s_shadow_b_1 = 0.0;
+    float s_shadow_c_1 = 0.0;
+    float s_shadow_half2_ = 0.0;
+    s_nu = dot(dir, sun);
+    float _e15 = s_nu;
+    vec3 side = cross((dir - (((_e15 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    s_cross2_1 = dot(side, side);
+    s_sun_b = (r_1 * sun.z);
+    s_shadow_b_1 = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
     float q = (r_1 * length(sun.xy));
-    float _e37 = s_1.sun_b;
-    float _e39 = half_chord2_(_e37, x_3, (radius_5 - q), q);
-    s_1.shadow_c = -(_e39);
-    SunSide _e42 = s_1;
-    float _e44 = shadow_half2_(_e42, side.z, r_1, radius_5);
-    s_1.shadow_half2_ = _e44;
-    SunSide _e45 = s_1;
-    return _e45;
+    float _e39 = s_sun_b;
+    float _e43 = half_chord2_(_e39, x_3, (radius_5 - q), q);
+    s_shadow_c_1 = -(_e43);
+    float _e45 = s_cross2_1;
+    float _e46 = s_shadow_b_1;
+    float _e47 = s_shadow_c_1;
+    float _e49 = shadow_half2_(_e45, _e46, _e47, side.z, r_1, radius_5);
+    s_shadow_half2_ = _e49;
+    float _e50 = s_sun_b;
+    float _e51 = s_nu;
+    float _e52 = s_cross2_1;
+    float _e53 = s_shadow_b_1;
+    float _e54 = s_shadow_c_1;
+    float _e55 = s_shadow_half2_;
+    out_sun_b = _e50;
+    out_nu = _e51;
+    out_cross2_ = _e52;
+    out_shadow_b = _e53;
+    out_shadow_c = _e54;
+    out_shadow_half2_ = _e55;
 }
 
-SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start_1, float half_, float x_top_1, float radius_6) {
-    SunSide s_2 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    s_2.nu = dot(dir_1, sun_1);
-    float _e11 = s_2.nu;
-    float same = ((_e11 >= 0.0) ? 1.0 : -1.0);
+void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start_1, float half_, float x_top_1, float radius_6, inout float out_sun_b_1, inout float out_nu_1, inout float out_cross2_1, inout float out_shadow_b_1, inout float out_shadow_c_1, inout float out_shadow_half2_1) {
+    float s_sun_b_1 = 0.0;
+    float s_nu_1 = 0.0;
+    float s_cross2_2 = 0.0;
+    float s_shadow_b_2 = 0.0;
+    float s_shadow_c_2 = 0.0;
+    float s_shadow_half2_1 = 0.0;
+    s_nu_1 = dot(dir_1, sun_1);
+    float _e15 = s_nu_1;
+    float same = ((_e15 >= 0.0) ? 1.0 : -1.0);
     vec3 apart = (dir_1 - (same * sun_1));
     vec3 side_1 = cross(apart, sun_1);
-    s_2.cross2_ = dot(side_1, side_1);
+    s_cross2_2 = dot(side_1, side_1);
     vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
     float there = (-(same) * dot(closest, apart));
     float here = (r_2 * sun_1.z);
-    float _e38 = s_2.nu;
-    float _e44 = s_2.nu;
-    bool nearer = ((abs(here) + (start_1 * abs(_e38))) < (abs(there) + (half_ * abs(_e44))));
-    float _e51 = s_2.nu;
-    float _e55 = s_2.nu;
-    s_2.sun_b = (nearer ? (here + (start_1 * _e55)) : (there - (half_ * _e51)));
+    float _e41 = s_nu_1;
+    float _e47 = s_nu_1;
+    bool nearer = ((abs(here) + (start_1 * abs(_e41))) < (abs(there) + (half_ * abs(_e47))));
+    float _e53 = s_nu_1;
+    float _e56 = s_nu_1;
+    s_sun_b_1 = (nearer ? (here + (start_1 * _e56)) : (there - (half_ * _e53)));
     vec3 closest_side = cross(closest, sun_1);
-    float _e63 = s_2.cross2_;
-    s_2.shadow_b = (dot(closest_side, side_1) - (half_ * _e63));
+    float _e62 = s_cross2_2;
+    s_shadow_b_2 = (dot(closest_side, side_1) - (half_ * _e62));
     float q_1 = length((closest_side - (half_ * side_1)));
-    float _e71 = s_2.sun_b;
-    float _e73 = half_chord2_(_e71, x_top_1, (radius_6 - q_1), q_1);
-    s_2.shadow_c = -(_e73);
-    SunSide _e76 = s_2;
-    float _e78 = shadow_half2_(_e76, side_1.z, r_2, radius_6);
-    s_2.shadow_half2_ = _e78;
-    SunSide _e79 = s_2;
-    return _e79;
+    float _e68 = s_sun_b_1;
+    float _e72 = half_chord2_(_e68, x_top_1, (radius_6 - q_1), q_1);
+    s_shadow_c_2 = -(_e72);
+    float _e74 = s_cross2_2;
+    float _e75 = s_shadow_b_2;
+    float _e76 = s_shadow_c_2;
+    float _e78 = shadow_half2_(_e74, _e75, _e76, side_1.z, r_2, radius_6);
+    s_shadow_half2_1 = _e78;
+    float _e79 = s_sun_b_1;
+    float _e80 = s_nu_1;
+    float _e81 = s_cross2_2;
+    float _e82 = s_shadow_b_2;
+    float _e83 = s_shadow_c_2;
+    float _e84 = s_shadow_half2_1;
+    out_sun_b_1 = _e79;
+    out_nu_1 = _e80;
+    out_cross2_1 = _e81;
+    out_shadow_b_1 = _e82;
+    out_shadow_c_1 = _e83;
+    out_shadow_half2_1 = _e84;
 }
 
-Line line_past(vec3 dir_2, float h_1, float radius_7) {
-    bool local_1 = false;
+void line_past(vec3 dir_2, float h_1, float radius_7, inout float out_b, inout float out_x_closest, inout bool out_ground) {
+    bool unnamed_1 = false;
     float r_3 = (radius_7 + h_1);
     float b_6 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
-    float _e11 = excess_of(h_1, radius_7);
-    float _e13 = half_chord2_(b_6, _e11, (radius_7 - p_2), p_2);
+    float _e14 = excess_of(h_1, radius_7);
+    float _e16 = half_chord2_(b_6, _e14, (radius_7 - p_2), p_2);
     if ((b_6 < 0.0)) {
-        local_1 = (_e13 >= 0.0);
+        unnamed_1 = (_e16 >= 0.0);
     } else {
-        local_1 = false;
+        unnamed_1 = false;
     }
-    bool _e22 = local_1;
-    return Line(b_6, p_2, -(_e13), _e22);
+    bool _e25 = unnamed_1;
+    out_b = b_6;
+    out_x_closest = -(_e16);
+    out_ground = _e25;
 }
 
-float top_half_chord2_(Line line, float h_2, float radius_8, float thickness) {
-    float b2_ = (line.b * line.b);
-    float _e7 = excess_of(thickness, radius_8);
+float top_half_chord2_(float line_b, float line_x_closest, float h_2, float radius_8, float thickness) {
+    float b2_ = (line_b * line_b);
+    float _e5 = excess_of(thickness, radius_8);
     float above_1 = ((h_2 - thickness) * (((2.0 * radius_8) + thickness) + h_2));
-    return ((b2_ < _e7) ? (b2_ - above_1) : (_e7 - line.x_closest));
+    return ((b2_ < _e5) ? (b2_ - above_1) : (_e5 - line_x_closest));
 }
 
 float to_ground(float x_4, float b_4, float root) {
     return min((x_4 / (root - b_4)), -(b_4));
 }
 
-AirPath air_path(Line line_1, float h_3, float radius_9, float thickness_1) {
-    bool local_2 = false;
-    float _e4 = excess_of(thickness_1, radius_9);
-    float ground_root = sqrt(max(-(line_1.x_closest), 0.0));
+void air_path(float line_b_1, float line_x_closest_1, bool line_ground, float h_3, float radius_9, float thickness_1, inout float out_start, inout float out_length, inout float out_x, inout float out_b_1) {
+    bool unnamed_2 = false;
+    float _e6 = excess_of(thickness_1, radius_9);
+    float ground_root = sqrt(max(-(line_x_closest_1), 0.0));
     if ((h_3 <= thickness_1)) {
-        float _e11 = excess_of(h_3, radius_9);
-        float _e13 = distance_to_top(_e11, line_1.b, _e4);
-        float _e15 = to_ground(_e11, line_1.b, ground_root);
-        float reach_1 = (line_1.ground ? _e15 : _e13);
-        return AirPath(0.0, reach_1, _e11, line_1.b);
+        float _e16 = excess_of(h_3, radius_9);
+        float _e17 = distance_to_top(_e16, line_b_1, _e6);
+        float _e18 = to_ground(_e16, line_b_1, ground_root);
+        float reach_1 = (line_ground ? _e18 : _e17);
+        out_start = 0.0;
+        out_length = reach_1;
+        out_x = _e16;
+        out_b_1 = line_b_1;
+        return;
     }
     float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_9) + thickness_1) + h_3));
-    float _e27 = top_half_chord2_(line_1, h_3, radius_9, thickness_1);
-    if (!((line_1.b >= 0.0))) {
-        local_2 = (_e27 <= 0.0);
+    float _e27 = top_half_chord2_(line_b_1, line_x_closest_1, h_3, radius_9, thickness_1);
+    if (!((line_b_1 >= 0.0))) {
+        unnamed_2 = (_e27 <= 0.0);
     } else {
-        local_2 = true;
+        unnamed_2 = true;
     }
-    bool _e37 = local_2;
-    if (_e37) {
-        return AirPath(0.0, -1.0, 0.0, 0.0);
+    bool _e36 = unnamed_2;
+    if (_e36) {
+        out_start = 0.0;
+        out_length = -1.0;
+        out_x = 0.0;
+        out_b_1 = 0.0;
+        return;
     }
     float half_1 = sqrt(_e27);
-    float _e50 = to_ground(_e4, -(half_1), ground_root);
-    return AirPath((above_2 / (half_1 - line_1.b)), (line_1.ground ? _e50 : (2.0 * half_1)), _e4, -(half_1));
+    float _e47 = to_ground(_e6, -(half_1), ground_root);
+    out_start = (above_2 / (half_1 - line_b_1));
+    out_length = (line_ground ? _e47 : (2.0 * half_1));
+    out_x = _e6;
+    out_b_1 = -(half_1);
 }
 
-AirRay air_ray(vec3 dir_3, float h_4, float radius_10, float thickness_2, vec3 sun_2) {
-    SunSide s_3 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    bool local_3 = false;
-    Line _e5 = line_past(dir_3, h_4, radius_10);
-    AirPath _e6 = air_path(_e5, h_4, radius_10, thickness_2);
+void air_ray(vec3 dir_3, float h_4, float radius_10, float thickness_2, vec3 sun_2, inout float out_start_1, inout float out_length_1, inout float out_x_1, inout float out_b_2, inout float out_x_closest_1, inout float out_sun_b_2, inout float out_nu_2, inout float out_cross2_2, inout float out_shadow_b_2, inout float out_shadow_c_2, inout float out_shadow_half2_2, inout bool out_ground_1) {
+    float s_sun_b_2 = 0.0;
+    float s_nu_2 = 0.0;
+    float s_cross2_3 = 0.0;
+    float s_shadow_b_3 = 0.0;
+    float s_shadow_c_3 = 0.0;
+    float s_shadow_half2_2 = 0.0;
+    bool unnamed_3 = false;
+    float line_b_2 = 0.0;
+    float line_x_closest_2 = 0.0;
+    bool line_ground_1 = false;
+    float path_start = 0.0;
+    float path_length = 0.0;
+    float path_x = 0.0;
+    float path_b = 0.0;
+    float sun_side_inside_sun_b = 0.0;
+    float sun_side_inside_nu = 0.0;
+    float sun_side_inside_cross2_ = 0.0;
+    float sun_side_inside_shadow_b = 0.0;
+    float sun_side_inside_shadow_c = 0.0;
+    float sun_side_inside_shadow_half2_ = 0.0;
+    float sun_side_outside_sun_b = 0.0;
+    float sun_side_outside_nu = 0.0;
+    float sun_side_outside_cross2_ = 0.0;
+    float sun_side_outside_shadow_b = 0.0;
+    float sun_side_outside_shadow_c = 0.0;
+    float sun_side_outside_shadow_half2_ = 0.0;
+    line_past(dir_3, h_4, radius_10, line_b_2, line_x_closest_2, line_ground_1);
+    float _e18 = line_b_2;
+    float _e19 = line_x_closest_2;
+    bool _e20 = line_ground_1;
+    air_path(_e18, _e19, _e20, h_4, radius_10, thickness_2, path_start, path_length, path_x, path_b);
+    float _e26 = path_start;
+    float _e27 = path_length;
+    float _e28 = path_x;
+    float _e29 = path_b;
     if ((h_4 <= thickness_2)) {
-        SunSide _e11 = sun_side_inside(dir_3, sun_2, (radius_10 + h_4), _e6.x, radius_10);
-        s_3 = _e11;
+        sun_side_inside(dir_3, sun_2, (radius_10 + h_4), _e28, radius_10, sun_side_inside_sun_b, sun_side_inside_nu, sun_side_inside_cross2_, sun_side_inside_shadow_b, sun_side_inside_shadow_c, sun_side_inside_shadow_half2_);
+        float _e39 = sun_side_inside_sun_b;
+        float _e40 = sun_side_inside_nu;
+        float _e41 = sun_side_inside_cross2_;
+        float _e42 = sun_side_inside_shadow_b;
+        float _e43 = sun_side_inside_shadow_c;
+        float _e44 = sun_side_inside_shadow_half2_;
+        s_sun_b_2 = _e39;
+        s_nu_2 = _e40;
+        s_cross2_3 = _e41;
+        s_shadow_b_3 = _e42;
+        s_shadow_c_3 = _e43;
+        s_shadow_half2_2 = _e44;
     } else {
-        if ((_e6.length_ > 0.0)) {
-            SunSide _e20 = sun_side_outside(dir_3, sun_2, (radius_10 + h_4), _e6.start, -(_e6.b), _e6.x, radius_10);
-            s_3 = _e20;
+        if ((_e27 > 0.0)) {
+            sun_side_outside(dir_3, sun_2, (radius_10 + h_4), _e26, -(_e29), _e28, radius_10, sun_side_outside_sun_b, sun_side_outside_nu, sun_side_outside_cross2_, sun_side_outside_shadow_b, sun_side_outside_shadow_c, sun_side_outside_shadow_half2_);
+            float _e61 = sun_side_outside_sun_b;
+            float _e62 = sun_side_outside_nu;
+            float _e63 = sun_side_outside_cross2_;
+            float _e64 = sun_side_outside_shadow_b;
+            float _e65 = sun_side_outside_shadow_c;
+            float _e66 = sun_side_outside_shadow_half2_;
+            s_sun_b_2 = _e61;
+            s_nu_2 = _e62;
+            s_cross2_3 = _e63;
+            s_shadow_b_3 = _e64;
+            s_shadow_c_3 = _e65;
+            s_shadow_half2_2 = _e66;
         } else {
-            s_3.nu = dot(dir_3, sun_2);
+            s_nu_2 = dot(dir_3, sun_2);
         }
     }
-    if (_e5.ground) {
-        local_3 = (_e6.length_ >= 0.0);
+    if (_e20) {
+        unnamed_3 = (_e27 >= 0.0);
     } else {
-        local_3 = false;
+        unnamed_3 = false;
     }
-    bool ground_1 = local_3;
-    float _e37 = s_3.sun_b;
-    float _e39 = s_3.nu;
-    float _e41 = s_3.cross2_;
-    float _e43 = s_3.shadow_b;
-    float _e45 = s_3.shadow_c;
-    float _e47 = s_3.shadow_half2_;
-    return AirRay(_e6.start, _e6.length_, _e6.x, _e6.b, _e5.x_closest, _e37, _e39, _e41, _e43, _e45, _e47, ground_1);
+    bool ground_1 = unnamed_3;
+    float _e74 = s_sun_b_2;
+    float _e75 = s_nu_2;
+    float _e76 = s_cross2_3;
+    float _e77 = s_shadow_b_3;
+    float _e78 = s_shadow_c_3;
+    float _e79 = s_shadow_half2_2;
+    out_start_1 = _e26;
+    out_length_1 = _e27;
+    out_x_1 = _e28;
+    out_b_2 = _e29;
+    out_x_closest_1 = _e19;
+    out_sun_b_2 = _e74;
+    out_nu_2 = _e75;
+    out_cross2_2 = _e76;
+    out_shadow_b_2 = _e77;
+    out_shadow_c_2 = _e78;
+    out_shadow_half2_2 = _e79;
+    out_ground_1 = ground_1;
 }
 
-Low lowest(AirRay ray, float length_1, float radius_11) {
-    bool local_4 = false;
-    if ((ray.b >= 0.0)) {
-        return Low(0.0, ray.x, ray.b);
+void lowest(float ray_length_2, float ray_x_1, float ray_b_1, float ray_x_closest_1, bool ray_ground_1, float length_1, float radius_11, inout float out_t, inout float out_x_2, inout float out_b_3) {
+    bool unnamed_4 = false;
+    if ((ray_b_1 >= 0.0)) {
+        out_t = 0.0;
+        out_x_2 = ray_x_1;
+        out_b_3 = ray_b_1;
+        return;
     }
-    if ((-(ray.b) <= length_1)) {
-        return Low(-(ray.b), ray.x_closest, 0.0);
+    if ((-(ray_b_1) <= length_1)) {
+        out_t = -(ray_b_1);
+        out_x_2 = ray_x_closest_1;
+        out_b_3 = 0.0;
+        return;
     }
-    float b_7 = (ray.b + length_1);
-    if (ray.ground) {
-        local_4 = (length_1 >= ray.length_);
+    float b_7 = (ray_b_1 + length_1);
+    if (ray_ground_1) {
+        unnamed_4 = (length_1 >= ray_length_2);
     } else {
-        local_4 = false;
+        unnamed_4 = false;
     }
-    bool _e26 = local_4;
-    if (_e26) {
-        return Low(length_1, 0.0, b_7);
+    bool _e21 = unnamed_4;
+    if (_e21) {
+        out_t = length_1;
+        out_x_2 = 0.0;
+        out_b_3 = b_7;
+        return;
     }
-    bool far = ((-(ray.b) * length_1) > (radius_11 * radius_11));
-    return Low(length_1, (far ? (ray.x_closest + (b_7 * b_7)) : (ray.x + (length_1 * ((2.0 * ray.b) + length_1)))), b_7);
+    bool far = ((-(ray_b_1) * length_1) > (radius_11 * radius_11));
+    out_t = length_1;
+    out_x_2 = (far ? (ray_x_closest_1 + (b_7 * b_7)) : (ray_x_1 + (length_1 * ((2.0 * ray_b_1) + length_1))));
+    out_b_3 = b_7;
 }
 
-vec2 shadow_stretch(AirRay ray_1) {
+vec2 shadow_stretch(float ray_sun_b_1, float ray_nu_1, float ray_cross2_1, float ray_shadow_b_1, float ray_shadow_c_1, float ray_shadow_half2_1) {
     vec2 stretch = vec2(0.0);
     vec2 none = vec2(1.0, 0.0);
-    float a = ray_1.cross2_;
-    float b_8 = ray_1.shadow_b;
-    float c_2 = ray_1.shadow_c;
     stretch = vec2(-(1e30), 1e30);
-    if ((a > 1e-30)) {
-        if ((ray_1.shadow_half2_ <= 0.0)) {
+    if ((ray_cross2_1 > 1e-30)) {
+        if ((ray_shadow_half2_1 <= 0.0)) {
             return none;
         }
-        float q_2 = -((b_8 + (((b_8 >= 0.0) ? 1.0 : -1.0) * sqrt((a * ray_1.shadow_half2_)))));
-        float t0_2 = (q_2 / a);
-        float t1_ = ((q_2 != 0.0) ? (c_2 / q_2) : t0_2);
+        float q_2 = -((ray_shadow_b_1 + (((ray_shadow_b_1 >= 0.0) ? 1.0 : -1.0) * sqrt((ray_cross2_1 * ray_shadow_half2_1)))));
+        float t0_2 = (q_2 / ray_cross2_1);
+        float t1_ = ((q_2 != 0.0) ? (ray_shadow_c_1 / q_2) : t0_2);
         stretch = vec2(min(t0_2, t1_), max(t0_2, t1_));
     } else {
-        if ((c_2 >= 0.0)) {
+        if ((ray_shadow_c_1 >= 0.0)) {
             return none;
         }
     }
-    if ((abs(ray_1.nu) < 1e-12)) {
-        if ((ray_1.sun_b >= 0.0)) {
+    if ((abs(ray_nu_1) < 1e-12)) {
+        if ((ray_sun_b_1 >= 0.0)) {
             return none;
         }
     } else {
-        float t_2 = (-(ray_1.sun_b) / ray_1.nu);
-        if ((ray_1.nu > 0.0)) {
-            float _e53 = stretch.y;
-            stretch.y = min(_e53, t_2);
+        float t_2 = (-(ray_sun_b_1) / ray_nu_1);
+        if ((ray_nu_1 > 0.0)) {
+            float _e48 = stretch.y;
+            stretch.y = min(_e48, t_2);
         } else {
-            float _e57 = stretch.x;
-            stretch.x = max(_e57, t_2);
+            float _e52 = stretch.x;
+            stretch.x = max(_e52, t_2);
         }
     }
-    vec2 _e59 = stretch;
-    return _e59;
+    vec2 _e54 = stretch;
+    return _e54;
 }
 
-vec4 layers_of(Medium m) {
-    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+vec4 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width) {
+    return vec4(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_center, m_ozone_inv_half_width);
 }
 
-mat3x3 coefficients_of(Medium m_1) {
-    return mat3x3(m_1.rayleigh, m_1.mie_extinction, m_1.ozone);
+mat3x3 coefficients_of(vec3 m_rayleigh, vec3 m_mie_extinction, vec3 m_ozone) {
+    return mat3x3(m_rayleigh, m_mie_extinction, m_ozone);
 }
 
 vec3 densities(vec4 layers, float h_5) {
@@ -378,8 +454,8 @@ vec3 densities(vec4 layers, float h_5) {
 
 vec3 extinction(mat3x3 coefficients, vec3 d_1) {
     vec3 sum = vec3(0.0);
-    vec3 _e5 = sum;
-    sum = (_e5 + (coefficients[0] * d_1.x));
+    vec3 _e3 = sum;
+    sum = (_e3 + (coefficients[0] * d_1.x));
     vec3 _e10 = sum;
     sum = (_e10 + (coefficients[1] * d_1.y));
     vec3 _e15 = sum;
@@ -404,26 +480,26 @@ vec3 path_densities(vec4 layers_1, float radius_12, float x_5, float b_5, float 
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e43 = i;
-            i = (_e43 + 1u);
+            uint _e42 = i;
+            i = (_e42 + 1u);
         }
         loop_init = false;
-        uint _e23 = i;
-        if ((_e23 < samples)) {
+        uint _e18 = i;
+        if ((_e18 < samples)) {
         } else {
             break;
         }
         {
-            uint _e25 = i;
-            float u_1 = (u0_ + (du * float(_e25)));
-            float _e32 = warp(low_2, (u_1 + (0.5 * du)));
-            float _e34 = warp(low_2, (u_1 + du));
-            float _e35 = altitude_after(x_5, b_5, _e32, radius_12);
-            vec3 _e36 = sum_1;
-            vec3 _e37 = densities(layers_1, _e35);
+            uint _e20 = i;
+            float u_1 = (u0_ + (du * float(_e20)));
+            float _e27 = warp(low_2, (u_1 + (0.5 * du)));
+            float _e29 = warp(low_2, (u_1 + du));
+            float _e32 = altitude_after(x_5, b_5, _e27, radius_12);
+            vec3 _e34 = sum_1;
+            vec3 _e36 = densities(layers_1, _e32);
             float _e38 = t0_;
-            sum_1 = (_e36 + (_e37 * (_e34 - _e38)));
-            t0_ = _e34;
+            sum_1 = (_e34 + (_e36 * (_e29 - _e38)));
+            t0_ = _e29;
         }
     }
     vec3 _e45 = sum_1;
@@ -446,101 +522,109 @@ vec3 henyey_greenstein_phase(float away, float toward, vec3 g) {
 }
 
 vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_13, float thickness_3, float x_6, float sun_b, uint samples_1) {
-    float _e7 = excess_of(thickness_3, radius_13);
-    float _e8 = distance_to_top(x_6, sun_b, _e7);
-    vec3 _e9 = path_densities(layers_2, radius_13, x_6, sun_b, _e8, samples_1);
-    vec3 _e10 = extinction(coefficients_1, _e9);
+    float _e2 = excess_of(thickness_3, radius_13);
+    float _e5 = distance_to_top(x_6, sun_b, _e2);
+    vec3 _e8 = path_densities(layers_2, radius_13, x_6, sun_b, _e5, samples_1);
+    vec3 _e10 = extinction(coefficients_1, _e8);
     return exp(-(_e10));
 }
 
-Scattered single_scattering(Medium m_2, AirRay ray_2, float length_2, float away_1, uint view_samples, uint light_samples) {
-    Scattered out_ = Scattered(vec3(0.0), vec3(0.0));
+void single_scattering(vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, vec3 m_mie_extinction_1, float m_ozone_center_1, vec3 m_mie_asymmetry, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_thickness, float ray_length_3, float ray_x_2, float ray_b_2, float ray_x_closest_2, float ray_sun_b_2, float ray_nu_2, float ray_cross2_2, float ray_shadow_b_2, float ray_shadow_c_2, float ray_shadow_half2_2, bool ray_ground_2, float length_2, float away_1, uint view_samples, uint light_samples, inout vec3 out_radiance, inout vec3 out_transmittance) {
+    vec3 out_radiance_1 = vec3(0.0);
+    vec3 out_transmittance_1 = vec3(0.0);
     float t0_1 = 0.0;
     uint i_1 = 0u;
     float lit_t = 0.0;
     vec3 source = vec3(0.0);
-    out_.radiance = vec3(0.0);
-    out_.transmittance = vec3(1.0);
-    float _e16 = rayleigh_phase((1.0 - away_1));
-    vec3 rayleigh = (m_2.rayleigh * _e16);
-    float toward_1 = ((away_1 > 1.0) ? (ray_2.cross2_ / max(away_1, 1.0)) : (2.0 - away_1));
-    vec3 _e29 = henyey_greenstein_phase(away_1, toward_1, m_2.mie_asymmetry);
-    vec3 mie = (m_2.mie_scattering * _e29);
-    vec4 _e31 = layers_of(m_2);
-    mat3x3 _e32 = coefficients_of(m_2);
-    Low _e34 = lowest(ray_2, length_2, m_2.radius);
-    float low_3 = _e34.t;
+    float lowest_t = 0.0;
+    float lowest_x = 0.0;
+    float lowest_b = 0.0;
+    out_radiance_1 = vec3(0.0);
+    out_transmittance_1 = vec3(1.0);
+    float _e24 = rayleigh_phase((1.0 - away_1));
+    vec3 rayleigh = (m_rayleigh_1 * _e24);
+    float toward_1 = ((away_1 > 1.0) ? (ray_cross2_2 / max(away_1, 1.0)) : (2.0 - away_1));
+    vec3 _e45 = henyey_greenstein_phase(away_1, toward_1, m_mie_asymmetry);
+    vec3 mie = (m_mie_scattering * _e45);
+    vec4 _e47 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
+    mat3x3 _e48 = coefficients_of(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
+    lowest(ray_length_3, ray_x_2, ray_b_2, ray_x_closest_2, ray_ground_2, length_2, m_radius, lowest_t, lowest_x, lowest_b);
+    float low_3 = lowest_t;
+    float _e54 = lowest_x;
+    float _e55 = lowest_b;
     float u0_1 = -(sqrt(low_3));
     float du_1 = ((sqrt((length_2 - low_3)) - u0_1) / float(view_samples));
-    vec2 _e43 = shadow_stretch(ray_2);
+    vec2 _e64 = shadow_stretch(ray_sun_b_2, ray_nu_2, ray_cross2_2, ray_shadow_b_2, ray_shadow_c_2, ray_shadow_half2_2);
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            uint _e155 = i_1;
-            i_1 = (_e155 + 1u);
+            uint _e161 = i_1;
+            i_1 = (_e161 + 1u);
         }
         loop_init_1 = false;
-        uint _e48 = i_1;
-        if ((_e48 < view_samples)) {
+        uint _e66 = i_1;
+        if ((_e66 < view_samples)) {
         } else {
             break;
         }
         {
-            uint _e50 = i_1;
-            float u_2 = (u0_1 + (du_1 * float(_e50)));
-            float _e55 = warp(low_3, (u_2 + du_1));
-            float _e56 = t0_1;
-            float step_ = (_e55 - _e56);
-            float _e61 = warp(low_3, (u_2 + (0.5 * du_1)));
-            float _e66 = altitude_after(_e34.x, _e34.b, (_e61 - low_3), m_2.radius);
-            vec3 _e67 = densities(_e31, _e66);
-            vec3 _e68 = extinction(_e32, _e67);
-            vec3 tau_1 = (_e68 * step_);
-            float _e71 = t0_1;
-            float dark0_ = clamp(_e43.x, _e71, _e55);
-            float _e74 = t0_1;
-            float dark1_ = clamp(_e43.y, _e74, _e55);
-            float dark = ((_e43.y > _e43.x) ? max((dark1_ - dark0_), 0.0) : 0.0);
+            uint _e68 = i_1;
+            float u_2 = (u0_1 + (du_1 * float(_e68)));
+            float _e73 = warp(low_3, (u_2 + du_1));
+            float _e75 = t0_1;
+            float step_ = (_e73 - _e75);
+            float _e80 = warp(low_3, (u_2 + (0.5 * du_1)));
+            float _e82 = altitude_after(_e54, _e55, (_e80 - low_3), m_radius);
+            vec3 _e83 = densities(_e47, _e82);
+            vec3 _e84 = extinction(_e48, _e83);
+            vec3 tau_1 = (_e84 * step_);
+            float _e87 = t0_1;
+            float dark0_ = clamp(_e64.x, _e87, _e73);
+            float _e90 = t0_1;
+            float dark1_ = clamp(_e64.y, _e90, _e73);
+            float dark = ((_e64.y > _e64.x) ? max((dark1_ - dark0_), 0.0) : 0.0);
             if ((dark < step_)) {
-                lit_t = _e61;
+                lit_t = _e80;
                 if ((dark > 0.0)) {
-                    float _e88 = t0_1;
-                    bool first = ((dark0_ - _e88) > (_e55 - dark1_));
-                    float _e92 = t0_1;
-                    float lit0_ = (first ? _e92 : dark1_);
-                    float lit1_ = (first ? dark0_ : _e55);
-                    float _e95 = unwarp(low_3, lit0_);
-                    float _e96 = unwarp(low_3, lit1_);
-                    float _e100 = warp(low_3, (0.5 * (_e95 + _e96)));
-                    lit_t = _e100;
+                    float _e104 = t0_1;
+                    bool first = ((dark0_ - _e104) > (_e73 - dark1_));
+                    float _e108 = t0_1;
+                    float lit0_ = (first ? _e108 : dark1_);
+                    float lit1_ = (first ? dark0_ : _e73);
+                    float _e111 = unwarp(low_3, lit0_);
+                    float _e112 = unwarp(low_3, lit1_);
+                    float _e116 = warp(low_3, (0.5 * (_e111 + _e112)));
+                    lit_t = _e116;
                 }
-                float _e102 = lit_t;
-                float _e107 = lit_t;
-                float x_7 = (_e34.x + ((_e102 - low_3) * ((2.0 * _e34.b) + (_e107 - low_3))));
-                float _e113 = altitude_of(x_7, m_2.radius);
-                vec3 _e116 = densities(_e31, max(_e113, 0.0));
+                float _e117 = lit_t;
+                float _e121 = lit_t;
+                float x_7 = (_e54 + ((_e117 - low_3) * ((2.0 * _e55) + (_e121 - low_3))));
+                float _e126 = altitude_of(x_7, m_radius);
+                vec3 _e129 = densities(_e47, max(_e126, 0.0));
                 source = vec3(0.0);
-                vec3 _e120 = source;
-                source = (_e120 + (rayleigh * _e116.x));
-                vec3 _e124 = source;
-                source = (_e124 + (mie * _e116.y));
-                vec3 _e128 = source;
-                float _e133 = lit_t;
-                vec3 _e136 = sun_transmittance(_e32, _e31, m_2.radius, m_2.thickness, x_7, (ray_2.sun_b + (ray_2.nu * _e133)), light_samples);
-                source = (_e128 * _e136);
-                vec3 _e139 = out_.radiance;
-                vec3 _e141 = out_.transmittance;
-                vec3 _e142 = mean_transmittance(tau_1);
-                vec3 _e144 = source;
-                out_.radiance = (_e139 + (((_e141 * _e142) * _e144) * (step_ - dark)));
+                vec3 _e133 = source;
+                source = (_e133 + (rayleigh * _e129.x));
+                vec3 _e137 = source;
+                source = (_e137 + (mie * _e129.y));
+                vec3 _e141 = source;
+                float _e142 = lit_t;
+                vec3 _e146 = sun_transmittance(_e48, _e47, m_radius, m_thickness, x_7, (ray_sun_b_2 + (ray_nu_2 * _e142)), light_samples);
+                source = (_e141 * _e146);
+                vec3 _e148 = out_radiance_1;
+                vec3 _e149 = out_transmittance_1;
+                vec3 _e150 = mean_transmittance(tau_1);
+                vec3 _e152 = source;
+                out_radiance_1 = (_e148 + (((_e149 * _e150) * _e152) * (step_ - dark)));
             }
-            vec3 _e150 = out_.transmittance;
-            out_.transmittance = (_e150 * exp(-(tau_1)));
-            t0_1 = _e55;
+            vec3 _e157 = out_transmittance_1;
+            out_transmittance_1 = (_e157 * exp(-(tau_1)));
+            t0_1 = _e73;
         }
     }
-    Scattered _e157 = out_;
-    return _e157;
+    vec3 _e164 = out_radiance_1;
+    vec3 _e165 = out_transmittance_1;
+    out_radiance = _e164;
+    out_transmittance = _e165;
 }
 
 void main() {
@@ -548,58 +632,100 @@ void main() {
     float end = 0.0;
     float weight = 1.0;
     bool dims = true;
-    bool local = false;
+    bool unnamed = false;
+    float ray_start = 0.0;
+    float ray_length = 0.0;
+    float ray_x = 0.0;
+    float ray_b = 0.0;
+    float ray_x_closest = 0.0;
+    float ray_sun_b = 0.0;
+    float ray_nu = 0.0;
+    float ray_cross2_ = 0.0;
+    float ray_shadow_b = 0.0;
+    float ray_shadow_c = 0.0;
+    float ray_shadow_half2_ = 0.0;
+    bool ray_ground = false;
+    vec3 s_radiance = vec3(0.0);
+    vec3 s_transmittance = vec3(0.0);
     ivec2 pixel_1 = ivec2(position.xy);
     vec4 behind = texelFetch(_group_0_binding_1_fs, pixel_1, 0);
-    vec2 _e9 = _group_0_binding_0_fs.size;
-    vec3 _e12 = _group_0_binding_0_fs.ray_forward;
-    vec3 _e15 = _group_0_binding_0_fs.ray_right;
-    vec3 _e18 = _group_0_binding_0_fs.ray_up;
-    vec3 _e19 = pixel_ray(position.xy, _e9, _e12, _e15, _e18);
-    float ray_length_1 = length(_e19);
-    DepthCode _e23 = _group_0_binding_0_fs.depth;
-    vec4 _e26 = texelFetch(_group_0_binding_2_fs, pixel_1, 0);
-    float _e28 = depth_distance(_e23, _e26.x, ray_length_1);
-    vec3 dir_4 = (_e19 / vec3(ray_length_1));
-    Medium m_3 = _group_0_binding_0_fs.medium;
-    float _e36 = _group_0_binding_0_fs.altitude;
-    vec3 _e41 = _group_0_binding_0_fs.sun;
-    AirRay _e42 = air_ray(dir_4, _e36, m_3.radius, m_3.thickness, _e41);
-    end = _e42.length_;
-    if ((_e28 >= 0.0)) {
-        float _e58 = _group_0_binding_0_fs.pixel_angle;
-        float _e59 = scene_reach(_e42.start, _e42.length_, _e42.b, _e42.ground, _e28, m_3.radius, _e58);
-        end = _e59;
+    vec2 _e11 = _group_0_binding_0_fs.size;
+    vec3 _e14 = _group_0_binding_0_fs.ray_forward;
+    vec3 _e17 = _group_0_binding_0_fs.ray_right;
+    vec3 _e20 = _group_0_binding_0_fs.ray_up;
+    vec3 _e21 = pixel_ray(position.xy, _e11, _e14, _e17, _e20);
+    float ray_length_4 = length(_e21);
+    float _e26 = _group_0_binding_0_fs.depth.scale;
+    float _e28 = _group_0_binding_0_fs.depth.bias;
+    float _e30 = _group_0_binding_0_fs.depth.log_;
+    float _e32 = _group_0_binding_0_fs.depth.background;
+    vec4 _e35 = texelFetch(_group_0_binding_2_fs, pixel_1, 0);
+    float _e37 = depth_distance(_e26, _e28, _e30, _e32, _e35.x, ray_length_4);
+    vec3 dir_4 = (_e21 / vec3(ray_length_4));
+    vec3 m_rayleigh_2 = _group_0_binding_0_fs.medium.rayleigh;
+    float m_rayleigh_inv_height_2 = _group_0_binding_0_fs.medium.rayleigh_inv_height;
+    vec3 m_mie_scattering_1 = _group_0_binding_0_fs.medium.mie_scattering;
+    float m_mie_inv_height_2 = _group_0_binding_0_fs.medium.mie_inv_height;
+    vec3 m_mie_extinction_2 = _group_0_binding_0_fs.medium.mie_extinction;
+    float m_ozone_center_2 = _group_0_binding_0_fs.medium.ozone_center;
+    vec3 m_mie_asymmetry_1 = _group_0_binding_0_fs.medium.mie_asymmetry;
+    float m_ozone_inv_half_width_2 = _group_0_binding_0_fs.medium.ozone_inv_half_width;
+    vec3 m_ozone_2 = _group_0_binding_0_fs.medium.ozone;
+    float m_radius_1 = _group_0_binding_0_fs.medium.radius;
+    vec3 m_irradiance = _group_0_binding_0_fs.medium.irradiance;
+    float m_thickness_1 = _group_0_binding_0_fs.medium.thickness;
+    float _e68 = _group_0_binding_0_fs.altitude;
+    vec3 _e71 = _group_0_binding_0_fs.sun;
+    air_ray(dir_4, _e68, m_radius_1, m_thickness_1, _e71, ray_start, ray_length, ray_x, ray_b, ray_x_closest, ray_sun_b, ray_nu, ray_cross2_, ray_shadow_b, ray_shadow_c, ray_shadow_half2_, ray_ground);
+    float _e84 = ray_start;
+    float _e85 = ray_length;
+    float _e86 = ray_x;
+    float _e87 = ray_b;
+    float _e88 = ray_x_closest;
+    float _e89 = ray_sun_b;
+    float _e90 = ray_nu;
+    float _e91 = ray_cross2_;
+    float _e92 = ray_shadow_b;
+    float _e93 = ray_shadow_c;
+    float _e94 = ray_shadow_half2_;
+    bool _e95 = ray_ground;
+    end = _e85;
+    if ((_e37 >= 0.0)) {
+        float _e101 = _group_0_binding_0_fs.pixel_angle;
+        float _e102 = scene_reach(_e84, _e85, _e87, _e95, _e37, m_radius_1, _e101);
+        end = _e102;
     } else {
-        if (!(_e42.ground)) {
-            float _e64 = _group_0_binding_0_fs.shell_weight;
-            weight = _e64;
-            float _e65 = weight;
-            dims = (_e65 >= 1.0);
+        if (!(_e95)) {
+            float _e106 = _group_0_binding_0_fs.shell_weight;
+            weight = _e106;
+            float _e108 = weight;
+            dims = (_e108 >= 1.0);
         }
     }
-    float _e68 = end;
-    if (!((_e68 <= 0.0))) {
-        float _e74 = weight;
-        local = (_e74 <= 0.0);
+    float _e112 = end;
+    if (!((_e112 <= 0.0))) {
+        float _e116 = weight;
+        unnamed = (_e116 <= 0.0);
     } else {
-        local = true;
+        unnamed = true;
     }
-    bool _e78 = local;
-    if (_e78) {
+    bool _e122 = unnamed;
+    if (_e122) {
         _fs2p_location0 = behind;
         return;
     }
-    vec3 _e81 = _group_0_binding_0_fs.sun;
-    vec3 offset = (dir_4 - _e81);
-    float _e83 = end;
-    uint _e89 = _group_0_binding_0_fs.view_samples;
-    uint _e92 = _group_0_binding_0_fs.light_samples;
-    Scattered _e93 = single_scattering(m_3, _e42, _e83, (0.5 * dot(offset, offset)), _e89, _e92);
-    bool _e97 = dims;
-    vec3 through = (_e97 ? _e93.transmittance : vec3(1.0));
-    float _e102 = weight;
-    vec3 light = ((_e93.radiance * m_3.irradiance) * _e102);
+    vec3 _e125 = _group_0_binding_0_fs.sun;
+    vec3 offset = (dir_4 - _e125);
+    float _e127 = end;
+    uint _e133 = _group_0_binding_0_fs.view_samples;
+    uint _e136 = _group_0_binding_0_fs.light_samples;
+    single_scattering(m_rayleigh_2, m_rayleigh_inv_height_2, m_mie_scattering_1, m_mie_inv_height_2, m_mie_extinction_2, m_ozone_center_2, m_mie_asymmetry_1, m_ozone_inv_half_width_2, m_ozone_2, m_radius_1, m_thickness_1, _e85, _e86, _e87, _e88, _e89, _e90, _e91, _e92, _e93, _e94, _e95, _e127, (0.5 * dot(offset, offset)), _e133, _e136, s_radiance, s_transmittance);
+    vec3 _e139 = s_radiance;
+    vec3 _e140 = s_transmittance;
+    bool _e143 = dims;
+    vec3 through = (_e143 ? _e140 : vec3(1.0));
+    float _e146 = weight;
+    vec3 light = ((_e139 * m_irradiance) * _e146);
     vec3 dimmed = (behind.xyz * through);
     _fs2p_location0 = vec4((dimmed + min(light, max((vec3(32000.0) - dimmed), vec3(0.0)))), behind.w);
     return;

@@ -67,8 +67,8 @@ float altitude_after(float x_1, float b, float t, float radius_2) {
     return max(_e9, 0.0);
 }
 
-vec4 layers_of(Medium m) {
-    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+vec4 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width) {
+    return vec4(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_center, m_ozone_inv_half_width);
 }
 
 vec3 densities(vec4 layers, float h_1) {
@@ -80,16 +80,16 @@ vec3 densities(vec4 layers, float h_1) {
     return _e25;
 }
 
-vec3 columns_ray(vec2 at, vec2 size, Medium m_1) {
+vec3 columns_ray(vec2 at, vec2 size, float m_radius, float m_thickness) {
     vec2 share = (at / (size - vec2(1.0)));
-    float _e9 = excess_of(m_1.thickness, m_1.radius);
-    float rho_top = sqrt(_e9);
+    float _e8 = excess_of(m_thickness, m_radius);
+    float rho_top = sqrt(_e8);
     float rho = (share.y * rho_top);
-    float _e15 = altitude_of((rho * rho), m_1.radius);
-    float h_2 = min(_e15, m_1.thickness);
-    float shortest = (m_1.thickness - h_2);
+    float _e13 = altitude_of((rho * rho), m_radius);
+    float h_2 = min(_e13, m_thickness);
+    float shortest = (m_thickness - h_2);
     float d_1 = (shortest + (share.x * ((rho + rho_top) - shortest)));
-    float b_2 = ((d_1 > 0.0) ? (((((rho_top - rho) * (rho_top + rho)) / d_1) - d_1) * 0.5) : (m_1.radius + h_2));
+    float b_2 = ((d_1 > 0.0) ? (((((rho_top - rho) * (rho_top + rho)) / d_1) - d_1) * 0.5) : (m_radius + h_2));
     return vec3((rho * rho), max(b_2, -(rho)), d_1);
 }
 
@@ -107,26 +107,26 @@ vec3 path_densities(vec4 layers_1, float radius_3, float x_2, float b_1, float d
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e43 = i;
-            i = (_e43 + 1u);
+            uint _e42 = i;
+            i = (_e42 + 1u);
         }
         loop_init = false;
-        uint _e23 = i;
-        if ((_e23 < samples)) {
+        uint _e18 = i;
+        if ((_e18 < samples)) {
         } else {
             break;
         }
         {
-            uint _e25 = i;
-            float u_1 = (u0_ + (du * float(_e25)));
-            float _e32 = warp(low_1, (u_1 + (0.5 * du)));
-            float _e34 = warp(low_1, (u_1 + du));
-            float _e35 = altitude_after(x_2, b_1, _e32, radius_3);
-            vec3 _e36 = sum;
-            vec3 _e37 = densities(layers_1, _e35);
+            uint _e20 = i;
+            float u_1 = (u0_ + (du * float(_e20)));
+            float _e27 = warp(low_1, (u_1 + (0.5 * du)));
+            float _e29 = warp(low_1, (u_1 + du));
+            float _e32 = altitude_after(x_2, b_1, _e27, radius_3);
+            vec3 _e34 = sum;
+            vec3 _e36 = densities(layers_1, _e32);
             float _e38 = t0_;
-            sum = (_e36 + (_e37 * (_e34 - _e38)));
-            t0_ = _e34;
+            sum = (_e34 + (_e36 * (_e29 - _e38)));
+            t0_ = _e29;
         }
     }
     vec3 _e45 = sum;
@@ -135,14 +135,19 @@ vec3 path_densities(vec4 layers_1, float radius_3, float x_2, float b_1, float d
 
 void main() {
     vec4 position = gl_FragCoord;
-    Medium m_2 = _group_0_binding_0_fs.medium;
-    uvec2 _e7 = _group_0_binding_0_fs.tables.size;
-    vec2 size_1 = vec2(_e7);
-    vec3 _e11 = columns_ray(floor(position.xy), size_1, m_2);
-    vec4 _e12 = layers_of(m_2);
-    uint _e20 = _group_0_binding_0_fs.tables.steps;
-    vec3 _e21 = path_densities(_e12, m_2.radius, _e11.x, _e11.y, _e11.z, _e20);
-    _fs2p_location0 = vec4(max(log2(max(_e21, vec3(1e-37))), vec3(-100.0)), 0.0);
+    float m_rayleigh_inv_height_1 = _group_0_binding_0_fs.medium.rayleigh_inv_height;
+    float m_mie_inv_height_1 = _group_0_binding_0_fs.medium.mie_inv_height;
+    float m_ozone_center_1 = _group_0_binding_0_fs.medium.ozone_center;
+    float m_ozone_inv_half_width_1 = _group_0_binding_0_fs.medium.ozone_inv_half_width;
+    float m_radius_1 = _group_0_binding_0_fs.medium.radius;
+    float m_thickness_1 = _group_0_binding_0_fs.medium.thickness;
+    uvec2 _e17 = _group_0_binding_0_fs.tables.size;
+    vec2 size_1 = vec2(_e17);
+    vec3 _e22 = columns_ray(floor(position.xy), size_1, m_radius_1, m_thickness_1);
+    vec4 _e23 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
+    uint _e30 = _group_0_binding_0_fs.tables.steps;
+    vec3 _e31 = path_densities(_e23, m_radius_1, _e22.x, _e22.y, _e22.z, _e30);
+    _fs2p_location0 = vec4(max(log2(max(_e31, vec3(1e-37))), vec3(-100.0)), 0.0);
     return;
 }
 

@@ -64,14 +64,6 @@ struct Tables {
     uint slices;
     float air_ground_rows;
 };
-struct AirTexel {
-    int kind;
-    int row;
-    int column;
-    int slice;
-    int rows;
-    int columns;
-};
 struct Uniforms {
     Frame frame;
     Tables tables;
@@ -96,36 +88,54 @@ uniform highp sampler2D _group_0_binding_1_fs;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
-AirTexel air_texel(vec2 position_1, Tables t) {
+void air_texel(vec2 position_1, uvec2 t_size, uint t_slices, inout int out_kind, inout int out_row, inout int out_column, inout int out_slice, inout int out_rows, inout int out_columns) {
     ivec2 at = ivec2(position_1);
-    int columns = int((t.size.x / t.slices));
-    int rows = (int(t.size.y) / AIR_KINDS);
-    return AirTexel((at.y / rows), (at.y % rows), (at.x % columns), (at.x / columns), rows, columns);
+    int columns = int((t_size.x / t_slices));
+    int rows = (int(t_size.y) / AIR_KINDS);
+    out_kind = (at.y / rows);
+    out_row = (at.y % rows);
+    out_column = (at.x % columns);
+    out_slice = (at.x / columns);
+    out_rows = rows;
+    out_columns = columns;
 }
 
-vec3 air_load(highp sampler2D table, AirTexel a, int kind, int slice) {
-    vec4 _e14 = texelFetch(table, ivec2(((slice * a.columns) + a.column), ((kind * a.rows) + a.row)), 0);
-    return _e14.xyz;
+vec3 air_load(highp sampler2D table, int a_row_1, int a_column_1, int a_rows_1, int a_columns_1, int kind, int slice) {
+    vec4 _e13 = texelFetch(table, ivec2(((slice * a_columns_1) + a_column_1), ((kind * a_rows_1) + a_row_1)), 0);
+    return _e13.xyz;
 }
 
-float air_end(highp sampler2D table_1, AirTexel a_1) {
-    vec4 _e14 = texelFetch(table_1, ivec2(((a_1.slice * a_1.columns) + a_1.column), ((a_1.kind * a_1.rows) + a_1.row)), 0);
-    return _e14.w;
+float air_end(highp sampler2D table_1, int a_kind_1, int a_row_2, int a_column_2, int a_slice_1, int a_rows_2, int a_columns_2) {
+    vec4 _e13 = texelFetch(table_1, ivec2(((a_slice_1 * a_columns_2) + a_column_2), ((a_kind_1 * a_rows_2) + a_row_2)), 0);
+    return _e13.w;
 }
 
 void main() {
     vec4 position = gl_FragCoord;
-    Tables t_1 = _group_0_binding_0_fs.tables;
-    AirTexel _e5 = air_texel(position.xy, t_1);
-    vec3 _e9 = air_load(_group_0_binding_1_fs, _e5, _e5.kind, _e5.slice);
-    float _e11 = air_end(_group_0_binding_1_fs, _e5);
-    if ((_e5.kind >= AIR_BEAM)) {
-        _fs2p_location0 = vec4(_e9, _e11);
+    int a_kind = 0;
+    int a_row = 0;
+    int a_column = 0;
+    int a_slice = 0;
+    int a_rows = 0;
+    int a_columns = 0;
+    uvec2 t_size_1 = _group_0_binding_0_fs.tables.size;
+    uint t_slices_1 = _group_0_binding_0_fs.tables.slices;
+    air_texel(position.xy, t_size_1, t_slices_1, a_kind, a_row, a_column, a_slice, a_rows, a_columns);
+    int _e14 = a_kind;
+    int _e15 = a_row;
+    int _e16 = a_column;
+    int _e17 = a_slice;
+    int _e18 = a_rows;
+    int _e19 = a_columns;
+    vec3 _e21 = air_load(_group_0_binding_1_fs, _e15, _e16, _e18, _e19, _e14, _e17);
+    float _e23 = air_end(_group_0_binding_1_fs, _e14, _e15, _e16, _e17, _e18, _e19);
+    if ((_e14 >= AIR_BEAM)) {
+        _fs2p_location0 = vec4(_e21, _e23);
         return;
     }
-    vec3 _e22 = air_load(_group_0_binding_1_fs, _e5, _e5.kind, (int(t_1.slices) - 1));
-    float even = (float((_e5.slice + 1)) / float(t_1.slices));
-    _fs2p_location0 = vec4(mix(vec3(even), (_e9 / max(_e22, vec3(1e-37))), greaterThan(_e22, vec3(1e-30))), _e11);
+    vec3 _e31 = air_load(_group_0_binding_1_fs, _e15, _e16, _e18, _e19, _e14, (int(t_slices_1) - 1));
+    float even = (float((_e17 + 1)) / float(t_slices_1));
+    _fs2p_location0 = vec4(mix(vec3(even), (_e21 / max(_e31, vec3(1e-37))), greaterThan(_e31, vec3(1e-30))), _e23);
     return;
 }
 

@@ -43,33 +43,6 @@ struct Frame {
     float camera_altitude;
     vec4 limb;
 };
-struct AirRay {
-    float start;
-    float length_;
-    float x;
-    float b;
-    float x_closest;
-    float sun_b;
-    float nu;
-    float cross2_;
-    float shadow_b;
-    float shadow_c;
-    float shadow_half2_;
-    bool ground;
-};
-struct SunSide {
-    float sun_b;
-    float nu;
-    float cross2_;
-    float shadow_b;
-    float shadow_c;
-    float shadow_half2_;
-};
-struct Low {
-    float t;
-    float x;
-    float b;
-};
 struct Tables {
     vec3 mie_extinction;
     float altitude_steepness;
@@ -90,24 +63,6 @@ struct Tables {
     uint shift;
     uint slices;
     float air_ground_rows;
-};
-struct Corner {
-    ivec2 low;
-    ivec2 high;
-    vec2 part;
-};
-struct Source {
-    vec3 gas;
-    vec3 aerosol;
-};
-struct Gathered {
-    vec3 radiance;
-    vec3 transmittance;
-    vec3 columns;
-};
-struct TableRay {
-    vec3 dir;
-    AirRay ray;
 };
 struct Uniforms {
     Frame frame;
@@ -145,10 +100,10 @@ float altitude_after(float x_1, float b, float t, float radius_2) {
 }
 
 float distance_to_top(float x_2, float b_1, float x_top) {
-    float c_2 = max((x_top - x_2), 0.0);
-    float root_1 = sqrt(((b_1 * b_1) + c_2));
+    float c = max((x_top - x_2), 0.0);
+    float root_1 = sqrt(((b_1 * b_1) + c));
     if ((b_1 > 0.0)) {
-        return (c_2 / (b_1 + root_1));
+        return (c / (b_1 + root_1));
     }
     return (root_1 - b_1);
 }
@@ -161,155 +116,219 @@ float half_chord2_(float b_2, float above, float depth, float p) {
     return (depth * (sphere + p));
 }
 
-float shadow_half2_(SunSide s, float side_z, float r, float radius_3) {
-    float sine = max(sqrt(s.cross2_), 1e-18);
+float shadow_half2_(float s_cross2_, float s_shadow_b, float s_shadow_c, float side_z, float r, float radius_3) {
+    float sine = max(sqrt(s_cross2_), 1e-18);
     float p_1 = ((r * abs(side_z)) / sine);
-    float _e15 = half_chord2_((s.shadow_b / sine), s.shadow_c, (radius_3 - p_1), p_1);
-    return _e15;
+    float _e14 = half_chord2_((s_shadow_b / sine), s_shadow_c, (radius_3 - p_1), p_1);
+    return _e14;
 }
 
-SunSide sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_3, float radius_4) {
-    SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    s_1.nu = dot(dir, sun);
-    float _e9 = s_1.nu;
-    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s_1.cross2_ = dot(side, side);
-    s_1.sun_b = (r_1 * sun.z);
-    s_1.shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+void sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_3, float radius_4, inout float out_sun_b, inout float out_nu, inout float out_cross2_, inout float out_shadow_b, inout float out_shadow_c, inout float out_shadow_half2_) {
+    float s_sun_b = 0.0;
+    float s_nu = 0.0;
+    float s_cross2_1 = 0.0;
+    float s_shadow_b_1 = 0.0;
+    float s_shadow_c_1 = 0.0;
+    float s_shadow_half2_ = 0.0;
+    s_nu = dot(dir, sun);
+    float _e15 = s_nu;
+    vec3 side = cross((dir - (((_e15 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    s_cross2_1 = dot(side, side);
+    s_sun_b = (r_1 * sun.z);
+    s_shadow_b_1 = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
     float q = (r_1 * length(sun.xy));
-    float _e37 = s_1.sun_b;
-    float _e39 = half_chord2_(_e37, x_3, (radius_4 - q), q);
-    s_1.shadow_c = -(_e39);
-    SunSide _e42 = s_1;
-    float _e44 = shadow_half2_(_e42, side.z, r_1, radius_4);
-    s_1.shadow_half2_ = _e44;
-    SunSide _e45 = s_1;
-    return _e45;
+    float _e39 = s_sun_b;
+    float _e43 = half_chord2_(_e39, x_3, (radius_4 - q), q);
+    s_shadow_c_1 = -(_e43);
+    float _e45 = s_cross2_1;
+    float _e46 = s_shadow_b_1;
+    float _e47 = s_shadow_c_1;
+    float _e49 = shadow_half2_(_e45, _e46, _e47, side.z, r_1, radius_4);
+    s_shadow_half2_ = _e49;
+    float _e50 = s_sun_b;
+    float _e51 = s_nu;
+    float _e52 = s_cross2_1;
+    float _e53 = s_shadow_b_1;
+    float _e54 = s_shadow_c_1;
+    float _e55 = s_shadow_half2_;
+    out_sun_b = _e50;
+    out_nu = _e51;
+    out_cross2_ = _e52;
+    out_shadow_b = _e53;
+    out_shadow_c = _e54;
+    out_shadow_half2_ = _e55;
 }
 
-SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half_, float x_top_1, float radius_5) {
-    SunSide s_2 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    s_2.nu = dot(dir_1, sun_1);
-    float _e11 = s_2.nu;
-    float same = ((_e11 >= 0.0) ? 1.0 : -1.0);
+void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half_, float x_top_1, float radius_5, inout float out_sun_b_1, inout float out_nu_1, inout float out_cross2_1, inout float out_shadow_b_1, inout float out_shadow_c_1, inout float out_shadow_half2_1) {
+    float s_sun_b_1 = 0.0;
+    float s_nu_1 = 0.0;
+    float s_cross2_2 = 0.0;
+    float s_shadow_b_2 = 0.0;
+    float s_shadow_c_2 = 0.0;
+    float s_shadow_half2_1 = 0.0;
+    s_nu_1 = dot(dir_1, sun_1);
+    float _e15 = s_nu_1;
+    float same = ((_e15 >= 0.0) ? 1.0 : -1.0);
     vec3 apart = (dir_1 - (same * sun_1));
     vec3 side_1 = cross(apart, sun_1);
-    s_2.cross2_ = dot(side_1, side_1);
+    s_cross2_2 = dot(side_1, side_1);
     vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
     float there = (-(same) * dot(closest, apart));
     float here = (r_2 * sun_1.z);
-    float _e38 = s_2.nu;
-    float _e44 = s_2.nu;
-    bool nearer = ((abs(here) + (start * abs(_e38))) < (abs(there) + (half_ * abs(_e44))));
-    float _e51 = s_2.nu;
-    float _e55 = s_2.nu;
-    s_2.sun_b = (nearer ? (here + (start * _e55)) : (there - (half_ * _e51)));
+    float _e41 = s_nu_1;
+    float _e47 = s_nu_1;
+    bool nearer = ((abs(here) + (start * abs(_e41))) < (abs(there) + (half_ * abs(_e47))));
+    float _e53 = s_nu_1;
+    float _e56 = s_nu_1;
+    s_sun_b_1 = (nearer ? (here + (start * _e56)) : (there - (half_ * _e53)));
     vec3 closest_side = cross(closest, sun_1);
-    float _e63 = s_2.cross2_;
-    s_2.shadow_b = (dot(closest_side, side_1) - (half_ * _e63));
+    float _e62 = s_cross2_2;
+    s_shadow_b_2 = (dot(closest_side, side_1) - (half_ * _e62));
     float q_1 = length((closest_side - (half_ * side_1)));
-    float _e71 = s_2.sun_b;
-    float _e73 = half_chord2_(_e71, x_top_1, (radius_5 - q_1), q_1);
-    s_2.shadow_c = -(_e73);
-    SunSide _e76 = s_2;
-    float _e78 = shadow_half2_(_e76, side_1.z, r_2, radius_5);
-    s_2.shadow_half2_ = _e78;
-    SunSide _e79 = s_2;
-    return _e79;
+    float _e68 = s_sun_b_1;
+    float _e72 = half_chord2_(_e68, x_top_1, (radius_5 - q_1), q_1);
+    s_shadow_c_2 = -(_e72);
+    float _e74 = s_cross2_2;
+    float _e75 = s_shadow_b_2;
+    float _e76 = s_shadow_c_2;
+    float _e78 = shadow_half2_(_e74, _e75, _e76, side_1.z, r_2, radius_5);
+    s_shadow_half2_1 = _e78;
+    float _e79 = s_sun_b_1;
+    float _e80 = s_nu_1;
+    float _e81 = s_cross2_2;
+    float _e82 = s_shadow_b_2;
+    float _e83 = s_shadow_c_2;
+    float _e84 = s_shadow_half2_1;
+    out_sun_b_1 = _e79;
+    out_nu_1 = _e80;
+    out_cross2_1 = _e81;
+    out_shadow_b_1 = _e82;
+    out_shadow_c_1 = _e83;
+    out_shadow_half2_1 = _e84;
 }
 
 float to_ground(float x_4, float b_3, float root) {
     return min((x_4 / (root - b_3)), -(b_3));
 }
 
-Low lowest(AirRay ray, float length_, float radius_6) {
-    bool local = false;
-    if ((ray.b >= 0.0)) {
-        return Low(0.0, ray.x, ray.b);
+void lowest(float ray_length, float ray_x, float ray_b, float ray_x_closest, bool ray_ground, float length_, float radius_6, inout float out_t, inout float out_x, inout float out_b) {
+    bool unnamed = false;
+    if ((ray_b >= 0.0)) {
+        out_t = 0.0;
+        out_x = ray_x;
+        out_b = ray_b;
+        return;
     }
-    if ((-(ray.b) <= length_)) {
-        return Low(-(ray.b), ray.x_closest, 0.0);
+    if ((-(ray_b) <= length_)) {
+        out_t = -(ray_b);
+        out_x = ray_x_closest;
+        out_b = 0.0;
+        return;
     }
-    float b_6 = (ray.b + length_);
-    if (ray.ground) {
-        local = (length_ >= ray.length_);
+    float b_6 = (ray_b + length_);
+    if (ray_ground) {
+        unnamed = (length_ >= ray_length);
     } else {
-        local = false;
+        unnamed = false;
     }
-    bool _e26 = local;
-    if (_e26) {
-        return Low(length_, 0.0, b_6);
+    bool _e21 = unnamed;
+    if (_e21) {
+        out_t = length_;
+        out_x = 0.0;
+        out_b = b_6;
+        return;
     }
-    bool far = ((-(ray.b) * length_) > (radius_6 * radius_6));
-    return Low(length_, (far ? (ray.x_closest + (b_6 * b_6)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_6);
+    bool far = ((-(ray_b) * length_) > (radius_6 * radius_6));
+    out_t = length_;
+    out_x = (far ? (ray_x_closest + (b_6 * b_6)) : (ray_x + (length_ * ((2.0 * ray_b) + length_))));
+    out_b = b_6;
 }
 
-vec2 shadow_stretch(AirRay ray_1) {
+vec2 shadow_stretch(float ray_sun_b, float ray_nu, float ray_cross2_, float ray_shadow_b, float ray_shadow_c, float ray_shadow_half2_) {
     vec2 stretch = vec2(0.0);
     vec2 none = vec2(1.0, 0.0);
-    float a = ray_1.cross2_;
-    float b_7 = ray_1.shadow_b;
-    float c_3 = ray_1.shadow_c;
     stretch = vec2(-(1e30), 1e30);
-    if ((a > 1e-30)) {
-        if ((ray_1.shadow_half2_ <= 0.0)) {
+    if ((ray_cross2_ > 1e-30)) {
+        if ((ray_shadow_half2_ <= 0.0)) {
             return none;
         }
-        float q_2 = -((b_7 + (((b_7 >= 0.0) ? 1.0 : -1.0) * sqrt((a * ray_1.shadow_half2_)))));
-        float t0_2 = (q_2 / a);
-        float t1_1 = ((q_2 != 0.0) ? (c_3 / q_2) : t0_2);
+        float q_2 = -((ray_shadow_b + (((ray_shadow_b >= 0.0) ? 1.0 : -1.0) * sqrt((ray_cross2_ * ray_shadow_half2_)))));
+        float t0_2 = (q_2 / ray_cross2_);
+        float t1_1 = ((q_2 != 0.0) ? (ray_shadow_c / q_2) : t0_2);
         stretch = vec2(min(t0_2, t1_1), max(t0_2, t1_1));
     } else {
-        if ((c_3 >= 0.0)) {
+        if ((ray_shadow_c >= 0.0)) {
             return none;
         }
     }
-    if ((abs(ray_1.nu) < 1e-12)) {
-        if ((ray_1.sun_b >= 0.0)) {
+    if ((abs(ray_nu) < 1e-12)) {
+        if ((ray_sun_b >= 0.0)) {
             return none;
         }
     } else {
-        float t_4 = (-(ray_1.sun_b) / ray_1.nu);
-        if ((ray_1.nu > 0.0)) {
-            float _e53 = stretch.y;
-            stretch.y = min(_e53, t_4);
+        float t_2 = (-(ray_sun_b) / ray_nu);
+        if ((ray_nu > 0.0)) {
+            float _e48 = stretch.y;
+            stretch.y = min(_e48, t_2);
         } else {
-            float _e57 = stretch.x;
-            stretch.x = max(_e57, t_4);
+            float _e52 = stretch.x;
+            stretch.x = max(_e52, t_2);
         }
     }
-    vec2 _e59 = stretch;
-    return _e59;
+    vec2 _e54 = stretch;
+    return _e54;
 }
 
-AirRay inner_ray(vec3 dir_2, float h_1, float radius_7, float thickness, vec3 sun_2, bool ground) {
-    bool local_1 = false;
+void inner_ray(vec3 dir_2, float h_1, float radius_7, float thickness, vec3 sun_2, bool ground, inout float out_length, inout float out_x_1, inout float out_b_1, inout float out_x_closest, inout float out_sun_b_2, inout float out_nu_2, inout float out_cross2_2, inout float out_shadow_b_2, inout float out_shadow_c_2, inout float out_shadow_half2_2, inout bool out_ground) {
+    bool unnamed_1 = false;
+    float s_sun_b_2 = 0.0;
+    float s_nu_2 = 0.0;
+    float s_cross2_3 = 0.0;
+    float s_shadow_b_3 = 0.0;
+    float s_shadow_c_3 = 0.0;
+    float s_shadow_half2_2 = 0.0;
     float r_3 = (radius_7 + h_1);
-    float _e7 = excess_of(h_1, radius_7);
-    float b_8 = (r_3 * dir_2.z);
+    float _e14 = excess_of(h_1, radius_7);
+    float b_7 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
-    float _e16 = half_chord2_(b_8, _e7, (radius_7 - p_2), p_2);
-    SunSide _e17 = sun_side_inside(dir_2, sun_2, r_3, _e7, radius_7);
-    float ground_root = sqrt(max(_e16, 0.0));
-    float _e21 = excess_of(thickness, radius_7);
-    float _e22 = distance_to_top(_e7, b_8, _e21);
-    float _e23 = to_ground(_e7, b_8, ground_root);
+    float _e24 = half_chord2_(b_7, _e14, (radius_7 - p_2), p_2);
+    sun_side_inside(dir_2, sun_2, r_3, _e14, radius_7, s_sun_b_2, s_nu_2, s_cross2_3, s_shadow_b_3, s_shadow_c_3, s_shadow_half2_2);
+    float _e32 = s_sun_b_2;
+    float _e33 = s_nu_2;
+    float _e34 = s_cross2_3;
+    float _e35 = s_shadow_b_3;
+    float _e36 = s_shadow_c_3;
+    float _e37 = s_shadow_half2_2;
+    float ground_root = sqrt(max(_e24, 0.0));
+    float _e42 = excess_of(thickness, radius_7);
+    float _e43 = distance_to_top(_e14, b_7, _e42);
+    float _e44 = to_ground(_e14, b_7, ground_root);
     if (ground) {
-        local_1 = (b_8 < 0.0);
+        unnamed_1 = (b_7 < 0.0);
     } else {
-        local_1 = false;
+        unnamed_1 = false;
     }
-    bool _e29 = local_1;
-    float reach = (_e29 ? _e23 : _e22);
-    return AirRay(0.0, reach, _e7, b_8, -(_e16), _e17.sun_b, _e17.nu, _e17.cross2_, _e17.shadow_b, _e17.shadow_c, _e17.shadow_half2_, ground);
+    bool _e51 = unnamed_1;
+    float reach = (_e51 ? _e44 : _e43);
+    out_length = reach;
+    out_x_1 = _e14;
+    out_b_1 = b_7;
+    out_x_closest = -(_e24);
+    out_sun_b_2 = _e32;
+    out_nu_2 = _e33;
+    out_cross2_2 = _e34;
+    out_shadow_b_2 = _e35;
+    out_shadow_c_2 = _e36;
+    out_shadow_half2_2 = _e37;
+    out_ground = ground;
 }
 
-vec4 layers_of(Medium m) {
-    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+vec4 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width) {
+    return vec4(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_center, m_ozone_inv_half_width);
 }
 
-mat3x3 coefficients_of(Medium m_1) {
-    return mat3x3(m_1.rayleigh, m_1.mie_extinction, m_1.ozone);
+mat3x3 coefficients_of(vec3 m_rayleigh, vec3 m_mie_extinction, vec3 m_ozone) {
+    return mat3x3(m_rayleigh, m_mie_extinction, m_ozone);
 }
 
 vec3 densities(vec4 layers, float h_2) {
@@ -322,58 +341,66 @@ vec3 densities(vec4 layers, float h_2) {
 
 vec3 extinction(mat3x3 coefficients, vec3 d_1) {
     vec3 sum = vec3(0.0);
-    vec3 _e5 = sum;
-    sum = (_e5 + (coefficients[1] * d_1.y));
+    vec3 _e3 = sum;
+    sum = (_e3 + (coefficients[1] * d_1.y));
     vec3 _e10 = sum;
     sum = (_e10 + (coefficients[2] * d_1.z));
     vec3 _e15 = sum;
     return _e15;
 }
 
-Corner corner(vec2 at, ivec2 size) {
+void corner(vec2 at, ivec2 size, inout ivec2 out_low, inout ivec2 out_high, inout vec2 out_part) {
     vec2 inside = clamp(at, vec2(0.0), vec2((size - ivec2(1))));
     ivec2 low_3 = min(ivec2(inside), (size - ivec2(1)));
-    return Corner(low_3, min((low_3 + ivec2(1)), (size - ivec2(1))), (inside - vec2(low_3)));
+    out_low = low_3;
+    out_high = min((low_3 + ivec2(1)), (size - ivec2(1)));
+    out_part = (inside - vec2(low_3));
 }
 
-vec4 bilinear(highp sampler2D table, Corner c, ivec2 origin) {
-    ivec2 low_4 = (c.low + origin);
-    ivec2 high = (c.high + origin);
+vec4 bilinear(highp sampler2D table, ivec2 c_low, ivec2 c_high, vec2 c_part, ivec2 origin) {
+    ivec2 low_4 = (c_low + origin);
+    ivec2 high = (c_high + origin);
     vec4 _e8 = texelFetch(table, low_4, 0);
     vec4 _e13 = texelFetch(table, ivec2(high.x, low_4.y), 0);
-    vec4 bottom = mix(_e8, _e13, c.part.x);
-    vec4 _e21 = texelFetch(table, ivec2(low_4.x, high.y), 0);
-    vec4 _e23 = texelFetch(table, high, 0);
-    vec4 top = mix(_e21, _e23, c.part.x);
-    return mix(bottom, top, c.part.y);
+    vec4 bottom = mix(_e8, _e13, c_part.x);
+    vec4 _e20 = texelFetch(table, ivec2(low_4.x, high.y), 0);
+    vec4 _e22 = texelFetch(table, high, 0);
+    vec4 top = mix(_e20, _e22, c_part.x);
+    return mix(bottom, top, c_part.y);
 }
 
 vec2 columns_share(float x_5, float h_3, float b_4, float radius_8, float thickness_1) {
-    float _e5 = excess_of(thickness_1, radius_8);
+    float _e2 = excess_of(thickness_1, radius_8);
     float rho = sqrt(max(x_5, 0.0));
-    float rho_top = sqrt(_e5);
-    float _e10 = distance_to_top(x_5, b_4, _e5);
+    float rho_top = sqrt(_e2);
+    float _e9 = distance_to_top(x_5, b_4, _e2);
     float shortest = max((thickness_1 - h_3), 0.0);
-    return vec2(((_e10 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
+    return vec2(((_e9 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
 }
 
 vec3 columns_to_top(highp sampler2D table_1, float radius_9, float thickness_2, float x_6, float h_4, float b_5) {
+    ivec2 corner_low = ivec2(0);
+    ivec2 corner_high = ivec2(0);
+    vec2 corner_part = vec2(0.0);
     ivec2 size_1 = ivec2(uvec2(textureSize(table_1, 0).xy));
     vec2 _e8 = columns_share(x_6, h_4, b_5, radius_9, thickness_2);
     vec2 at_2 = (_e8 * vec2((size_1 - ivec2(1))));
-    Corner _e14 = corner(at_2, size_1);
-    vec4 _e17 = bilinear(table_1, _e14, ivec2(0));
-    return exp2(_e17.xyz);
+    corner(at_2, size_1, corner_low, corner_high, corner_part);
+    ivec2 _e17 = corner_low;
+    ivec2 _e18 = corner_high;
+    vec2 _e19 = corner_part;
+    vec4 _e22 = bilinear(table_1, _e17, _e18, _e19, ivec2(0));
+    return exp2(_e22.xyz);
 }
 
 float altitude_share(float steepness, float growth, float h_5, float thickness_3) {
     float grown = ((max(h_5, 0.0) / thickness_3) * growth);
-    float s_4 = ((grown < 0.05) ? (grown * (1.0 - (grown * (0.5 - (grown * (0.33333334 - (grown * 0.25))))))) : log((1.0 + grown)));
-    return sqrt((s_4 / steepness));
+    float s = ((grown < 0.05) ? (grown * (1.0 - (grown * (0.5 - (grown * (0.33333334 - (grown * 0.25))))))) : log((1.0 + grown)));
+    return sqrt((s / steepness));
 }
 
-vec4 sun_axis(Tables t_1) {
-    return vec4(t_1.sun_middle, t_1.sun_width, t_1.sun_first, t_1.sun_span);
+vec4 sun_axis(float t_sun_middle, float t_sun_width, float t_sun_first, float t_sun_span) {
+    return vec4(t_sun_middle, t_sun_width, t_sun_first, t_sun_span);
 }
 
 float sun_share(vec4 axis, float mu) {
@@ -404,50 +431,75 @@ float harmonic(int index, float mu_1, float along) {
     }
 }
 
-Source diffuse_source(highp sampler2D table_2, vec2 at_1, vec3 gas, mat3x3 aerosol, float mu_2, float mu_sun, float nu) {
-    Corner c_1 = Corner(ivec2(0), ivec2(0), vec2(0.0));
-    Source source = Source(vec3(0.0), vec3(0.0));
+void diffuse_source(highp sampler2D table_2, vec2 at_1, vec3 gas, mat3x3 aerosol, float mu_2, float mu_sun, float nu, inout vec3 out_gas, inout vec3 out_aerosol) {
+    ivec2 c_low_1 = ivec2(0);
+    ivec2 c_high_1 = ivec2(0);
+    vec2 c_part_1 = vec2(0.0);
+    vec3 source_gas = vec3(0.0);
+    vec3 source_aerosol = vec3(0.0);
+    ivec2 corner_low_1 = ivec2(0);
+    ivec2 corner_high_1 = ivec2(0);
+    vec2 corner_part_1 = vec2(0.0);
     ivec2 dims = ivec2(uvec2(textureSize(table_2, 0).xy));
-    Corner _e16 = corner(at_1, ivec2(dims.x, ((dims.y - 1) / MOMENTS)));
-    c_1 = _e16;
-    int _e20 = c_1.low.y;
-    c_1.low.y = (_e20 * MOMENTS);
-    int _e25 = c_1.high.y;
-    c_1.high.y = (_e25 * MOMENTS);
-    Corner _e28 = c_1;
-    vec4 _e31 = bilinear(table_2, _e28, ivec2(0));
-    vec3 mean = exp2(_e31.xyz);
+    corner(at_1, ivec2(dims.x, ((dims.y - 1) / MOMENTS)), corner_low_1, corner_high_1, corner_part_1);
+    ivec2 _e20 = corner_low_1;
+    ivec2 _e21 = corner_high_1;
+    vec2 _e22 = corner_part_1;
+    c_low_1 = _e20;
+    c_high_1 = _e21;
+    c_part_1 = _e22;
+    int _e27 = c_low_1.y;
+    c_low_1.y = (_e27 * MOMENTS);
+    int _e31 = c_high_1.y;
+    c_high_1.y = (_e31 * MOMENTS);
+    ivec2 _e34 = c_low_1;
+    ivec2 _e35 = c_high_1;
+    vec2 _e36 = c_part_1;
+    vec4 _e39 = bilinear(table_2, _e34, _e35, _e36, ivec2(0));
+    vec3 mean = exp2(_e39.xyz);
     float sin_sun = sqrt(max(((1.0 - mu_sun) * (1.0 + mu_sun)), 1e-12));
     float sin_view = sqrt(max(((1.0 - mu_2) * (1.0 + mu_2)), 0.0));
     float along_1 = clamp(((nu - (mu_2 * mu_sun)) / sin_sun), -(sin_view), sin_view);
-    Corner _e55 = c_1;
-    vec4 _e59 = bilinear(table_2, _e55, ivec2(0, 3));
-    float _e62 = harmonic(3, mu_2, along_1);
-    Corner _e64 = c_1;
-    vec4 _e68 = bilinear(table_2, _e64, ivec2(0, 4));
-    float _e71 = harmonic(4, mu_2, along_1);
-    Corner _e74 = c_1;
-    vec4 _e78 = bilinear(table_2, _e74, ivec2(0, 5));
-    float _e81 = harmonic(5, mu_2, along_1);
-    vec3 l2_ = (((_e59.xyz * _e62) + (_e68.xyz * _e71)) + (_e78.xyz * _e81));
-    Corner _e90 = c_1;
-    vec4 _e94 = bilinear(table_2, _e90, ivec2(0, 1));
-    float _e97 = harmonic(1, mu_2, along_1);
-    Corner _e99 = c_1;
-    vec4 _e103 = bilinear(table_2, _e99, ivec2(0, 2));
-    float _e106 = harmonic(2, mu_2, along_1);
-    vec3 l1_ = ((_e94.xyz * _e97) + (_e103.xyz * _e106));
-    source.aerosol = ((((SH0_ * aerosol[0]) + (l1_ * aerosol[1])) + (l2_ * aerosol[2])) * mean);
-    Source _e120 = source;
-    return _e120;
+    ivec2 _e66 = c_low_1;
+    ivec2 _e67 = c_high_1;
+    vec2 _e68 = c_part_1;
+    vec4 _e72 = bilinear(table_2, _e66, _e67, _e68, ivec2(0, 3));
+    float _e75 = harmonic(3, mu_2, along_1);
+    ivec2 _e77 = c_low_1;
+    ivec2 _e78 = c_high_1;
+    vec2 _e79 = c_part_1;
+    vec4 _e83 = bilinear(table_2, _e77, _e78, _e79, ivec2(0, 4));
+    float _e86 = harmonic(4, mu_2, along_1);
+    ivec2 _e89 = c_low_1;
+    ivec2 _e90 = c_high_1;
+    vec2 _e91 = c_part_1;
+    vec4 _e95 = bilinear(table_2, _e89, _e90, _e91, ivec2(0, 5));
+    float _e98 = harmonic(5, mu_2, along_1);
+    vec3 l2_ = (((_e72.xyz * _e75) + (_e83.xyz * _e86)) + (_e95.xyz * _e98));
+    ivec2 _e101 = c_low_1;
+    ivec2 _e102 = c_high_1;
+    vec2 _e103 = c_part_1;
+    vec4 _e107 = bilinear(table_2, _e101, _e102, _e103, ivec2(0, 1));
+    float _e110 = harmonic(1, mu_2, along_1);
+    ivec2 _e112 = c_low_1;
+    ivec2 _e113 = c_high_1;
+    vec2 _e114 = c_part_1;
+    vec4 _e118 = bilinear(table_2, _e112, _e113, _e114, ivec2(0, 2));
+    float _e121 = harmonic(2, mu_2, along_1);
+    vec3 l1_ = ((_e107.xyz * _e110) + (_e118.xyz * _e121));
+    source_aerosol = ((((SH0_ * aerosol[0]) + (l1_ * aerosol[1])) + (l2_ * aerosol[2])) * mean);
+    vec3 _e137 = source_gas;
+    vec3 _e138 = source_aerosol;
+    out_gas = _e137;
+    out_aerosol = _e138;
 }
 
 float warp(float low, float u) {
     return (low + (u * abs(u)));
 }
 
-float unwarp(float low_1, float t_2) {
-    return (sign((t_2 - low_1)) * sqrt(abs((t_2 - low_1))));
+float unwarp(float low_1, float t_1) {
+    return (sign((t_1 - low_1)) * sqrt(abs((t_1 - low_1))));
 }
 
 vec3 mean_transmittance(vec3 tau) {
@@ -471,174 +523,261 @@ vec2 lit_part(vec2 shadow, float low_2, float t0_, float t1_, float mid) {
     return vec2(((t1_ - t0_) - dark), _e33);
 }
 
-Gathered gather(highp sampler2D columns, highp sampler2D moments, Medium medium, Tables t_3, AirRay ray_2, Low lowest_1, float u_from, float u_to, vec3 gas_1, vec3 aerosol_1, float diffuse) {
-    Gathered out_ = Gathered(vec3(0.0), vec3(1.0), vec3(0.0));
+void gather(highp sampler2D columns, highp sampler2D moments, vec3 medium_rayleigh, float medium_rayleigh_inv_height, vec3 medium_mie_scattering, float medium_mie_inv_height, float medium_ozone_center, float medium_ozone_inv_half_width, vec3 medium_ozone, float medium_radius, float medium_thickness, vec3 t_mie_extinction, float t_altitude_steepness, vec3 t_mie_moment0_, float t_altitude_growth, vec3 t_mie_moment1_, float t_sun_middle_1, vec3 t_mie_moment2_, float t_sun_width_1, float t_sun_first_1, float t_sun_span_1, uint t_steps, float ray_sun_b_1, float ray_nu_1, float ray_cross2_1, float ray_shadow_b_1, float ray_shadow_c_1, float ray_shadow_half2_1, float lowest_t, float lowest_x, float lowest_b, float u_from, float u_to, vec3 gas_1, vec3 aerosol_1, float diffuse, inout vec3 out_radiance, inout vec3 out_columns) {
+    vec3 out_radiance_1 = vec3(0.0);
+    vec3 out_transmittance = vec3(1.0);
+    vec3 out_columns_1 = vec3(0.0);
     float t0_1 = 0.0;
     uint i = 0u;
-    vec3 source_1 = vec3(0.0);
-    Source before = Source(vec3(0.0), vec3(0.0));
-    float radius_11 = medium.radius;
-    float thickness_5 = medium.thickness;
-    vec4 _e13 = layers_of(medium);
-    mat3x3 coefficients_1 = mat3x3(medium.rayleigh, t_3.mie_extinction, medium.ozone);
-    vec2 _e26 = shadow_stretch(ray_2);
-    vec4 _e27 = sun_axis(t_3);
+    vec3 source = vec3(0.0);
+    vec3 before_gas = vec3(0.0);
+    vec3 before_aerosol = vec3(0.0);
+    vec3 diffuse_source_gas = vec3(0.0);
+    vec3 diffuse_source_aerosol = vec3(0.0);
+    vec4 _e18 = layers_of(medium_rayleigh_inv_height, medium_mie_inv_height, medium_ozone_center, medium_ozone_inv_half_width);
+    mat3x3 coefficients_1 = mat3x3(medium_rayleigh, t_mie_extinction, medium_ozone);
+    vec2 _e37 = shadow_stretch(ray_sun_b_1, ray_nu_1, ray_cross2_1, ray_shadow_b_1, ray_shadow_c_1, ray_shadow_half2_1);
+    vec4 _e38 = sun_axis(t_sun_middle_1, t_sun_width_1, t_sun_first_1, t_sun_span_1);
     ivec2 dims_1 = ivec2(uvec2(textureSize(moments, 0).xy));
     vec2 nodes = (vec2(float(dims_1.x), float(((dims_1.y - 1) / MOMENTS))) - vec2(1.0));
-    mat3x3 scattered = mat3x3((medium.mie_scattering * t_3.mie_moment0_), (medium.mie_scattering * t_3.mie_moment1_), (medium.mie_scattering * t_3.mie_moment2_));
-    float low_5 = lowest_1.t;
-    float du = ((u_to - u_from) / float(t_3.steps));
-    float _e57 = warp(low_5, u_from);
-    t0_1 = _e57;
+    mat3x3 scattered = mat3x3((medium_mie_scattering * t_mie_moment0_), (medium_mie_scattering * t_mie_moment1_), (medium_mie_scattering * t_mie_moment2_));
+    float du = ((u_to - u_from) / float(t_steps));
+    float _e66 = warp(lowest_t, u_from);
+    t0_1 = _e66;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e179 = i;
-            i = (_e179 + 1u);
+            uint _e176 = i;
+            i = (_e176 + 1u);
         }
         loop_init = false;
-        uint _e61 = i;
-        if ((_e61 < t_3.steps)) {
+        uint _e69 = i;
+        if ((_e69 < t_steps)) {
         } else {
             break;
         }
         {
-            uint _e64 = i;
-            float u_1 = (u_from + (du * float(_e64)));
-            float _e69 = warp(low_5, (u_1 + du));
-            float _e70 = t0_1;
-            float step_ = (_e69 - _e70);
-            float _e75 = warp(low_5, (u_1 + (0.5 * du)));
-            float _e79 = altitude_after(lowest_1.x, lowest_1.b, (_e75 - low_5), radius_11);
-            vec3 _e80 = densities(_e13, _e79);
-            vec3 _e81 = extinction(coefficients_1, _e80);
-            vec3 tau_1 = (_e81 * step_);
-            vec3 _e84 = out_.transmittance;
-            vec3 _e85 = mean_transmittance(tau_1);
-            vec3 share_2 = (_e84 * _e85);
-            float _e87 = t0_1;
-            vec2 _e88 = lit_part(_e26, low_5, _e87, _e69, _e75);
-            if ((_e88.x > 0.0)) {
-                float past = (_e88.y - low_5);
-                float lit_x = max((lowest_1.x + (past * ((2.0 * lowest_1.b) + past))), 0.0);
-                float _e103 = altitude_of(lit_x, radius_11);
-                vec3 _e104 = densities(_e13, _e103);
-                vec3 _e110 = columns_to_top(columns, radius_11, thickness_5, lit_x, _e103, (ray_2.sun_b + (ray_2.nu * _e88.y)));
-                vec3 _e116 = extinction(coefficients_1, _e110);
-                source_1 = (((gas_1 * _e104.x) + (aerosol_1 * _e104.y)) * exp(-(_e116)));
-                vec3 _e122 = out_.radiance;
-                vec3 _e123 = source_1;
-                out_.radiance = (_e122 + ((share_2 * _e123) * _e88.x));
+            uint _e71 = i;
+            float u_1 = (u_from + (du * float(_e71)));
+            float _e76 = warp(lowest_t, (u_1 + du));
+            float _e77 = t0_1;
+            float step_ = (_e76 - _e77);
+            float _e82 = warp(lowest_t, (u_1 + (0.5 * du)));
+            float _e84 = altitude_after(lowest_x, lowest_b, (_e82 - lowest_t), medium_radius);
+            vec3 _e85 = densities(_e18, _e84);
+            vec3 _e86 = extinction(coefficients_1, _e85);
+            vec3 tau_1 = (_e86 * step_);
+            vec3 _e91 = out_transmittance;
+            vec3 _e92 = mean_transmittance(tau_1);
+            vec3 share_2 = (_e91 * _e92);
+            float _e94 = t0_1;
+            vec2 _e95 = lit_part(_e37, lowest_t, _e94, _e76, _e82);
+            if ((_e95.x > 0.0)) {
+                float past = (_e95.y - lowest_t);
+                float lit_x = max((lowest_x + (past * ((2.0 * lowest_b) + past))), 0.0);
+                float _e108 = altitude_of(lit_x, medium_radius);
+                vec3 _e109 = densities(_e18, _e108);
+                vec3 _e114 = columns_to_top(columns, medium_radius, medium_thickness, lit_x, _e108, (ray_sun_b_1 + (ray_nu_1 * _e95.y)));
+                vec3 _e122 = extinction(coefficients_1, _e114);
+                source = (((gas_1 * _e109.x) + (aerosol_1 * _e109.y)) * exp(-(_e122)));
+                vec3 _e127 = out_radiance_1;
+                vec3 _e128 = source;
+                out_radiance_1 = (_e127 + ((share_2 * _e128) * _e95.x));
             }
-            float r_4 = (radius_11 + _e79);
-            float mu_5 = clamp((((lowest_1.b + _e75) - low_5) / r_4), -1.0, 1.0);
-            float mu_sun_1 = clamp(((ray_2.sun_b + (ray_2.nu * _e75)) / r_4), -1.0, 1.0);
-            float _e146 = altitude_share(t_3.altitude_steepness, t_3.altitude_growth, _e79, thickness_5);
-            float _e147 = sun_share(_e27, mu_sun_1);
-            Source _e152 = diffuse_source(moments, (vec2(_e147, _e146) * nodes), medium.rayleigh, scattered, mu_5, mu_sun_1, ray_2.nu);
-            before = _e152;
-            vec3 _e155 = out_.radiance;
-            vec3 _e159 = before.gas;
-            vec3 _e163 = before.aerosol;
-            out_.radiance = (_e155 + ((share_2 * (step_ * diffuse)) * ((_e159 * _e80.x) + (_e163 * _e80.y))));
-            vec3 _e170 = out_.transmittance;
-            out_.transmittance = (_e170 * exp(-(tau_1)));
-            vec3 _e175 = out_.columns;
-            out_.columns = (_e175 + (_e80 * step_));
-            t0_1 = _e69;
+            float r_4 = (medium_radius + _e84);
+            float mu_5 = clamp((((lowest_b + _e82) - lowest_t) / r_4), -1.0, 1.0);
+            float mu_sun_1 = clamp(((ray_sun_b_1 + (ray_nu_1 * _e82)) / r_4), -1.0, 1.0);
+            float _e146 = altitude_share(t_altitude_steepness, t_altitude_growth, _e84, medium_thickness);
+            float _e147 = sun_share(_e38, mu_sun_1);
+            diffuse_source(moments, (vec2(_e147, _e146) * nodes), medium_rayleigh, scattered, mu_5, mu_sun_1, ray_nu_1, diffuse_source_gas, diffuse_source_aerosol);
+            vec3 _e152 = diffuse_source_gas;
+            vec3 _e153 = diffuse_source_aerosol;
+            before_gas = _e152;
+            before_aerosol = _e153;
+            vec3 _e156 = out_radiance_1;
+            vec3 _e160 = before_gas;
+            vec3 _e163 = before_aerosol;
+            out_radiance_1 = (_e156 + ((share_2 * (step_ * diffuse)) * ((_e160 * _e85.x) + (_e163 * _e85.y))));
+            vec3 _e169 = out_transmittance;
+            out_transmittance = (_e169 * exp(-(tau_1)));
+            vec3 _e173 = out_columns_1;
+            out_columns_1 = (_e173 + (_e85 * step_));
+            t0_1 = _e76;
         }
     }
-    Gathered _e181 = out_;
-    return _e181;
+    vec3 _e179 = out_radiance_1;
+    vec3 _e180 = out_columns_1;
+    out_radiance = _e179;
+    out_columns = _e180;
 }
 
 vec2 share_azimuth(float share) {
-    float c_4 = (1.0 - share);
-    float norm = (1.0 / ((share * share) + (c_4 * c_4)));
-    return (vec2(((c_4 - share) * (c_4 + share)), ((2.0 * share) * c_4)) * norm);
+    float c_1 = (1.0 - share);
+    float norm = (1.0 / ((share * share) + (c_1 * c_1)));
+    return (vec2(((c_1 - share) * (c_1 + share)), ((2.0 * share) * c_1)) * norm);
 }
 
-TableRay table_ray(float azimuth, float share_1, bool ground_1, float h_6, float radius_10, float thickness_4, vec4 limb, vec3 sun_3) {
-    bool local_2 = false;
+void table_ray(float azimuth, float share_1, bool ground_1, float h_6, float radius_10, float thickness_4, vec4 limb, vec3 sun_3, inout float out_ray_length, inout float out_ray_x, inout float out_ray_b, inout float out_ray_x_closest, inout float out_ray_sun_b, inout float out_ray_nu, inout float out_ray_cross2_, inout float out_ray_shadow_b, inout float out_ray_shadow_c, inout float out_ray_shadow_half2_, inout bool out_ray_ground) {
+    bool unnamed_2 = false;
     float c2_ = 0.0;
     float approach = 0.0;
     float from_start = 0.0;
     float mu_3 = 0.0;
-    SunSide s_3 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    float s_sun_b_3 = 0.0;
+    float s_nu_3 = 0.0;
+    float s_cross2_4 = 0.0;
+    float s_shadow_b_4 = 0.0;
+    float s_shadow_c_4 = 0.0;
+    float s_shadow_half2_3 = 0.0;
     float start_1 = 0.0;
+    float inner_ray_length = 0.0;
+    float inner_ray_x = 0.0;
+    float inner_ray_b = 0.0;
+    float inner_ray_x_closest = 0.0;
+    float inner_ray_sun_b = 0.0;
+    float inner_ray_nu = 0.0;
+    float inner_ray_cross2_ = 0.0;
+    float inner_ray_shadow_b = 0.0;
+    float inner_ray_shadow_c = 0.0;
+    float inner_ray_shadow_half2_ = 0.0;
+    bool inner_ray_ground = false;
+    float sun_side_outside_sun_b = 0.0;
+    float sun_side_outside_nu = 0.0;
+    float sun_side_outside_cross2_ = 0.0;
+    float sun_side_outside_shadow_b = 0.0;
+    float sun_side_outside_shadow_c = 0.0;
+    float sun_side_outside_shadow_half2_ = 0.0;
+    float sun_side_inside_sun_b = 0.0;
+    float sun_side_inside_nu = 0.0;
+    float sun_side_inside_cross2_ = 0.0;
+    float sun_side_inside_shadow_b = 0.0;
+    float sun_side_inside_shadow_c = 0.0;
+    float sun_side_inside_shadow_half2_ = 0.0;
     float r_5 = (radius_10 + h_6);
-    float _e9 = excess_of(h_6, radius_10);
-    float _e10 = excess_of(thickness_4, radius_10);
-    vec2 _e11 = share_azimuth(azimuth);
+    float _e19 = excess_of(h_6, radius_10);
+    float _e21 = excess_of(thickness_4, radius_10);
+    vec2 _e23 = share_azimuth(azimuth);
     bool outside = (h_6 > thickness_4);
     if (!(ground_1)) {
-        local_2 = (share_1 > limb.x);
+        unnamed_2 = (share_1 > limb.x);
     } else {
-        local_2 = false;
+        unnamed_2 = false;
     }
-    bool _e19 = local_2;
-    if (_e19) {
+    bool _e34 = unnamed_2;
+    if (_e34) {
         float u_2 = min((limb.z + (((share_1 - limb.x) / (1.0 - limb.x)) * (1.0 - limb.z))), 1.0);
         float rest = ((1.0 - u_2) * (1.0 + u_2));
         float half_1 = (0.5 + (0.5 * limb.w));
-        float s_5 = (sqrt(half_1) * rest);
+        float s_1 = (sqrt(half_1) * rest);
         float mu_6 = max((((((2.0 * half_1) * u_2) * u_2) * (1.0 + rest)) - limb.w), 0.0);
-        vec3 dir_3 = vec3((_e11 * ((2.0 * s_5) * sqrt((1.0 - (s_5 * s_5))))), mu_6);
-        AirRay _e67 = inner_ray(dir_3, h_6, radius_10, thickness_4, sun_3, false);
-        return TableRay(dir_3, _e67);
+        vec3 dir_3 = vec3((_e23 * ((2.0 * s_1) * sqrt((1.0 - (s_1 * s_1))))), mu_6);
+        inner_ray(dir_3, h_6, radius_10, thickness_4, sun_3, false, inner_ray_length, inner_ray_x, inner_ray_b, inner_ray_x_closest, inner_ray_sun_b, inner_ray_nu, inner_ray_cross2_, inner_ray_shadow_b, inner_ray_shadow_c, inner_ray_shadow_half2_, inner_ray_ground);
+        float _e94 = inner_ray_length;
+        float _e95 = inner_ray_x;
+        float _e96 = inner_ray_b;
+        float _e97 = inner_ray_x_closest;
+        float _e98 = inner_ray_sun_b;
+        float _e99 = inner_ray_nu;
+        float _e100 = inner_ray_cross2_;
+        float _e101 = inner_ray_shadow_b;
+        float _e102 = inner_ray_shadow_c;
+        float _e103 = inner_ray_shadow_half2_;
+        bool _e104 = inner_ray_ground;
+        out_ray_length = _e94;
+        out_ray_x = _e95;
+        out_ray_b = _e96;
+        out_ray_x_closest = _e97;
+        out_ray_sun_b = _e98;
+        out_ray_nu = _e99;
+        out_ray_cross2_ = _e100;
+        out_ray_shadow_b = _e101;
+        out_ray_shadow_c = _e102;
+        out_ray_shadow_half2_ = _e103;
+        out_ray_ground = _e104;
+        return;
     }
-    float start_x = (outside ? _e10 : _e9);
+    float start_x = (outside ? _e21 : _e19);
     if (ground_1) {
         float rest_1 = ((1.0 - share_1) * (1.0 + share_1));
-        float s_6 = (SQRT_HALF * rest_1);
+        float s_2 = (SQRT_HALF * rest_1);
         mu_3 = ((share_1 * share_1) * (1.0 + rest_1));
-        float _e91 = mu_3;
-        float _e93 = mu_3;
-        c2_ = (((-(radius_10) * radius_10) * _e91) * _e93);
-        approach = (radius_10 * ((2.0 * s_6) * sqrt((1.0 - (s_6 * s_6)))));
-        float _e103 = c2_;
-        from_start = (start_x - _e103);
+        float _e120 = mu_3;
+        float _e122 = mu_3;
+        c2_ = (((-(radius_10) * radius_10) * _e120) * _e122);
+        approach = (radius_10 * ((2.0 * s_2) * sqrt((1.0 - (s_2 * s_2)))));
+        float _e134 = c2_;
+        from_start = (start_x - _e134);
     } else {
         float limit = min(h_6, thickness_4);
-        float s_7 = min((share_1 / max(limb.x, 1e-20)), 1.0);
-        float y_1 = ((1.0 - s_7) * (1.0 + s_7));
+        float s_3 = min((share_1 / max(limb.x, 1e-20)), 1.0);
+        float y_1 = ((1.0 - s_3) * (1.0 + s_3));
         float k = (1.0 - limb.y);
         float v = ((2.0 * y_1) / max((k + sqrt(((k * k) + ((4.0 * limb.y) * y_1)))), 1e-20));
-        float lowest_2 = (limit * min((((s_7 * s_7) * (1.0 + v)) / (1.0 + (limb.y * v))), 1.0));
-        float _e145 = excess_of(lowest_2, radius_10);
-        c2_ = _e145;
-        approach = (radius_10 + lowest_2);
-        from_start = (((limit * v) * v) * (((2.0 * radius_10) + limit) + lowest_2));
+        float lowest_1 = (limit * min((((s_3 * s_3) * (1.0 + v)) / (1.0 + (limb.y * v))), 1.0));
+        float _e177 = excess_of(lowest_1, radius_10);
+        c2_ = _e177;
+        approach = (radius_10 + lowest_1);
+        from_start = (((limit * v) * v) * (((2.0 * radius_10) + limit) + lowest_1));
     }
     float above_1 = ((h_6 - thickness_4) * (((2.0 * radius_10) + thickness_4) + h_6));
-    float _e160 = from_start;
-    float b_9 = -(sqrt(max(_e160, 0.0)));
-    float _e165 = from_start;
-    float down = ((outside ? -(sqrt(max((above_1 + _e165), 0.0))) : b_9) / r_5);
-    float _e173 = approach;
-    vec3 dir_4 = vec3((_e11 * min((_e173 / r_5), 1.0)), down);
+    float _e192 = from_start;
+    float b_8 = -(sqrt(max(_e192, 0.0)));
+    float _e197 = from_start;
+    float down = ((outside ? -(sqrt(max((above_1 + _e197), 0.0))) : b_8) / r_5);
+    float _e205 = approach;
+    vec3 dir_4 = vec3((_e23 * min((_e205 / r_5), 1.0)), down);
     if (outside) {
-        start_1 = (above_1 / (-(b_9) - (r_5 * down)));
-        float _e186 = start_1;
-        SunSide _e188 = sun_side_outside(dir_4, sun_3, r_5, _e186, -(b_9), _e10, radius_10);
-        s_3 = _e188;
+        start_1 = (above_1 / (-(b_8) - (r_5 * down)));
+        float _e216 = start_1;
+        sun_side_outside(dir_4, sun_3, r_5, _e216, -(b_8), _e21, radius_10, sun_side_outside_sun_b, sun_side_outside_nu, sun_side_outside_cross2_, sun_side_outside_shadow_b, sun_side_outside_shadow_c, sun_side_outside_shadow_half2_);
+        float _e224 = sun_side_outside_sun_b;
+        float _e225 = sun_side_outside_nu;
+        float _e226 = sun_side_outside_cross2_;
+        float _e227 = sun_side_outside_shadow_b;
+        float _e228 = sun_side_outside_shadow_c;
+        float _e229 = sun_side_outside_shadow_half2_;
+        s_sun_b_3 = _e224;
+        s_nu_3 = _e225;
+        s_cross2_4 = _e226;
+        s_shadow_b_4 = _e227;
+        s_shadow_c_4 = _e228;
+        s_shadow_half2_3 = _e229;
     } else {
-        SunSide _e189 = sun_side_inside(dir_4, sun_3, r_5, _e9, radius_10);
-        s_3 = _e189;
+        sun_side_inside(dir_4, sun_3, r_5, _e19, radius_10, sun_side_inside_sun_b, sun_side_inside_nu, sun_side_inside_cross2_, sun_side_inside_shadow_b, sun_side_inside_shadow_c, sun_side_inside_shadow_half2_);
+        float _e242 = sun_side_inside_sun_b;
+        float _e243 = sun_side_inside_nu;
+        float _e244 = sun_side_inside_cross2_;
+        float _e245 = sun_side_inside_shadow_b;
+        float _e246 = sun_side_inside_shadow_c;
+        float _e247 = sun_side_inside_shadow_half2_;
+        s_sun_b_3 = _e242;
+        s_nu_3 = _e243;
+        s_cross2_4 = _e244;
+        s_shadow_b_4 = _e245;
+        s_shadow_c_4 = _e246;
+        s_shadow_half2_3 = _e247;
     }
-    float _e190 = distance_to_top(start_x, b_9, _e10);
-    float _e191 = mu_3;
-    float reach_1 = (ground_1 ? (start_x / max(((radius_10 * _e191) - b_9), 1e-20)) : _e190);
-    float _e198 = start_1;
-    float _e199 = c2_;
-    float _e201 = s_3.sun_b;
-    float _e203 = s_3.nu;
-    float _e205 = s_3.cross2_;
-    float _e207 = s_3.shadow_b;
-    float _e209 = s_3.shadow_c;
-    float _e211 = s_3.shadow_half2_;
-    AirRay ray_3 = AirRay(_e198, reach_1, start_x, b_9, _e199, _e201, _e203, _e205, _e207, _e209, _e211, ground_1);
-    return TableRay(dir_4, ray_3);
+    float _e248 = distance_to_top(start_x, b_8, _e21);
+    float _e249 = mu_3;
+    float reach_1 = (ground_1 ? (start_x / max(((radius_10 * _e249) - b_8), 1e-20)) : _e248);
+    float ray_x_closest_1 = c2_;
+    float ray_sun_b_2 = s_sun_b_3;
+    float ray_nu_2 = s_nu_3;
+    float ray_cross2_2 = s_cross2_4;
+    float ray_shadow_b_2 = s_shadow_b_4;
+    float ray_shadow_c_2 = s_shadow_c_4;
+    float ray_shadow_half2_2 = s_shadow_half2_3;
+    out_ray_length = reach_1;
+    out_ray_x = start_x;
+    out_ray_b = b_8;
+    out_ray_x_closest = ray_x_closest_1;
+    out_ray_sun_b = ray_sun_b_2;
+    out_ray_nu = ray_nu_2;
+    out_ray_cross2_ = ray_cross2_2;
+    out_ray_shadow_b = ray_shadow_b_2;
+    out_ray_shadow_c = ray_shadow_c_2;
+    out_ray_shadow_half2_ = ray_shadow_half2_2;
+    out_ray_ground = ground_1;
 }
 
 float rayleigh_phase(float mu_4) {
@@ -647,34 +786,88 @@ float rayleigh_phase(float mu_4) {
 
 void main() {
     vec4 position = gl_FragCoord;
-    Frame f = _group_0_binding_0_fs.frame;
-    Tables t_5 = _group_0_binding_0_fs.tables;
-    Medium m_2 = f.medium;
+    float table_ray_length = 0.0;
+    float table_ray_x = 0.0;
+    float table_ray_b = 0.0;
+    float table_ray_x_closest = 0.0;
+    float table_ray_sun_b = 0.0;
+    float table_ray_nu = 0.0;
+    float table_ray_cross2_ = 0.0;
+    float table_ray_shadow_b = 0.0;
+    float table_ray_shadow_c = 0.0;
+    float table_ray_shadow_half2_ = 0.0;
+    bool table_ray_ground = false;
+    float low_t = 0.0;
+    float low_x = 0.0;
+    float low_b = 0.0;
+    vec3 g_radiance = vec3(0.0);
+    vec3 g_columns = vec3(0.0);
+    vec3 f_medium_rayleigh = _group_0_binding_0_fs.frame.medium.rayleigh;
+    float f_medium_rayleigh_inv_height = _group_0_binding_0_fs.frame.medium.rayleigh_inv_height;
+    vec3 f_medium_mie_scattering = _group_0_binding_0_fs.frame.medium.mie_scattering;
+    float f_medium_mie_inv_height = _group_0_binding_0_fs.frame.medium.mie_inv_height;
+    vec3 f_medium_mie_extinction = _group_0_binding_0_fs.frame.medium.mie_extinction;
+    float f_medium_ozone_center = _group_0_binding_0_fs.frame.medium.ozone_center;
+    float f_medium_ozone_inv_half_width = _group_0_binding_0_fs.frame.medium.ozone_inv_half_width;
+    vec3 f_medium_ozone = _group_0_binding_0_fs.frame.medium.ozone;
+    float f_medium_radius = _group_0_binding_0_fs.frame.medium.radius;
+    float f_medium_thickness = _group_0_binding_0_fs.frame.medium.thickness;
+    float f_altitude = _group_0_binding_0_fs.frame.altitude;
+    vec3 f_sun = _group_0_binding_0_fs.frame.sun;
+    vec4 f_limb = _group_0_binding_0_fs.frame.limb;
+    vec3 t_mie_extinction_1 = _group_0_binding_0_fs.tables.mie_extinction;
+    float t_altitude_steepness_1 = _group_0_binding_0_fs.tables.altitude_steepness;
+    vec3 t_mie_moment0_1 = _group_0_binding_0_fs.tables.mie_moment0_;
+    float t_altitude_growth_1 = _group_0_binding_0_fs.tables.altitude_growth;
+    vec3 t_mie_moment1_1 = _group_0_binding_0_fs.tables.mie_moment1_;
+    float t_sun_middle_2 = _group_0_binding_0_fs.tables.sun_middle;
+    vec3 t_mie_moment2_1 = _group_0_binding_0_fs.tables.mie_moment2_;
+    float t_sun_width_2 = _group_0_binding_0_fs.tables.sun_width;
+    float t_sun_first_2 = _group_0_binding_0_fs.tables.sun_first;
+    float t_sun_span_2 = _group_0_binding_0_fs.tables.sun_span;
+    float t_ground_rows = _group_0_binding_0_fs.tables.ground_rows;
+    uvec2 t_size = _group_0_binding_0_fs.tables.size;
+    uint t_steps_1 = _group_0_binding_0_fs.tables.steps;
     ivec2 at_3 = ivec2(position.xy);
-    ivec2 size_2 = ivec2(t_5.size);
+    ivec2 size_2 = ivec2(t_size);
     float azimuth_1 = (float(at_3.x) / float((size_2.x - 1)));
-    int ground_rows = int(t_5.ground_rows);
+    int ground_rows = int(t_ground_rows);
     bool ground_2 = (at_3.y < ground_rows);
     int first_1 = (ground_2 ? 0 : ground_rows);
     int rows = (ground_2 ? ground_rows : (size_2.y - ground_rows));
     float share_3 = (float((at_3.y - first_1)) / float((rows - 1)));
-    TableRay _e40 = table_ray(azimuth_1, share_3, ground_2, f.altitude, m_2.radius, m_2.thickness, f.limb, f.sun);
-    AirRay ray_4 = _e40.ray;
-    if ((ray_4.length_ <= 0.0)) {
+    table_ray(azimuth_1, share_3, ground_2, f_altitude, f_medium_radius, f_medium_thickness, f_limb, f_sun, table_ray_length, table_ray_x, table_ray_b, table_ray_x_closest, table_ray_sun_b, table_ray_nu, table_ray_cross2_, table_ray_shadow_b, table_ray_shadow_c, table_ray_shadow_half2_, table_ray_ground);
+    float _e94 = table_ray_length;
+    float _e95 = table_ray_x;
+    float _e96 = table_ray_b;
+    float _e97 = table_ray_x_closest;
+    float _e98 = table_ray_sun_b;
+    float _e99 = table_ray_nu;
+    float _e100 = table_ray_cross2_;
+    float _e101 = table_ray_shadow_b;
+    float _e102 = table_ray_shadow_c;
+    float _e103 = table_ray_shadow_half2_;
+    bool _e104 = table_ray_ground;
+    if ((_e94 <= 0.0)) {
         _fs2p_location0 = vec4(0.0, 0.0, 0.0, 1.0);
         return;
     }
-    Low _e52 = lowest(ray_4, ray_4.length_, m_2.radius);
-    float _e55 = unwarp(_e52.t, 0.0);
-    float _e58 = unwarp(_e52.t, ray_4.length_);
-    float _e61 = rayleigh_phase(ray_4.nu);
-    vec3 gas_2 = (m_2.rayleigh * _e61);
-    Gathered _e68 = gather(_group_0_binding_1_fs, _group_0_binding_2_fs, m_2, t_5, ray_4, _e52, _e55, _e58, gas_2, vec3(0.0), 1.0);
-    mat3x3 _e69 = coefficients_of(m_2);
-    vec3 _e71 = extinction(_e69, _e68.columns);
-    float grey = dot(exp(-(_e71)), vec3(0.33333334));
-    float scale = (ground_2 ? (1.0 / ray_4.length_) : 1.0);
-    _fs2p_location0 = vec4(sqrt(sqrt((max(_e68.radiance, vec3(0.0)) * scale))), grey);
+    lowest(_e94, _e95, _e96, _e97, _e104, _e94, f_medium_radius, low_t, low_x, low_b);
+    float _e115 = low_t;
+    float _e116 = low_x;
+    float _e117 = low_b;
+    float _e119 = unwarp(_e115, 0.0);
+    float _e120 = unwarp(_e115, _e94);
+    float _e121 = rayleigh_phase(_e99);
+    vec3 gas_2 = (f_medium_rayleigh * _e121);
+    gather(_group_0_binding_1_fs, _group_0_binding_2_fs, f_medium_rayleigh, f_medium_rayleigh_inv_height, f_medium_mie_scattering, f_medium_mie_inv_height, f_medium_ozone_center, f_medium_ozone_inv_half_width, f_medium_ozone, f_medium_radius, f_medium_thickness, t_mie_extinction_1, t_altitude_steepness_1, t_mie_moment0_1, t_altitude_growth_1, t_mie_moment1_1, t_sun_middle_2, t_mie_moment2_1, t_sun_width_2, t_sun_first_2, t_sun_span_2, t_steps_1, _e98, _e99, _e100, _e101, _e102, _e103, _e115, _e116, _e117, _e119, _e120, gas_2, vec3(0.0), 1.0, g_radiance, g_columns);
+    vec3 _e130 = g_radiance;
+    vec3 _e131 = g_columns;
+    mat3x3 _e132 = coefficients_of(f_medium_rayleigh, f_medium_mie_extinction, f_medium_ozone);
+    vec3 _e133 = extinction(_e132, _e131);
+    float grey = dot(exp(-(_e133)), vec3(0.33333334));
+    float scale = (ground_2 ? (1.0 / _e94) : 1.0);
+    _fs2p_location0 = vec4(sqrt(sqrt((max(_e130, vec3(0.0)) * scale))), grey);
     return;
 }
 

@@ -49,12 +49,6 @@ struct Uniforms {
     vec4 moon;
     vec4 shine;
 };
-struct Line {
-    float b;
-    float p;
-    float x_closest;
-    bool ground;
-};
 const float HALF_MAX = 32000.0;
 const uint STEPS = 128u;
 
@@ -83,20 +77,20 @@ float half_chord2_(float b, float above, float depth, float p) {
     return (depth * (sphere + p));
 }
 
-Line line_past(vec3 dir, float h_1, float radius_1) {
-    bool local_1 = false;
+void line_past(vec3 dir, float h_1, float radius_1, inout bool out_ground) {
+    bool unnamed_1 = false;
     float r = (radius_1 + h_1);
     float b_1 = (r * dir.z);
     float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
-    float _e11 = excess_of(h_1, radius_1);
-    float _e13 = half_chord2_(b_1, _e11, (radius_1 - p_1), p_1);
+    float _e12 = excess_of(h_1, radius_1);
+    float _e14 = half_chord2_(b_1, _e12, (radius_1 - p_1), p_1);
     if ((b_1 < 0.0)) {
-        local_1 = (_e13 >= 0.0);
+        unnamed_1 = (_e14 >= 0.0);
     } else {
-        local_1 = false;
+        unnamed_1 = false;
     }
-    bool _e22 = local_1;
-    return Line(b_1, p_1, -(_e13), _e22);
+    bool _e22 = unnamed_1;
+    out_ground = _e22;
 }
 
 float lommel_seeliger(vec3 normal, vec3 dir_1, vec3 sun, float albedo_over_pi, float earthshine) {
@@ -107,42 +101,51 @@ float lommel_seeliger(vec3 normal, vec3 dir_1, vec3 sun, float albedo_over_pi, f
 
 void main() {
     vec4 position = gl_FragCoord;
-    bool local = false;
+    bool unnamed = false;
     vec3 light = vec3(0.0);
-    Frame f = _group_0_binding_0_fs.frame;
-    Medium m = f.medium;
-    vec3 _e10 = pixel_ray(position.xy, f.size, f.ray_forward, f.ray_right, f.ray_up);
-    vec3 dir_2 = normalize(_e10);
-    Line _e14 = line_past(dir_2, f.altitude, m.radius);
-    vec4 _e17 = _group_0_binding_0_fs.moon;
-    vec3 towards = _e17.xyz;
+    bool line_ground = false;
+    float f_medium_radius = _group_0_binding_0_fs.frame.medium.radius;
+    vec3 f_medium_irradiance = _group_0_binding_0_fs.frame.medium.irradiance;
+    vec3 f_ray_forward = _group_0_binding_0_fs.frame.ray_forward;
+    float f_altitude = _group_0_binding_0_fs.frame.altitude;
+    vec3 f_ray_right = _group_0_binding_0_fs.frame.ray_right;
+    vec3 f_ray_up = _group_0_binding_0_fs.frame.ray_up;
+    vec3 f_sun = _group_0_binding_0_fs.frame.sun;
+    vec2 f_size = _group_0_binding_0_fs.frame.size;
+    float f_pixel_angle = _group_0_binding_0_fs.frame.pixel_angle;
+    vec3 _e23 = pixel_ray(position.xy, f_size, f_ray_forward, f_ray_right, f_ray_up);
+    vec3 dir_2 = normalize(_e23);
+    line_past(dir_2, f_altitude, f_medium_radius, line_ground);
+    bool _e26 = line_ground;
+    vec4 _e29 = _group_0_binding_0_fs.moon;
+    vec3 towards = _e29.xyz;
     float sine = _group_0_binding_0_fs.moon.w;
     vec3 apart = (dir_2 - towards);
-    float _e27 = _group_0_binding_0_fs.shine.x;
-    float _e29 = disk_coverage(apart, _e27, f.pixel_angle);
-    if (!(_e14.ground)) {
-        local = (_e29 <= 0.0);
+    float _e39 = _group_0_binding_0_fs.shine.x;
+    float _e40 = disk_coverage(apart, _e39, f_pixel_angle);
+    if (!(_e26)) {
+        unnamed = (_e40 <= 0.0);
     } else {
-        local = true;
+        unnamed = true;
     }
-    bool _e37 = local;
-    if (_e37) {
+    bool _e47 = unnamed;
+    if (_e47) {
         discard;
     }
     float chord2_ = dot(apart, apart);
     float reach = ((1.0 - (0.5 * chord2_)) - sqrt(max(((sine * sine) - (chord2_ * (1.0 - (0.25 * chord2_)))), 0.0)));
     vec3 normal_1 = normalize((apart + ((reach - 1.0) * dir_2)));
-    float _e64 = _group_0_binding_0_fs.shine.y;
-    float _e68 = _group_0_binding_0_fs.shine.z;
-    float _e69 = lommel_seeliger(normal_1, dir_2, f.sun, _e64, _e68);
-    light = (m.irradiance * (_e29 * _e69));
-    vec3 _e73 = light;
-    light = min(_e73, vec3(32000.0));
-    vec3 _e77 = light;
-    float _e79 = light.x;
-    float _e81 = light.y;
-    float _e83 = light.z;
-    _fs2p_location0 = vec4(_e77, (max(_e79, max(_e81, _e83)) * 3.125e-5));
+    float _e72 = _group_0_binding_0_fs.shine.y;
+    float _e76 = _group_0_binding_0_fs.shine.z;
+    float _e77 = lommel_seeliger(normal_1, dir_2, f_sun, _e72, _e76);
+    light = (f_medium_irradiance * (_e40 * _e77));
+    vec3 _e81 = light;
+    light = min(_e81, vec3(32000.0));
+    vec3 _e85 = light;
+    float _e87 = light.x;
+    float _e89 = light.y;
+    float _e91 = light.z;
+    _fs2p_location0 = vec4(_e85, (max(_e87, max(_e89, _e91)) * 3.125e-5));
     return;
 }
 

@@ -3,59 +3,6 @@
 precision highp float;
 precision highp int;
 
-struct Medium {
-    vec3 rayleigh;
-    float rayleigh_inv_height;
-    vec3 mie_scattering;
-    float mie_inv_height;
-    vec3 mie_extinction;
-    float ozone_center;
-    vec3 mie_asymmetry;
-    float ozone_inv_half_width;
-    vec3 ozone;
-    float radius;
-    vec3 irradiance;
-    float thickness;
-};
-struct AirRay {
-    float start;
-    float length_;
-    float x;
-    float b;
-    float x_closest;
-    float sun_b;
-    float nu;
-    float cross2_;
-    float shadow_b;
-    float shadow_c;
-    float shadow_half2_;
-    bool ground;
-};
-struct SunSide {
-    float sun_b;
-    float nu;
-    float cross2_;
-    float shadow_b;
-    float shadow_c;
-    float shadow_half2_;
-};
-struct Line {
-    float b;
-    float p;
-    float x_closest;
-    bool ground;
-};
-struct AirPath {
-    float start;
-    float length_;
-    float x;
-    float b;
-};
-struct Low {
-    float t;
-    float x;
-    float b;
-};
 const float INV_4PI = 0.07957747;
 const int CASE_TEXELS = 13;
 const int ANSWERS = 4;
@@ -94,261 +41,412 @@ float half_chord2_(float b_2, float above, float depth, float p) {
     return (depth * (sphere + p));
 }
 
-float shadow_half2_(SunSide s, float side_z, float r, float radius_3) {
-    float sine = max(sqrt(s.cross2_), 1e-18);
+float shadow_half2_(float s_cross2_, float s_shadow_b, float s_shadow_c, float side_z, float r, float radius_3) {
+    float sine = max(sqrt(s_cross2_), 1e-18);
     float p_1 = ((r * abs(side_z)) / sine);
-    float _e15 = half_chord2_((s.shadow_b / sine), s.shadow_c, (radius_3 - p_1), p_1);
-    return _e15;
+    float _e14 = half_chord2_((s_shadow_b / sine), s_shadow_c, (radius_3 - p_1), p_1);
+    return _e14;
 }
 
-SunSide sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_3, float radius_4) {
-    SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    s_1.nu = dot(dir, sun);
-    float _e9 = s_1.nu;
-    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s_1.cross2_ = dot(side, side);
-    s_1.sun_b = (r_1 * sun.z);
-    s_1.shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+void sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_3, float radius_4, inout float out_sun_b, inout float out_nu, inout float out_cross2_, inout float out_shadow_b, inout float out_shadow_c, inout float out_shadow_half2_) {
+    float s_sun_b = 0.0;
+    float s_nu = 0.0;
+    float s_cross2_1 = 0.0;
+    float s_shadow_b_1 = 0.0;
+    float s_shadow_c_1 = 0.0;
+    float s_shadow_half2_ = 0.0;
+    s_nu = dot(dir, sun);
+    float _e15 = s_nu;
+    vec3 side = cross((dir - (((_e15 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    s_cross2_1 = dot(side, side);
+    s_sun_b = (r_1 * sun.z);
+    s_shadow_b_1 = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
     float q = (r_1 * length(sun.xy));
-    float _e37 = s_1.sun_b;
-    float _e39 = half_chord2_(_e37, x_3, (radius_4 - q), q);
-    s_1.shadow_c = -(_e39);
-    SunSide _e42 = s_1;
-    float _e44 = shadow_half2_(_e42, side.z, r_1, radius_4);
-    s_1.shadow_half2_ = _e44;
-    SunSide _e45 = s_1;
-    return _e45;
+    float _e39 = s_sun_b;
+    float _e43 = half_chord2_(_e39, x_3, (radius_4 - q), q);
+    s_shadow_c_1 = -(_e43);
+    float _e45 = s_cross2_1;
+    float _e46 = s_shadow_b_1;
+    float _e47 = s_shadow_c_1;
+    float _e49 = shadow_half2_(_e45, _e46, _e47, side.z, r_1, radius_4);
+    s_shadow_half2_ = _e49;
+    float _e50 = s_sun_b;
+    float _e51 = s_nu;
+    float _e52 = s_cross2_1;
+    float _e53 = s_shadow_b_1;
+    float _e54 = s_shadow_c_1;
+    float _e55 = s_shadow_half2_;
+    out_sun_b = _e50;
+    out_nu = _e51;
+    out_cross2_ = _e52;
+    out_shadow_b = _e53;
+    out_shadow_c = _e54;
+    out_shadow_half2_ = _e55;
 }
 
-SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half_, float x_top_1, float radius_5) {
-    SunSide s_2 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    s_2.nu = dot(dir_1, sun_1);
-    float _e11 = s_2.nu;
-    float same = ((_e11 >= 0.0) ? 1.0 : -1.0);
+void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half_, float x_top_1, float radius_5, inout float out_sun_b_1, inout float out_nu_1, inout float out_cross2_1, inout float out_shadow_b_1, inout float out_shadow_c_1, inout float out_shadow_half2_1) {
+    float s_sun_b_1 = 0.0;
+    float s_nu_1 = 0.0;
+    float s_cross2_2 = 0.0;
+    float s_shadow_b_2 = 0.0;
+    float s_shadow_c_2 = 0.0;
+    float s_shadow_half2_1 = 0.0;
+    s_nu_1 = dot(dir_1, sun_1);
+    float _e15 = s_nu_1;
+    float same = ((_e15 >= 0.0) ? 1.0 : -1.0);
     vec3 apart = (dir_1 - (same * sun_1));
     vec3 side_1 = cross(apart, sun_1);
-    s_2.cross2_ = dot(side_1, side_1);
+    s_cross2_2 = dot(side_1, side_1);
     vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
     float there = (-(same) * dot(closest, apart));
     float here = (r_2 * sun_1.z);
-    float _e38 = s_2.nu;
-    float _e44 = s_2.nu;
-    bool nearer = ((abs(here) + (start * abs(_e38))) < (abs(there) + (half_ * abs(_e44))));
-    float _e51 = s_2.nu;
-    float _e55 = s_2.nu;
-    s_2.sun_b = (nearer ? (here + (start * _e55)) : (there - (half_ * _e51)));
+    float _e41 = s_nu_1;
+    float _e47 = s_nu_1;
+    bool nearer = ((abs(here) + (start * abs(_e41))) < (abs(there) + (half_ * abs(_e47))));
+    float _e53 = s_nu_1;
+    float _e56 = s_nu_1;
+    s_sun_b_1 = (nearer ? (here + (start * _e56)) : (there - (half_ * _e53)));
     vec3 closest_side = cross(closest, sun_1);
-    float _e63 = s_2.cross2_;
-    s_2.shadow_b = (dot(closest_side, side_1) - (half_ * _e63));
+    float _e62 = s_cross2_2;
+    s_shadow_b_2 = (dot(closest_side, side_1) - (half_ * _e62));
     float q_1 = length((closest_side - (half_ * side_1)));
-    float _e71 = s_2.sun_b;
-    float _e73 = half_chord2_(_e71, x_top_1, (radius_5 - q_1), q_1);
-    s_2.shadow_c = -(_e73);
-    SunSide _e76 = s_2;
-    float _e78 = shadow_half2_(_e76, side_1.z, r_2, radius_5);
-    s_2.shadow_half2_ = _e78;
-    SunSide _e79 = s_2;
-    return _e79;
+    float _e68 = s_sun_b_1;
+    float _e72 = half_chord2_(_e68, x_top_1, (radius_5 - q_1), q_1);
+    s_shadow_c_2 = -(_e72);
+    float _e74 = s_cross2_2;
+    float _e75 = s_shadow_b_2;
+    float _e76 = s_shadow_c_2;
+    float _e78 = shadow_half2_(_e74, _e75, _e76, side_1.z, r_2, radius_5);
+    s_shadow_half2_1 = _e78;
+    float _e79 = s_sun_b_1;
+    float _e80 = s_nu_1;
+    float _e81 = s_cross2_2;
+    float _e82 = s_shadow_b_2;
+    float _e83 = s_shadow_c_2;
+    float _e84 = s_shadow_half2_1;
+    out_sun_b_1 = _e79;
+    out_nu_1 = _e80;
+    out_cross2_1 = _e81;
+    out_shadow_b_1 = _e82;
+    out_shadow_c_1 = _e83;
+    out_shadow_half2_1 = _e84;
 }
 
-Line line_past(vec3 dir_2, float h_1, float radius_6) {
-    bool local = false;
+void line_past(vec3 dir_2, float h_1, float radius_6, inout float out_b, inout float out_x_closest, inout bool out_ground) {
+    bool unnamed = false;
     float r_3 = (radius_6 + h_1);
     float b_4 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
-    float _e11 = excess_of(h_1, radius_6);
-    float _e13 = half_chord2_(b_4, _e11, (radius_6 - p_2), p_2);
+    float _e14 = excess_of(h_1, radius_6);
+    float _e16 = half_chord2_(b_4, _e14, (radius_6 - p_2), p_2);
     if ((b_4 < 0.0)) {
-        local = (_e13 >= 0.0);
+        unnamed = (_e16 >= 0.0);
     } else {
-        local = false;
+        unnamed = false;
     }
-    bool _e22 = local;
-    return Line(b_4, p_2, -(_e13), _e22);
+    bool _e25 = unnamed;
+    out_b = b_4;
+    out_x_closest = -(_e16);
+    out_ground = _e25;
 }
 
-float top_half_chord2_(Line line, float h_2, float radius_7, float thickness) {
-    float b2_ = (line.b * line.b);
-    float _e7 = excess_of(thickness, radius_7);
+float top_half_chord2_(float line_b, float line_x_closest, float h_2, float radius_7, float thickness) {
+    float b2_ = (line_b * line_b);
+    float _e5 = excess_of(thickness, radius_7);
     float above_1 = ((h_2 - thickness) * (((2.0 * radius_7) + thickness) + h_2));
-    return ((b2_ < _e7) ? (b2_ - above_1) : (_e7 - line.x_closest));
+    return ((b2_ < _e5) ? (b2_ - above_1) : (_e5 - line_x_closest));
 }
 
 float to_ground(float x_4, float b_3, float root) {
     return min((x_4 / (root - b_3)), -(b_3));
 }
 
-AirPath air_path(Line line_1, float h_3, float radius_8, float thickness_1) {
-    bool local_1 = false;
-    float _e4 = excess_of(thickness_1, radius_8);
-    float ground_root = sqrt(max(-(line_1.x_closest), 0.0));
+void air_path(float line_b_1, float line_x_closest_1, bool line_ground, float h_3, float radius_8, float thickness_1, inout float out_start, inout float out_length, inout float out_x, inout float out_b_1) {
+    bool unnamed_1 = false;
+    float _e6 = excess_of(thickness_1, radius_8);
+    float ground_root = sqrt(max(-(line_x_closest_1), 0.0));
     if ((h_3 <= thickness_1)) {
-        float _e11 = excess_of(h_3, radius_8);
-        float _e13 = distance_to_top(_e11, line_1.b, _e4);
-        float _e15 = to_ground(_e11, line_1.b, ground_root);
-        float reach = (line_1.ground ? _e15 : _e13);
-        return AirPath(0.0, reach, _e11, line_1.b);
+        float _e16 = excess_of(h_3, radius_8);
+        float _e17 = distance_to_top(_e16, line_b_1, _e6);
+        float _e18 = to_ground(_e16, line_b_1, ground_root);
+        float reach = (line_ground ? _e18 : _e17);
+        out_start = 0.0;
+        out_length = reach;
+        out_x = _e16;
+        out_b_1 = line_b_1;
+        return;
     }
     float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_8) + thickness_1) + h_3));
-    float _e27 = top_half_chord2_(line_1, h_3, radius_8, thickness_1);
-    if (!((line_1.b >= 0.0))) {
-        local_1 = (_e27 <= 0.0);
+    float _e27 = top_half_chord2_(line_b_1, line_x_closest_1, h_3, radius_8, thickness_1);
+    if (!((line_b_1 >= 0.0))) {
+        unnamed_1 = (_e27 <= 0.0);
     } else {
-        local_1 = true;
+        unnamed_1 = true;
     }
-    bool _e37 = local_1;
-    if (_e37) {
-        return AirPath(0.0, -1.0, 0.0, 0.0);
+    bool _e36 = unnamed_1;
+    if (_e36) {
+        out_start = 0.0;
+        out_length = -1.0;
+        out_x = 0.0;
+        out_b_1 = 0.0;
+        return;
     }
     float half_1 = sqrt(_e27);
-    float _e50 = to_ground(_e4, -(half_1), ground_root);
-    return AirPath((above_2 / (half_1 - line_1.b)), (line_1.ground ? _e50 : (2.0 * half_1)), _e4, -(half_1));
+    float _e47 = to_ground(_e6, -(half_1), ground_root);
+    out_start = (above_2 / (half_1 - line_b_1));
+    out_length = (line_ground ? _e47 : (2.0 * half_1));
+    out_x = _e6;
+    out_b_1 = -(half_1);
 }
 
-AirRay air_ray(vec3 dir_3, float h_4, float radius_9, float thickness_2, vec3 sun_2) {
-    SunSide s_3 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    bool local_2 = false;
-    Line _e5 = line_past(dir_3, h_4, radius_9);
-    AirPath _e6 = air_path(_e5, h_4, radius_9, thickness_2);
+void air_ray(vec3 dir_3, float h_4, float radius_9, float thickness_2, vec3 sun_2, inout float out_start_1, inout float out_length_1, inout float out_x_1, inout float out_b_2, inout float out_x_closest_1, inout float out_sun_b_2, inout float out_nu_2, inout float out_cross2_2, inout float out_shadow_b_2, inout float out_shadow_c_2, inout float out_shadow_half2_2, inout bool out_ground_1) {
+    float s_sun_b_2 = 0.0;
+    float s_nu_2 = 0.0;
+    float s_cross2_3 = 0.0;
+    float s_shadow_b_3 = 0.0;
+    float s_shadow_c_3 = 0.0;
+    float s_shadow_half2_2 = 0.0;
+    bool unnamed_2 = false;
+    float line_b_2 = 0.0;
+    float line_x_closest_2 = 0.0;
+    bool line_ground_1 = false;
+    float path_start = 0.0;
+    float path_length = 0.0;
+    float path_x = 0.0;
+    float path_b = 0.0;
+    float sun_side_inside_sun_b = 0.0;
+    float sun_side_inside_nu = 0.0;
+    float sun_side_inside_cross2_ = 0.0;
+    float sun_side_inside_shadow_b = 0.0;
+    float sun_side_inside_shadow_c = 0.0;
+    float sun_side_inside_shadow_half2_ = 0.0;
+    float sun_side_outside_sun_b = 0.0;
+    float sun_side_outside_nu = 0.0;
+    float sun_side_outside_cross2_ = 0.0;
+    float sun_side_outside_shadow_b = 0.0;
+    float sun_side_outside_shadow_c = 0.0;
+    float sun_side_outside_shadow_half2_ = 0.0;
+    line_past(dir_3, h_4, radius_9, line_b_2, line_x_closest_2, line_ground_1);
+    float _e18 = line_b_2;
+    float _e19 = line_x_closest_2;
+    bool _e20 = line_ground_1;
+    air_path(_e18, _e19, _e20, h_4, radius_9, thickness_2, path_start, path_length, path_x, path_b);
+    float _e26 = path_start;
+    float _e27 = path_length;
+    float _e28 = path_x;
+    float _e29 = path_b;
     if ((h_4 <= thickness_2)) {
-        SunSide _e11 = sun_side_inside(dir_3, sun_2, (radius_9 + h_4), _e6.x, radius_9);
-        s_3 = _e11;
+        sun_side_inside(dir_3, sun_2, (radius_9 + h_4), _e28, radius_9, sun_side_inside_sun_b, sun_side_inside_nu, sun_side_inside_cross2_, sun_side_inside_shadow_b, sun_side_inside_shadow_c, sun_side_inside_shadow_half2_);
+        float _e39 = sun_side_inside_sun_b;
+        float _e40 = sun_side_inside_nu;
+        float _e41 = sun_side_inside_cross2_;
+        float _e42 = sun_side_inside_shadow_b;
+        float _e43 = sun_side_inside_shadow_c;
+        float _e44 = sun_side_inside_shadow_half2_;
+        s_sun_b_2 = _e39;
+        s_nu_2 = _e40;
+        s_cross2_3 = _e41;
+        s_shadow_b_3 = _e42;
+        s_shadow_c_3 = _e43;
+        s_shadow_half2_2 = _e44;
     } else {
-        if ((_e6.length_ > 0.0)) {
-            SunSide _e20 = sun_side_outside(dir_3, sun_2, (radius_9 + h_4), _e6.start, -(_e6.b), _e6.x, radius_9);
-            s_3 = _e20;
+        if ((_e27 > 0.0)) {
+            sun_side_outside(dir_3, sun_2, (radius_9 + h_4), _e26, -(_e29), _e28, radius_9, sun_side_outside_sun_b, sun_side_outside_nu, sun_side_outside_cross2_, sun_side_outside_shadow_b, sun_side_outside_shadow_c, sun_side_outside_shadow_half2_);
+            float _e61 = sun_side_outside_sun_b;
+            float _e62 = sun_side_outside_nu;
+            float _e63 = sun_side_outside_cross2_;
+            float _e64 = sun_side_outside_shadow_b;
+            float _e65 = sun_side_outside_shadow_c;
+            float _e66 = sun_side_outside_shadow_half2_;
+            s_sun_b_2 = _e61;
+            s_nu_2 = _e62;
+            s_cross2_3 = _e63;
+            s_shadow_b_3 = _e64;
+            s_shadow_c_3 = _e65;
+            s_shadow_half2_2 = _e66;
         } else {
-            s_3.nu = dot(dir_3, sun_2);
+            s_nu_2 = dot(dir_3, sun_2);
         }
     }
-    if (_e5.ground) {
-        local_2 = (_e6.length_ >= 0.0);
+    if (_e20) {
+        unnamed_2 = (_e27 >= 0.0);
     } else {
-        local_2 = false;
+        unnamed_2 = false;
     }
-    bool ground = local_2;
-    float _e37 = s_3.sun_b;
-    float _e39 = s_3.nu;
-    float _e41 = s_3.cross2_;
-    float _e43 = s_3.shadow_b;
-    float _e45 = s_3.shadow_c;
-    float _e47 = s_3.shadow_half2_;
-    return AirRay(_e6.start, _e6.length_, _e6.x, _e6.b, _e5.x_closest, _e37, _e39, _e41, _e43, _e45, _e47, ground);
+    bool ground = unnamed_2;
+    float _e74 = s_sun_b_2;
+    float _e75 = s_nu_2;
+    float _e76 = s_cross2_3;
+    float _e77 = s_shadow_b_3;
+    float _e78 = s_shadow_c_3;
+    float _e79 = s_shadow_half2_2;
+    out_start_1 = _e26;
+    out_length_1 = _e27;
+    out_x_1 = _e28;
+    out_b_2 = _e29;
+    out_x_closest_1 = _e19;
+    out_sun_b_2 = _e74;
+    out_nu_2 = _e75;
+    out_cross2_2 = _e76;
+    out_shadow_b_2 = _e77;
+    out_shadow_c_2 = _e78;
+    out_shadow_half2_2 = _e79;
+    out_ground_1 = ground;
 }
 
-Low lowest(AirRay ray, float length_, float radius_10) {
-    bool local_3 = false;
-    if ((ray.b >= 0.0)) {
-        return Low(0.0, ray.x, ray.b);
+void lowest(float ray_length_1, float ray_x_1, float ray_b_1, float ray_x_closest_1, bool ray_ground_1, float length_, float radius_10, inout float out_t, inout float out_x_2, inout float out_b_3) {
+    bool unnamed_3 = false;
+    if ((ray_b_1 >= 0.0)) {
+        out_t = 0.0;
+        out_x_2 = ray_x_1;
+        out_b_3 = ray_b_1;
+        return;
     }
-    if ((-(ray.b) <= length_)) {
-        return Low(-(ray.b), ray.x_closest, 0.0);
+    if ((-(ray_b_1) <= length_)) {
+        out_t = -(ray_b_1);
+        out_x_2 = ray_x_closest_1;
+        out_b_3 = 0.0;
+        return;
     }
-    float b_5 = (ray.b + length_);
-    if (ray.ground) {
-        local_3 = (length_ >= ray.length_);
+    float b_5 = (ray_b_1 + length_);
+    if (ray_ground_1) {
+        unnamed_3 = (length_ >= ray_length_1);
     } else {
-        local_3 = false;
+        unnamed_3 = false;
     }
-    bool _e26 = local_3;
-    if (_e26) {
-        return Low(length_, 0.0, b_5);
+    bool _e21 = unnamed_3;
+    if (_e21) {
+        out_t = length_;
+        out_x_2 = 0.0;
+        out_b_3 = b_5;
+        return;
     }
-    bool far = ((-(ray.b) * length_) > (radius_10 * radius_10));
-    return Low(length_, (far ? (ray.x_closest + (b_5 * b_5)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_5);
+    bool far = ((-(ray_b_1) * length_) > (radius_10 * radius_10));
+    out_t = length_;
+    out_x_2 = (far ? (ray_x_closest_1 + (b_5 * b_5)) : (ray_x_1 + (length_ * ((2.0 * ray_b_1) + length_))));
+    out_b_3 = b_5;
 }
 
 bool hits_planet(vec3 dir_4, float h_5, float radius_11) {
-    Line _e3 = line_past(dir_4, h_5, radius_11);
-    return _e3.ground;
+    float line_past_b = 0.0;
+    float line_past_x_closest = 0.0;
+    bool line_past_ground = false;
+    line_past(dir_4, h_5, radius_11, line_past_b, line_past_x_closest, line_past_ground);
+    bool _e6 = line_past_ground;
+    return _e6;
 }
 
-vec2 shadow_stretch(AirRay ray_1) {
+vec2 shadow_stretch(float ray_sun_b_1, float ray_nu_1, float ray_cross2_1, float ray_shadow_b_1, float ray_shadow_c_1, float ray_shadow_half2_1) {
     vec2 stretch = vec2(0.0);
     vec2 none = vec2(1.0, 0.0);
-    float a = ray_1.cross2_;
-    float b_6 = ray_1.shadow_b;
-    float c_1 = ray_1.shadow_c;
     stretch = vec2(-(1e30), 1e30);
-    if ((a > 1e-30)) {
-        if ((ray_1.shadow_half2_ <= 0.0)) {
+    if ((ray_cross2_1 > 1e-30)) {
+        if ((ray_shadow_half2_1 <= 0.0)) {
             return none;
         }
-        float q_2 = -((b_6 + (((b_6 >= 0.0) ? 1.0 : -1.0) * sqrt((a * ray_1.shadow_half2_)))));
-        float t0_ = (q_2 / a);
-        float t1_ = ((q_2 != 0.0) ? (c_1 / q_2) : t0_);
+        float q_2 = -((ray_shadow_b_1 + (((ray_shadow_b_1 >= 0.0) ? 1.0 : -1.0) * sqrt((ray_cross2_1 * ray_shadow_half2_1)))));
+        float t0_ = (q_2 / ray_cross2_1);
+        float t1_ = ((q_2 != 0.0) ? (ray_shadow_c_1 / q_2) : t0_);
         stretch = vec2(min(t0_, t1_), max(t0_, t1_));
     } else {
-        if ((c_1 >= 0.0)) {
+        if ((ray_shadow_c_1 >= 0.0)) {
             return none;
         }
     }
-    if ((abs(ray_1.nu) < 1e-12)) {
-        if ((ray_1.sun_b >= 0.0)) {
+    if ((abs(ray_nu_1) < 1e-12)) {
+        if ((ray_sun_b_1 >= 0.0)) {
             return none;
         }
     } else {
-        float t_1 = (-(ray_1.sun_b) / ray_1.nu);
-        if ((ray_1.nu > 0.0)) {
-            float _e53 = stretch.y;
-            stretch.y = min(_e53, t_1);
+        float t_1 = (-(ray_sun_b_1) / ray_nu_1);
+        if ((ray_nu_1 > 0.0)) {
+            float _e48 = stretch.y;
+            stretch.y = min(_e48, t_1);
         } else {
-            float _e57 = stretch.x;
-            stretch.x = max(_e57, t_1);
+            float _e52 = stretch.x;
+            stretch.x = max(_e52, t_1);
         }
     }
-    vec2 _e59 = stretch;
-    return _e59;
+    vec2 _e54 = stretch;
+    return _e54;
 }
 
-Medium medium_of(ivec2 first) {
-    vec4 a_1 = texelFetch(_group_0_binding_1_fs, first, 0);
-    vec4 b_7 = texelFetch(_group_0_binding_1_fs, (first + ivec2(1, 0)), 0);
-    vec4 c_2 = texelFetch(_group_0_binding_1_fs, (first + ivec2(2, 0)), 0);
-    vec4 d = texelFetch(_group_0_binding_1_fs, (first + ivec2(3, 0)), 0);
+void medium_of(ivec2 first, inout float out_radius, inout float out_thickness) {
     vec4 e = texelFetch(_group_0_binding_1_fs, (first + ivec2(4, 0)), 0);
     vec4 f = texelFetch(_group_0_binding_1_fs, (first + ivec2(5, 0)), 0);
-    return Medium(a_1.xyz, a_1.w, b_7.xyz, b_7.w, c_2.xyz, c_2.w, d.xyz, d.w, e.xyz, e.w, f.xyz, f.w);
+    out_radius = e.w;
+    out_thickness = f.w;
 }
 
 void main() {
     vec4 position = gl_FragCoord;
+    float m_radius = 0.0;
+    float m_thickness = 0.0;
+    float ray_start = 0.0;
+    float ray_length = 0.0;
+    float ray_x = 0.0;
+    float ray_b = 0.0;
+    float ray_x_closest = 0.0;
+    float ray_sun_b = 0.0;
+    float ray_nu = 0.0;
+    float ray_cross2_ = 0.0;
+    float ray_shadow_b = 0.0;
+    float ray_shadow_c = 0.0;
+    float ray_shadow_half2_ = 0.0;
+    bool ray_ground = false;
+    float low_t = 0.0;
+    float low_x = 0.0;
+    float low_b = 0.0;
     ivec2 pixel = ivec2(position.xy);
     int number = (pixel.x / ANSWERS);
     int answer = (pixel.x - (number * ANSWERS));
     ivec2 first_1 = ivec2((number * CASE_TEXELS), pixel.y);
-    Medium _e14 = medium_of(first_1);
+    medium_of(first_1, m_radius, m_thickness);
+    float _e16 = m_radius;
+    float _e17 = m_thickness;
     vec4 view = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(6, 0)), 0);
     vec4 light = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(7, 0)), 0);
     vec4 path = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(8, 0)), 0);
-    vec4 angle = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(9, 0)), 0);
-    vec4 share = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(10, 0)), 0);
-    vec4 scale = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(11, 0)), 0);
-    AirRay _e62 = air_ray(view.xyz, view.w, _e14.radius, _e14.thickness, light.xyz);
+    air_ray(view.xyz, view.w, _e16, _e17, light.xyz, ray_start, ray_length, ray_x, ray_b, ray_x_closest, ray_sun_b, ray_nu, ray_cross2_, ray_shadow_b, ray_shadow_c, ray_shadow_half2_, ray_ground);
+    float _e54 = ray_start;
+    float _e55 = ray_length;
+    float _e56 = ray_x;
+    float _e57 = ray_b;
+    float _e58 = ray_x_closest;
+    float _e59 = ray_sun_b;
+    float _e60 = ray_nu;
+    float _e61 = ray_cross2_;
+    float _e62 = ray_shadow_b;
+    float _e63 = ray_shadow_c;
+    float _e64 = ray_shadow_half2_;
+    bool _e65 = ray_ground;
     if ((answer == 0)) {
-        _fs2p_location0 = vec4(_e62.start, _e62.length_, _e62.x, _e62.b);
+        _fs2p_location0 = vec4(_e54, _e55, _e56, _e57);
         return;
     }
     if ((answer == 1)) {
-        _fs2p_location0 = vec4(_e62.sun_b, _e62.nu, _e62.cross2_, float(_e62.ground));
+        _fs2p_location0 = vec4(_e59, _e60, _e61, float(_e65));
         return;
     }
     if ((answer == 2)) {
-        float reach_1 = max(_e62.length_, 0.0);
-        vec2 _e83 = shadow_stretch(_e62);
-        vec2 shadow = clamp(_e83, vec2(0.0), vec2(reach_1));
-        bool _e91 = hits_planet(view.xyz, view.w, _e14.radius);
-        float hits = float(_e91);
-        Low _e94 = lowest(_e62, reach_1, _e14.radius);
-        float _e102 = altitude_after(_e94.x, _e94.b, ((light.w * reach_1) - _e94.t), _e14.radius);
-        _fs2p_location0 = vec4(_e102, hits, shadow);
+        float reach_1 = max(_e55, 0.0);
+        vec2 _e77 = shadow_stretch(_e59, _e60, _e61, _e62, _e63, _e64);
+        vec2 shadow = clamp(_e77, vec2(0.0), vec2(reach_1));
+        bool _e84 = hits_planet(view.xyz, view.w, _e16);
+        float hits = float(_e84);
+        lowest(_e55, _e56, _e57, _e58, _e65, reach_1, _e16, low_t, low_x, low_b);
+        float _e89 = low_t;
+        float _e90 = low_x;
+        float _e91 = low_b;
+        float _e95 = altitude_after(_e90, _e91, ((light.w * reach_1) - _e89), _e16);
+        _fs2p_location0 = vec4(_e95, hits, shadow);
         return;
     }
-    float _e106 = excess_of(view.w, _e14.radius);
-    float _e108 = altitude_of(_e106, _e14.radius);
-    float _e113 = excess_of(_e14.thickness, _e14.radius);
-    float _e114 = distance_to_top(path.x, path.y, _e113);
-    _fs2p_location0 = vec4(_e106, _e108, _e114, 0.0);
+    float _e98 = excess_of(view.w, _e16);
+    float _e99 = altitude_of(_e98, _e16);
+    float _e102 = excess_of(_e17, _e16);
+    float _e103 = distance_to_top(path.x, path.y, _e102);
+    _fs2p_location0 = vec4(_e98, _e99, _e103, 0.0);
     return;
 }
 

@@ -3,20 +3,6 @@
 precision highp float;
 precision highp int;
 
-struct Medium {
-    vec3 rayleigh;
-    float rayleigh_inv_height;
-    vec3 mie_scattering;
-    float mie_inv_height;
-    vec3 mie_extinction;
-    float ozone_center;
-    vec3 mie_asymmetry;
-    float ozone_inv_half_width;
-    vec3 ozone;
-    float radius;
-    vec3 irradiance;
-    float thickness;
-};
 const float INV_4PI = 0.07957747;
 const int CASE_TEXELS = 13;
 const int ANSWERS = 5;
@@ -25,12 +11,12 @@ uniform highp sampler2D _group_0_binding_1_fs;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
-vec4 layers_of(Medium m) {
-    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+vec4 layers_of(float m_rayleigh_inv_height_1, float m_mie_inv_height_1, float m_ozone_center_1, float m_ozone_inv_half_width_1) {
+    return vec4(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
 }
 
-mat3x3 coefficients_of(Medium m_1) {
-    return mat3x3(m_1.rayleigh, m_1.mie_extinction, m_1.ozone);
+mat3x3 coefficients_of(vec3 m_rayleigh_1, vec3 m_mie_extinction_1, vec3 m_ozone_1) {
+    return mat3x3(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
 }
 
 vec3 densities(vec4 layers, float h) {
@@ -44,8 +30,8 @@ vec3 densities(vec4 layers, float h) {
 
 vec3 extinction(mat3x3 coefficients, vec3 d_1) {
     vec3 sum = vec3(0.0);
-    vec3 _e5 = sum;
-    sum = (_e5 + (coefficients[0] * d_1.x));
+    vec3 _e3 = sum;
+    sum = (_e3 + (coefficients[0] * d_1.x));
     vec3 _e10 = sum;
     sum = (_e10 + (coefficients[1] * d_1.y));
     vec3 _e15 = sum;
@@ -75,56 +61,75 @@ vec3 cornette_shanks_phase(float away_1, float toward_1, vec3 g_1) {
     return ((vec3((1.5 * (1.0 + (mu_1 * mu_1)))) / (vec3(2.0) + (g_1 * g_1))) * _e16);
 }
 
-Medium medium_of(ivec2 first) {
+void medium_of(ivec2 first, inout vec3 out_rayleigh, inout float out_rayleigh_inv_height, inout float out_mie_inv_height, inout vec3 out_mie_extinction, inout float out_ozone_center, inout vec3 out_mie_asymmetry, inout float out_ozone_inv_half_width, inout vec3 out_ozone) {
     vec4 a = texelFetch(_group_0_binding_1_fs, first, 0);
     vec4 b = texelFetch(_group_0_binding_1_fs, (first + ivec2(1, 0)), 0);
     vec4 c = texelFetch(_group_0_binding_1_fs, (first + ivec2(2, 0)), 0);
     vec4 d_2 = texelFetch(_group_0_binding_1_fs, (first + ivec2(3, 0)), 0);
     vec4 e = texelFetch(_group_0_binding_1_fs, (first + ivec2(4, 0)), 0);
-    vec4 f = texelFetch(_group_0_binding_1_fs, (first + ivec2(5, 0)), 0);
-    return Medium(a.xyz, a.w, b.xyz, b.w, c.xyz, c.w, d_2.xyz, d_2.w, e.xyz, e.w, f.xyz, f.w);
+    out_rayleigh = a.xyz;
+    out_rayleigh_inv_height = a.w;
+    out_mie_inv_height = b.w;
+    out_mie_extinction = c.xyz;
+    out_ozone_center = c.w;
+    out_mie_asymmetry = d_2.xyz;
+    out_ozone_inv_half_width = d_2.w;
+    out_ozone = e.xyz;
 }
 
 void main() {
     vec4 position = gl_FragCoord;
+    vec3 m_rayleigh = vec3(0.0);
+    float m_rayleigh_inv_height = 0.0;
+    float m_mie_inv_height = 0.0;
+    vec3 m_mie_extinction = vec3(0.0);
+    float m_ozone_center = 0.0;
+    vec3 m_mie_asymmetry = vec3(0.0);
+    float m_ozone_inv_half_width = 0.0;
+    vec3 m_ozone = vec3(0.0);
     ivec2 pixel = ivec2(position.xy);
     int number = (pixel.x / ANSWERS);
     int answer = (pixel.x - (number * ANSWERS));
     ivec2 first_1 = ivec2((number * CASE_TEXELS), pixel.y);
-    Medium _e14 = medium_of(first_1);
+    medium_of(first_1, m_rayleigh, m_rayleigh_inv_height, m_mie_inv_height, m_mie_extinction, m_ozone_center, m_mie_asymmetry, m_ozone_inv_half_width, m_ozone);
+    vec3 _e22 = m_rayleigh;
+    float _e23 = m_rayleigh_inv_height;
+    float _e24 = m_mie_inv_height;
+    vec3 _e25 = m_mie_extinction;
+    float _e26 = m_ozone_center;
+    vec3 _e27 = m_mie_asymmetry;
+    float _e28 = m_ozone_inv_half_width;
+    vec3 _e29 = m_ozone;
     vec4 view = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(6, 0)), 0);
-    vec4 light = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(7, 0)), 0);
     vec4 path = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(8, 0)), 0);
     vec4 angle = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(9, 0)), 0);
-    vec4 share = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(10, 0)), 0);
-    vec4 scale = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(11, 0)), 0);
-    vec4 _e57 = layers_of(_e14);
-    vec3 _e59 = densities(_e57, view.w);
+    vec4 _e51 = layers_of(_e23, _e24, _e26, _e28);
+    vec3 _e53 = densities(_e51, view.w);
     if ((answer == 0)) {
-        float _e65 = rayleigh_phase((1.0 - angle.x));
-        _fs2p_location0 = vec4(_e59, _e65);
+        float _e59 = rayleigh_phase((1.0 - angle.x));
+        _fs2p_location0 = vec4(_e53, _e59);
         return;
     }
     if ((answer == 1)) {
-        mat3x3 _e69 = coefficients_of(_e14);
-        vec3 _e70 = extinction(_e69, _e59);
-        _fs2p_location0 = vec4(_e70, 0.0);
+        mat3x3 _e63 = coefficients_of(_e22, _e25, _e29);
+        vec3 _e64 = extinction(_e63, _e53);
+        _fs2p_location0 = vec4(_e64, 0.0);
         return;
     }
     if ((answer == 2)) {
-        vec3 _e80 = henyey_greenstein_phase(angle.x, (2.0 - angle.x), _e14.mie_asymmetry);
-        _fs2p_location0 = vec4(_e80, 0.0);
+        vec3 _e73 = henyey_greenstein_phase(angle.x, (2.0 - angle.x), _e27);
+        _fs2p_location0 = vec4(_e73, 0.0);
         return;
     }
     if ((answer == 3)) {
-        vec3 _e90 = cornette_shanks_phase(angle.x, (2.0 - angle.x), _e14.mie_asymmetry);
-        _fs2p_location0 = vec4(_e90, 0.0);
+        vec3 _e82 = cornette_shanks_phase(angle.x, (2.0 - angle.x), _e27);
+        _fs2p_location0 = vec4(_e82, 0.0);
         return;
     }
-    mat3x3 _e93 = coefficients_of(_e14);
-    vec3 _e94 = extinction(_e93, _e59);
-    vec3 _e97 = mean_transmittance((_e94 * path.z));
-    _fs2p_location0 = vec4(_e97, 0.0);
+    mat3x3 _e85 = coefficients_of(_e22, _e25, _e29);
+    vec3 _e86 = extinction(_e85, _e53);
+    vec3 _e89 = mean_transmittance((_e86 * path.z));
+    _fs2p_location0 = vec4(_e89, 0.0);
     return;
 }
 

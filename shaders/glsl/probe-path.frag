@@ -3,20 +3,6 @@
 precision highp float;
 precision highp int;
 
-struct Medium {
-    vec3 rayleigh;
-    float rayleigh_inv_height;
-    vec3 mie_scattering;
-    float mie_inv_height;
-    vec3 mie_extinction;
-    float ozone_center;
-    vec3 mie_asymmetry;
-    float ozone_inv_half_width;
-    vec3 ozone;
-    float radius;
-    vec3 irradiance;
-    float thickness;
-};
 const float INV_4PI = 0.07957747;
 const int CASE_TEXELS = 13;
 const int ANSWERS = 2;
@@ -47,12 +33,12 @@ float distance_to_top(float x_2, float b_1, float x_top) {
     return (root - b_1);
 }
 
-vec4 layers_of(Medium m) {
-    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+vec4 layers_of(float m_rayleigh_inv_height_1, float m_mie_inv_height_1, float m_ozone_center_1, float m_ozone_inv_half_width_1) {
+    return vec4(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
 }
 
-mat3x3 coefficients_of(Medium m_1) {
-    return mat3x3(m_1.rayleigh, m_1.mie_extinction, m_1.ozone);
+mat3x3 coefficients_of(vec3 m_rayleigh_1, vec3 m_mie_extinction_1, vec3 m_ozone_1) {
+    return mat3x3(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
 }
 
 vec3 densities(vec4 layers, float h_1) {
@@ -66,8 +52,8 @@ vec3 densities(vec4 layers, float h_1) {
 
 vec3 extinction(mat3x3 coefficients, vec3 d_1) {
     vec3 sum = vec3(0.0);
-    vec3 _e5 = sum;
-    sum = (_e5 + (coefficients[0] * d_1.x));
+    vec3 _e3 = sum;
+    sum = (_e3 + (coefficients[0] * d_1.x));
     vec3 _e10 = sum;
     sum = (_e10 + (coefficients[1] * d_1.y));
     vec3 _e15 = sum;
@@ -90,26 +76,26 @@ vec3 path_densities(vec4 layers_1, float radius_3, float x_3, float b_2, float d
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e43 = i;
-            i = (_e43 + 1u);
+            uint _e42 = i;
+            i = (_e42 + 1u);
         }
         loop_init = false;
-        uint _e23 = i;
-        if ((_e23 < samples)) {
+        uint _e18 = i;
+        if ((_e18 < samples)) {
         } else {
             break;
         }
         {
-            uint _e25 = i;
-            float u_1 = (u0_ + (du * float(_e25)));
-            float _e32 = warp(low_1, (u_1 + (0.5 * du)));
-            float _e34 = warp(low_1, (u_1 + du));
-            float _e35 = altitude_after(x_3, b_2, _e32, radius_3);
-            vec3 _e36 = sum_1;
-            vec3 _e37 = densities(layers_1, _e35);
+            uint _e20 = i;
+            float u_1 = (u0_ + (du * float(_e20)));
+            float _e27 = warp(low_1, (u_1 + (0.5 * du)));
+            float _e29 = warp(low_1, (u_1 + du));
+            float _e32 = altitude_after(x_3, b_2, _e27, radius_3);
+            vec3 _e34 = sum_1;
+            vec3 _e36 = densities(layers_1, _e32);
             float _e38 = t0_;
-            sum_1 = (_e36 + (_e37 * (_e34 - _e38)));
-            t0_ = _e34;
+            sum_1 = (_e34 + (_e36 * (_e29 - _e38)));
+            t0_ = _e29;
         }
     }
     vec3 _e45 = sum_1;
@@ -117,46 +103,67 @@ vec3 path_densities(vec4 layers_1, float radius_3, float x_3, float b_2, float d
 }
 
 vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_4, float thickness, float x_4, float sun_b, uint samples_1) {
-    float _e7 = excess_of(thickness, radius_4);
-    float _e8 = distance_to_top(x_4, sun_b, _e7);
-    vec3 _e9 = path_densities(layers_2, radius_4, x_4, sun_b, _e8, samples_1);
-    vec3 _e10 = extinction(coefficients_1, _e9);
+    float _e2 = excess_of(thickness, radius_4);
+    float _e5 = distance_to_top(x_4, sun_b, _e2);
+    vec3 _e8 = path_densities(layers_2, radius_4, x_4, sun_b, _e5, samples_1);
+    vec3 _e10 = extinction(coefficients_1, _e8);
     return exp(-(_e10));
 }
 
-Medium medium_of(ivec2 first) {
+void medium_of(ivec2 first, inout vec3 out_rayleigh, inout float out_rayleigh_inv_height, inout float out_mie_inv_height, inout vec3 out_mie_extinction, inout float out_ozone_center, inout float out_ozone_inv_half_width, inout vec3 out_ozone, inout float out_radius, inout float out_thickness) {
     vec4 a = texelFetch(_group_0_binding_1_fs, first, 0);
     vec4 b_3 = texelFetch(_group_0_binding_1_fs, (first + ivec2(1, 0)), 0);
     vec4 c_1 = texelFetch(_group_0_binding_1_fs, (first + ivec2(2, 0)), 0);
     vec4 d_2 = texelFetch(_group_0_binding_1_fs, (first + ivec2(3, 0)), 0);
     vec4 e = texelFetch(_group_0_binding_1_fs, (first + ivec2(4, 0)), 0);
     vec4 f = texelFetch(_group_0_binding_1_fs, (first + ivec2(5, 0)), 0);
-    return Medium(a.xyz, a.w, b_3.xyz, b_3.w, c_1.xyz, c_1.w, d_2.xyz, d_2.w, e.xyz, e.w, f.xyz, f.w);
+    out_rayleigh = a.xyz;
+    out_rayleigh_inv_height = a.w;
+    out_mie_inv_height = b_3.w;
+    out_mie_extinction = c_1.xyz;
+    out_ozone_center = c_1.w;
+    out_ozone_inv_half_width = d_2.w;
+    out_ozone = e.xyz;
+    out_radius = e.w;
+    out_thickness = f.w;
 }
 
 void main() {
     vec4 position = gl_FragCoord;
+    vec3 m_rayleigh = vec3(0.0);
+    float m_rayleigh_inv_height = 0.0;
+    float m_mie_inv_height = 0.0;
+    vec3 m_mie_extinction = vec3(0.0);
+    float m_ozone_center = 0.0;
+    float m_ozone_inv_half_width = 0.0;
+    vec3 m_ozone = vec3(0.0);
+    float m_radius = 0.0;
+    float m_thickness = 0.0;
     ivec2 pixel = ivec2(position.xy);
     int number = (pixel.x / ANSWERS);
     int answer = (pixel.x - (number * ANSWERS));
     ivec2 first_1 = ivec2((number * CASE_TEXELS), pixel.y);
-    Medium _e14 = medium_of(first_1);
-    vec4 view = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(6, 0)), 0);
-    vec4 light = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(7, 0)), 0);
+    medium_of(first_1, m_rayleigh, m_rayleigh_inv_height, m_mie_inv_height, m_mie_extinction, m_ozone_center, m_ozone_inv_half_width, m_ozone, m_radius, m_thickness);
+    vec3 _e23 = m_rayleigh;
+    float _e24 = m_rayleigh_inv_height;
+    float _e25 = m_mie_inv_height;
+    vec3 _e26 = m_mie_extinction;
+    float _e27 = m_ozone_center;
+    float _e28 = m_ozone_inv_half_width;
+    vec3 _e29 = m_ozone;
+    float _e30 = m_radius;
+    float _e31 = m_thickness;
     vec4 path = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(8, 0)), 0);
-    vec4 angle = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(9, 0)), 0);
-    vec4 share = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(10, 0)), 0);
-    vec4 scale = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(11, 0)), 0);
     if ((answer == 0)) {
-        vec4 _e59 = layers_of(_e14);
-        vec3 _e66 = path_densities(_e59, _e14.radius, path.x, path.y, path.z, uint(path.w));
-        _fs2p_location0 = vec4(_e66, 0.0);
+        vec4 _e41 = layers_of(_e24, _e25, _e27, _e28);
+        vec3 _e47 = path_densities(_e41, _e30, path.x, path.y, path.z, uint(path.w));
+        _fs2p_location0 = vec4(_e47, 0.0);
         return;
     }
-    mat3x3 _e69 = coefficients_of(_e14);
-    vec4 _e70 = layers_of(_e14);
-    vec3 _e77 = sun_transmittance(_e69, _e70, _e14.radius, _e14.thickness, path.x, path.y, uint(path.w));
-    _fs2p_location0 = vec4(_e77, 0.0);
+    mat3x3 _e50 = coefficients_of(_e23, _e26, _e29);
+    vec4 _e51 = layers_of(_e24, _e25, _e27, _e28);
+    vec3 _e56 = sun_transmittance(_e50, _e51, _e30, _e31, path.x, path.y, uint(path.w));
+    _fs2p_location0 = vec4(_e56, 0.0);
     return;
 }
 

@@ -43,49 +43,6 @@ struct Frame {
     float camera_altitude;
     vec4 limb;
 };
-struct AirRay {
-    float start;
-    float length_;
-    float x;
-    float b;
-    float x_closest;
-    float sun_b;
-    float nu;
-    float cross2_;
-    float shadow_b;
-    float shadow_c;
-    float shadow_half2_;
-    bool ground;
-};
-struct SunSide {
-    float sun_b;
-    float nu;
-    float cross2_;
-    float shadow_b;
-    float shadow_c;
-    float shadow_half2_;
-};
-struct Line {
-    float b;
-    float p;
-    float x_closest;
-    bool ground;
-};
-struct AirPath {
-    float start;
-    float length_;
-    float x;
-    float b;
-};
-struct Low {
-    float t;
-    float x;
-    float b;
-};
-struct Scattered {
-    vec3 radiance;
-    vec3 transmittance;
-};
 const float HALF_MAX = 32000.0;
 const float INV_4PI = 0.07957747;
 
@@ -128,181 +85,223 @@ float half_chord2_(float b_2, float above, float depth, float p) {
     return (depth * (sphere + p));
 }
 
-float shadow_half2_(SunSide s, float side_z, float r, float radius_3) {
-    float sine = max(sqrt(s.cross2_), 1e-18);
+float shadow_half2_(float s_cross2_, float s_shadow_b, float s_shadow_c, float side_z, float r, float radius_3) {
+    float sine = max(sqrt(s_cross2_), 1e-18);
     float p_1 = ((r * abs(side_z)) / sine);
-    float _e15 = half_chord2_((s.shadow_b / sine), s.shadow_c, (radius_3 - p_1), p_1);
-    return _e15;
+    float _e14 = half_chord2_((s_shadow_b / sine), s_shadow_c, (radius_3 - p_1), p_1);
+    return _e14;
 }
 
-SunSide sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_3, float radius_4) {
-    SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    s_1.nu = dot(dir, sun);
-    float _e9 = s_1.nu;
-    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s_1.cross2_ = dot(side, side);
-    s_1.sun_b = (r_1 * sun.z);
-    s_1.shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+void sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_3, float radius_4) {
+    float s_sun_b = 0.0;
+    float s_nu = 0.0;
+    float s_cross2_1 = 0.0;
+    float s_shadow_b_1 = 0.0;
+    float s_shadow_c_1 = 0.0;
+    s_nu = dot(dir, sun);
+    float _e8 = s_nu;
+    vec3 side = cross((dir - (((_e8 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    s_cross2_1 = dot(side, side);
+    s_sun_b = (r_1 * sun.z);
+    s_shadow_b_1 = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
     float q = (r_1 * length(sun.xy));
-    float _e37 = s_1.sun_b;
-    float _e39 = half_chord2_(_e37, x_3, (radius_4 - q), q);
-    s_1.shadow_c = -(_e39);
-    SunSide _e42 = s_1;
-    float _e44 = shadow_half2_(_e42, side.z, r_1, radius_4);
-    s_1.shadow_half2_ = _e44;
-    SunSide _e45 = s_1;
-    return _e45;
+    float _e32 = s_sun_b;
+    float _e36 = half_chord2_(_e32, x_3, (radius_4 - q), q);
+    s_shadow_c_1 = -(_e36);
+    float _e38 = s_cross2_1;
+    float _e39 = s_shadow_b_1;
+    float _e40 = s_shadow_c_1;
+    float _e42 = shadow_half2_(_e38, _e39, _e40, side.z, r_1, radius_4);
 }
 
-SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half_, float x_top_1, float radius_5) {
-    SunSide s_2 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    s_2.nu = dot(dir_1, sun_1);
-    float _e11 = s_2.nu;
-    float same = ((_e11 >= 0.0) ? 1.0 : -1.0);
+void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half_, float x_top_1, float radius_5) {
+    float s_sun_b_1 = 0.0;
+    float s_nu_1 = 0.0;
+    float s_cross2_2 = 0.0;
+    float s_shadow_b_2 = 0.0;
+    float s_shadow_c_2 = 0.0;
+    s_nu_1 = dot(dir_1, sun_1);
+    float _e8 = s_nu_1;
+    float same = ((_e8 >= 0.0) ? 1.0 : -1.0);
     vec3 apart = (dir_1 - (same * sun_1));
     vec3 side_1 = cross(apart, sun_1);
-    s_2.cross2_ = dot(side_1, side_1);
+    s_cross2_2 = dot(side_1, side_1);
     vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
     float there = (-(same) * dot(closest, apart));
     float here = (r_2 * sun_1.z);
-    float _e38 = s_2.nu;
-    float _e44 = s_2.nu;
-    bool nearer = ((abs(here) + (start * abs(_e38))) < (abs(there) + (half_ * abs(_e44))));
-    float _e51 = s_2.nu;
-    float _e55 = s_2.nu;
-    s_2.sun_b = (nearer ? (here + (start * _e55)) : (there - (half_ * _e51)));
+    float _e34 = s_nu_1;
+    float _e40 = s_nu_1;
+    bool nearer = ((abs(here) + (start * abs(_e34))) < (abs(there) + (half_ * abs(_e40))));
+    float _e46 = s_nu_1;
+    float _e49 = s_nu_1;
+    s_sun_b_1 = (nearer ? (here + (start * _e49)) : (there - (half_ * _e46)));
     vec3 closest_side = cross(closest, sun_1);
-    float _e63 = s_2.cross2_;
-    s_2.shadow_b = (dot(closest_side, side_1) - (half_ * _e63));
+    float _e55 = s_cross2_2;
+    s_shadow_b_2 = (dot(closest_side, side_1) - (half_ * _e55));
     float q_1 = length((closest_side - (half_ * side_1)));
-    float _e71 = s_2.sun_b;
-    float _e73 = half_chord2_(_e71, x_top_1, (radius_5 - q_1), q_1);
-    s_2.shadow_c = -(_e73);
-    SunSide _e76 = s_2;
-    float _e78 = shadow_half2_(_e76, side_1.z, r_2, radius_5);
-    s_2.shadow_half2_ = _e78;
-    SunSide _e79 = s_2;
-    return _e79;
+    float _e61 = s_sun_b_1;
+    float _e65 = half_chord2_(_e61, x_top_1, (radius_5 - q_1), q_1);
+    s_shadow_c_2 = -(_e65);
+    float _e67 = s_cross2_2;
+    float _e68 = s_shadow_b_2;
+    float _e69 = s_shadow_c_2;
+    float _e71 = shadow_half2_(_e67, _e68, _e69, side_1.z, r_2, radius_5);
 }
 
-Line line_past(vec3 dir_2, float h_1, float radius_6) {
-    bool local = false;
+void line_past(vec3 dir_2, float h_1, float radius_6, inout float out_b, inout float out_x_closest, inout bool out_ground) {
+    bool unnamed = false;
     float r_3 = (radius_6 + h_1);
     float b_4 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
-    float _e11 = excess_of(h_1, radius_6);
-    float _e13 = half_chord2_(b_4, _e11, (radius_6 - p_2), p_2);
+    float _e14 = excess_of(h_1, radius_6);
+    float _e16 = half_chord2_(b_4, _e14, (radius_6 - p_2), p_2);
     if ((b_4 < 0.0)) {
-        local = (_e13 >= 0.0);
+        unnamed = (_e16 >= 0.0);
     } else {
-        local = false;
+        unnamed = false;
     }
-    bool _e22 = local;
-    return Line(b_4, p_2, -(_e13), _e22);
+    bool _e25 = unnamed;
+    out_b = b_4;
+    out_x_closest = -(_e16);
+    out_ground = _e25;
 }
 
-float top_half_chord2_(Line line, float h_2, float radius_7, float thickness) {
-    float b2_ = (line.b * line.b);
-    float _e7 = excess_of(thickness, radius_7);
+float top_half_chord2_(float line_b, float line_x_closest, float h_2, float radius_7, float thickness) {
+    float b2_ = (line_b * line_b);
+    float _e5 = excess_of(thickness, radius_7);
     float above_1 = ((h_2 - thickness) * (((2.0 * radius_7) + thickness) + h_2));
-    return ((b2_ < _e7) ? (b2_ - above_1) : (_e7 - line.x_closest));
+    return ((b2_ < _e5) ? (b2_ - above_1) : (_e5 - line_x_closest));
 }
 
 float to_ground(float x_4, float b_3, float root) {
     return min((x_4 / (root - b_3)), -(b_3));
 }
 
-AirPath air_path(Line line_1, float h_3, float radius_8, float thickness_1) {
-    bool local_1 = false;
-    float _e4 = excess_of(thickness_1, radius_8);
-    float ground_root = sqrt(max(-(line_1.x_closest), 0.0));
+void air_path(float line_b_1, float line_x_closest_1, bool line_ground, float h_3, float radius_8, float thickness_1, inout float out_start, inout float out_length, inout float out_x, inout float out_b_1) {
+    bool unnamed_1 = false;
+    float _e6 = excess_of(thickness_1, radius_8);
+    float ground_root = sqrt(max(-(line_x_closest_1), 0.0));
     if ((h_3 <= thickness_1)) {
-        float _e11 = excess_of(h_3, radius_8);
-        float _e13 = distance_to_top(_e11, line_1.b, _e4);
-        float _e15 = to_ground(_e11, line_1.b, ground_root);
-        float reach = (line_1.ground ? _e15 : _e13);
-        return AirPath(0.0, reach, _e11, line_1.b);
+        float _e16 = excess_of(h_3, radius_8);
+        float _e17 = distance_to_top(_e16, line_b_1, _e6);
+        float _e18 = to_ground(_e16, line_b_1, ground_root);
+        float reach = (line_ground ? _e18 : _e17);
+        out_start = 0.0;
+        out_length = reach;
+        out_x = _e16;
+        out_b_1 = line_b_1;
+        return;
     }
     float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_8) + thickness_1) + h_3));
-    float _e27 = top_half_chord2_(line_1, h_3, radius_8, thickness_1);
-    if (!((line_1.b >= 0.0))) {
-        local_1 = (_e27 <= 0.0);
+    float _e27 = top_half_chord2_(line_b_1, line_x_closest_1, h_3, radius_8, thickness_1);
+    if (!((line_b_1 >= 0.0))) {
+        unnamed_1 = (_e27 <= 0.0);
     } else {
-        local_1 = true;
+        unnamed_1 = true;
     }
-    bool _e37 = local_1;
-    if (_e37) {
-        return AirPath(0.0, -1.0, 0.0, 0.0);
+    bool _e36 = unnamed_1;
+    if (_e36) {
+        out_start = 0.0;
+        out_length = -1.0;
+        out_x = 0.0;
+        out_b_1 = 0.0;
+        return;
     }
     float half_1 = sqrt(_e27);
-    float _e50 = to_ground(_e4, -(half_1), ground_root);
-    return AirPath((above_2 / (half_1 - line_1.b)), (line_1.ground ? _e50 : (2.0 * half_1)), _e4, -(half_1));
+    float _e47 = to_ground(_e6, -(half_1), ground_root);
+    out_start = (above_2 / (half_1 - line_b_1));
+    out_length = (line_ground ? _e47 : (2.0 * half_1));
+    out_x = _e6;
+    out_b_1 = -(half_1);
 }
 
-AirRay air_ray(vec3 dir_3, float h_4, float radius_9, float thickness_2, vec3 sun_2) {
-    SunSide s_3 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    bool local_2 = false;
-    Line _e5 = line_past(dir_3, h_4, radius_9);
-    AirPath _e6 = air_path(_e5, h_4, radius_9, thickness_2);
+void air_ray(vec3 dir_3, float h_4, float radius_9, float thickness_2, vec3 sun_2, inout float out_length_1, inout float out_x_1, inout float out_b_2, inout float out_x_closest_1, inout bool out_ground_1) {
+    bool unnamed_2 = false;
+    float line_b_2 = 0.0;
+    float line_x_closest_2 = 0.0;
+    bool line_ground_1 = false;
+    float path_start = 0.0;
+    float path_length = 0.0;
+    float path_x = 0.0;
+    float path_b = 0.0;
+    line_past(dir_3, h_4, radius_9, line_b_2, line_x_closest_2, line_ground_1);
+    float _e11 = line_b_2;
+    float _e12 = line_x_closest_2;
+    bool _e13 = line_ground_1;
+    air_path(_e11, _e12, _e13, h_4, radius_9, thickness_2, path_start, path_length, path_x, path_b);
+    float _e19 = path_start;
+    float _e20 = path_length;
+    float _e21 = path_x;
+    float _e22 = path_b;
     if ((h_4 <= thickness_2)) {
-        SunSide _e11 = sun_side_inside(dir_3, sun_2, (radius_9 + h_4), _e6.x, radius_9);
-        s_3 = _e11;
+        sun_side_inside(dir_3, sun_2, (radius_9 + h_4), _e21, radius_9);
     } else {
-        if ((_e6.length_ > 0.0)) {
-            SunSide _e20 = sun_side_outside(dir_3, sun_2, (radius_9 + h_4), _e6.start, -(_e6.b), _e6.x, radius_9);
-            s_3 = _e20;
+        if ((_e20 > 0.0)) {
+            sun_side_outside(dir_3, sun_2, (radius_9 + h_4), _e19, -(_e22), _e21, radius_9);
         } else {
-            s_3.nu = dot(dir_3, sun_2);
         }
     }
-    if (_e5.ground) {
-        local_2 = (_e6.length_ >= 0.0);
+    if (_e13) {
+        unnamed_2 = (_e20 >= 0.0);
     } else {
-        local_2 = false;
+        unnamed_2 = false;
     }
-    bool ground = local_2;
-    float _e37 = s_3.sun_b;
-    float _e39 = s_3.nu;
-    float _e41 = s_3.cross2_;
-    float _e43 = s_3.shadow_b;
-    float _e45 = s_3.shadow_c;
-    float _e47 = s_3.shadow_half2_;
-    return AirRay(_e6.start, _e6.length_, _e6.x, _e6.b, _e5.x_closest, _e37, _e39, _e41, _e43, _e45, _e47, ground);
+    bool ground = unnamed_2;
+    out_length_1 = _e20;
+    out_x_1 = _e21;
+    out_b_2 = _e22;
+    out_x_closest_1 = _e12;
+    out_ground_1 = ground;
 }
 
-Low lowest(AirRay ray, float length_, float radius_10) {
-    bool local_3 = false;
-    if ((ray.b >= 0.0)) {
-        return Low(0.0, ray.x, ray.b);
+void lowest(float ray_length_1, float ray_x_1, float ray_b_1, float ray_x_closest_1, bool ray_ground_1, float length_, float radius_10, inout float out_t, inout float out_x_2, inout float out_b_3) {
+    bool unnamed_3 = false;
+    if ((ray_b_1 >= 0.0)) {
+        out_t = 0.0;
+        out_x_2 = ray_x_1;
+        out_b_3 = ray_b_1;
+        return;
     }
-    if ((-(ray.b) <= length_)) {
-        return Low(-(ray.b), ray.x_closest, 0.0);
+    if ((-(ray_b_1) <= length_)) {
+        out_t = -(ray_b_1);
+        out_x_2 = ray_x_closest_1;
+        out_b_3 = 0.0;
+        return;
     }
-    float b_5 = (ray.b + length_);
-    if (ray.ground) {
-        local_3 = (length_ >= ray.length_);
+    float b_5 = (ray_b_1 + length_);
+    if (ray_ground_1) {
+        unnamed_3 = (length_ >= ray_length_1);
     } else {
-        local_3 = false;
+        unnamed_3 = false;
     }
-    bool _e26 = local_3;
-    if (_e26) {
-        return Low(length_, 0.0, b_5);
+    bool _e21 = unnamed_3;
+    if (_e21) {
+        out_t = length_;
+        out_x_2 = 0.0;
+        out_b_3 = b_5;
+        return;
     }
-    bool far = ((-(ray.b) * length_) > (radius_10 * radius_10));
-    return Low(length_, (far ? (ray.x_closest + (b_5 * b_5)) : (ray.x + (length_ * ((2.0 * ray.b) + length_)))), b_5);
+    bool far = ((-(ray_b_1) * length_) > (radius_10 * radius_10));
+    out_t = length_;
+    out_x_2 = (far ? (ray_x_closest_1 + (b_5 * b_5)) : (ray_x_1 + (length_ * ((2.0 * ray_b_1) + length_))));
+    out_b_3 = b_5;
 }
 
 bool hits_planet(vec3 dir_4, float h_5, float radius_11) {
-    Line _e3 = line_past(dir_4, h_5, radius_11);
-    return _e3.ground;
+    float line_past_b = 0.0;
+    float line_past_x_closest = 0.0;
+    bool line_past_ground = false;
+    line_past(dir_4, h_5, radius_11, line_past_b, line_past_x_closest, line_past_ground);
+    bool _e6 = line_past_ground;
+    return _e6;
 }
 
-vec4 layers_of(Medium m) {
-    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+vec4 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width) {
+    return vec4(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_center, m_ozone_inv_half_width);
 }
 
-mat3x3 coefficients_of(Medium m_1) {
-    return mat3x3(m_1.rayleigh, m_1.mie_extinction, m_1.ozone);
+mat3x3 coefficients_of(vec3 m_rayleigh, vec3 m_mie_extinction, vec3 m_ozone) {
+    return mat3x3(m_rayleigh, m_mie_extinction, m_ozone);
 }
 
 vec3 densities(vec4 layers, float h_6) {
@@ -314,8 +313,8 @@ vec3 densities(vec4 layers, float h_6) {
 
 vec3 extinction(mat3x3 coefficients, vec3 d_1) {
     vec3 sum = vec3(0.0);
-    vec3 _e5 = sum;
-    sum = (_e5 + (coefficients[2] * d_1.z));
+    vec3 _e3 = sum;
+    sum = (_e3 + (coefficients[2] * d_1.z));
     vec3 _e10 = sum;
     return _e10;
 }
@@ -324,87 +323,118 @@ float warp(float low, float u) {
     return (low + (u * abs(u)));
 }
 
-Scattered single_scattering(Medium m_2, AirRay ray_1, float length_1, float away, uint view_samples, uint light_samples) {
-    Scattered out_ = Scattered(vec3(0.0), vec3(0.0));
+void single_scattering(vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, float m_mie_inv_height_1, vec3 m_mie_extinction_1, float m_ozone_center_1, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float ray_length_2, float ray_x_2, float ray_b_2, float ray_x_closest_2, bool ray_ground_2, float length_1, float away, uint view_samples, uint light_samples, inout vec3 out_radiance, inout vec3 out_transmittance) {
+    vec3 out_radiance_1 = vec3(0.0);
+    vec3 out_transmittance_1 = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
-    out_.radiance = vec3(0.0);
-    out_.transmittance = vec3(1.0);
-    vec4 _e13 = layers_of(m_2);
-    mat3x3 _e14 = coefficients_of(m_2);
-    Low _e16 = lowest(ray_1, length_1, m_2.radius);
-    float low_1 = _e16.t;
+    float lowest_t = 0.0;
+    float lowest_x = 0.0;
+    float lowest_b = 0.0;
+    out_radiance_1 = vec3(0.0);
+    out_transmittance_1 = vec3(1.0);
+    vec4 _e18 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
+    mat3x3 _e19 = coefficients_of(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
+    lowest(ray_length_2, ray_x_2, ray_b_2, ray_x_closest_2, ray_ground_2, length_1, m_radius, lowest_t, lowest_x, lowest_b);
+    float low_1 = lowest_t;
+    float _e30 = lowest_x;
+    float _e31 = lowest_b;
     float u0_ = -(sqrt(low_1));
     float du = ((sqrt((length_1 - low_1)) - u0_) / float(view_samples));
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e57 = i;
-            i = (_e57 + 1u);
+            uint _e65 = i;
+            i = (_e65 + 1u);
         }
         loop_init = false;
-        uint _e29 = i;
-        if ((_e29 < view_samples)) {
+        uint _e41 = i;
+        if ((_e41 < view_samples)) {
         } else {
             break;
         }
         {
-            uint _e31 = i;
-            float u_1 = (u0_ + (du * float(_e31)));
-            float _e36 = warp(low_1, (u_1 + du));
-            float _e37 = t0_;
-            float step_ = (_e36 - _e37);
-            float _e42 = warp(low_1, (u_1 + (0.5 * du)));
-            float _e47 = altitude_after(_e16.x, _e16.b, (_e42 - low_1), m_2.radius);
-            vec3 _e48 = densities(_e13, _e47);
-            vec3 _e49 = extinction(_e14, _e48);
-            vec3 tau = (_e49 * step_);
-            vec3 _e52 = out_.transmittance;
-            out_.transmittance = (_e52 * exp(-(tau)));
-            t0_ = _e36;
+            uint _e43 = i;
+            float u_1 = (u0_ + (du * float(_e43)));
+            float _e48 = warp(low_1, (u_1 + du));
+            float _e50 = t0_;
+            float step_ = (_e48 - _e50);
+            float _e55 = warp(low_1, (u_1 + (0.5 * du)));
+            float _e57 = altitude_after(_e30, _e31, (_e55 - low_1), m_radius);
+            vec3 _e58 = densities(_e18, _e57);
+            vec3 _e59 = extinction(_e19, _e58);
+            vec3 tau = (_e59 * step_);
+            vec3 _e61 = out_transmittance_1;
+            out_transmittance_1 = (_e61 * exp(-(tau)));
+            t0_ = _e48;
         }
     }
-    Scattered _e59 = out_;
-    return _e59;
+    vec3 _e68 = out_radiance_1;
+    vec3 _e69 = out_transmittance_1;
+    out_radiance = _e68;
+    out_transmittance = _e69;
 }
 
 void main() {
     vec4 position = gl_FragCoord;
     vec3 light = vec3(0.0);
     vec3 through = vec3(1.0);
-    vec2 _e4 = _group_0_binding_0_fs.size;
-    vec3 _e7 = _group_0_binding_0_fs.ray_forward;
-    vec3 _e10 = _group_0_binding_0_fs.ray_right;
-    vec3 _e13 = _group_0_binding_0_fs.ray_up;
-    vec3 _e14 = pixel_ray(position.xy, _e4, _e7, _e10, _e13);
-    vec3 dir_5 = normalize(_e14);
-    Medium m_3 = _group_0_binding_0_fs.medium;
-    float _e21 = _group_0_binding_0_fs.altitude;
-    bool _e23 = hits_planet(dir_5, _e21, m_3.radius);
-    if (_e23) {
-        uint _e26 = _group_0_binding_0_fs.low_resolution;
-        if ((_e26 == 0u)) {
+    float ray_length = 0.0;
+    float ray_x = 0.0;
+    float ray_b = 0.0;
+    float ray_x_closest = 0.0;
+    bool ray_ground = false;
+    vec3 s_radiance = vec3(0.0);
+    vec3 s_transmittance = vec3(0.0);
+    vec2 _e8 = _group_0_binding_0_fs.size;
+    vec3 _e11 = _group_0_binding_0_fs.ray_forward;
+    vec3 _e14 = _group_0_binding_0_fs.ray_right;
+    vec3 _e17 = _group_0_binding_0_fs.ray_up;
+    vec3 _e18 = pixel_ray(position.xy, _e8, _e11, _e14, _e17);
+    vec3 dir_5 = normalize(_e18);
+    vec3 m_rayleigh_2 = _group_0_binding_0_fs.medium.rayleigh;
+    float m_rayleigh_inv_height_2 = _group_0_binding_0_fs.medium.rayleigh_inv_height;
+    float m_mie_inv_height_2 = _group_0_binding_0_fs.medium.mie_inv_height;
+    vec3 m_mie_extinction_2 = _group_0_binding_0_fs.medium.mie_extinction;
+    float m_ozone_center_2 = _group_0_binding_0_fs.medium.ozone_center;
+    float m_ozone_inv_half_width_2 = _group_0_binding_0_fs.medium.ozone_inv_half_width;
+    vec3 m_ozone_2 = _group_0_binding_0_fs.medium.ozone;
+    float m_radius_1 = _group_0_binding_0_fs.medium.radius;
+    vec3 m_irradiance = _group_0_binding_0_fs.medium.irradiance;
+    float m_thickness = _group_0_binding_0_fs.medium.thickness;
+    float _e44 = _group_0_binding_0_fs.altitude;
+    bool _e45 = hits_planet(dir_5, _e44, m_radius_1);
+    if (_e45) {
+        uint _e48 = _group_0_binding_0_fs.low_resolution;
+        if ((_e48 == 0u)) {
             discard;
         }
         _fs2p_location0 = vec4(0.0, 0.0, 0.0, -1.0);
         return;
     }
-    vec3 _e36 = _group_0_binding_0_fs.sun;
-    vec3 offset = (dir_5 - _e36);
-    float _e46 = _group_0_binding_0_fs.altitude;
-    vec3 _e51 = _group_0_binding_0_fs.sun;
-    AirRay _e52 = air_ray(dir_5, _e46, m_3.radius, m_3.thickness, _e51);
-    if ((_e52.length_ > 0.0)) {
-        uint _e62 = _group_0_binding_0_fs.view_samples;
-        uint _e65 = _group_0_binding_0_fs.light_samples;
-        Scattered _e66 = single_scattering(m_3, _e52, _e52.length_, (0.5 * dot(offset, offset)), _e62, _e65);
-        float _e70 = _group_0_binding_0_fs.sky_weight;
-        light = (_e66.radiance * _e70);
-        through = _e66.transmittance;
+    vec3 _e58 = _group_0_binding_0_fs.sun;
+    vec3 offset = (dir_5 - _e58);
+    float _e62 = _group_0_binding_0_fs.altitude;
+    vec3 _e65 = _group_0_binding_0_fs.sun;
+    air_ray(dir_5, _e62, m_radius_1, m_thickness, _e65, ray_length, ray_x, ray_b, ray_x_closest, ray_ground);
+    float _e71 = ray_length;
+    float _e72 = ray_x;
+    float _e73 = ray_b;
+    float _e74 = ray_x_closest;
+    bool _e75 = ray_ground;
+    if ((_e71 > 0.0)) {
+        uint _e83 = _group_0_binding_0_fs.view_samples;
+        uint _e86 = _group_0_binding_0_fs.light_samples;
+        single_scattering(m_rayleigh_2, m_rayleigh_inv_height_2, m_mie_inv_height_2, m_mie_extinction_2, m_ozone_center_2, m_ozone_inv_half_width_2, m_ozone_2, m_radius_1, _e71, _e72, _e73, _e74, _e75, _e71, (0.5 * dot(offset, offset)), _e83, _e86, s_radiance, s_transmittance);
+        vec3 _e89 = s_radiance;
+        vec3 _e90 = s_transmittance;
+        float _e93 = _group_0_binding_0_fs.sky_weight;
+        light = (_e89 * _e93);
+        through = _e90;
     }
-    vec3 _e73 = light;
-    vec3 _e79 = through;
-    _fs2p_location0 = vec4(min((_e73 * m_3.irradiance), vec3(32000.0)), (1.0 - dot(_e79, vec3(0.33333334))));
+    vec3 _e97 = light;
+    vec3 _e102 = through;
+    _fs2p_location0 = vec4(min((_e97 * m_irradiance), vec3(32000.0)), (1.0 - dot(_e102, vec3(0.33333334))));
     return;
 }
 

@@ -43,12 +43,6 @@ struct Frame {
     float camera_altitude;
     vec4 limb;
 };
-struct Line {
-    float b;
-    float p;
-    float x_closest;
-    bool ground;
-};
 struct Tables {
     vec3 mie_extinction;
     float altitude_steepness;
@@ -110,27 +104,30 @@ float half_chord2_(float b, float above, float depth, float p) {
     return (depth * (sphere + p));
 }
 
-Line line_past(vec3 dir, float h_1, float radius_1) {
-    bool local = false;
+void line_past(vec3 dir, float h_1, float radius_1, inout float out_b, inout float out_p, inout float out_x_closest, inout bool out_ground) {
+    bool unnamed = false;
     float r = (radius_1 + h_1);
     float b_1 = (r * dir.z);
     float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
-    float _e11 = excess_of(h_1, radius_1);
-    float _e13 = half_chord2_(b_1, _e11, (radius_1 - p_1), p_1);
+    float _e15 = excess_of(h_1, radius_1);
+    float _e17 = half_chord2_(b_1, _e15, (radius_1 - p_1), p_1);
     if ((b_1 < 0.0)) {
-        local = (_e13 >= 0.0);
+        unnamed = (_e17 >= 0.0);
     } else {
-        local = false;
+        unnamed = false;
     }
-    bool _e22 = local;
-    return Line(b_1, p_1, -(_e13), _e22);
+    bool _e26 = unnamed;
+    out_b = b_1;
+    out_p = p_1;
+    out_x_closest = -(_e17);
+    out_ground = _e26;
 }
 
-float top_half_chord2_(Line line, float h_2, float radius_2, float thickness) {
-    float b2_ = (line.b * line.b);
-    float _e7 = excess_of(thickness, radius_2);
+float top_half_chord2_(float line_b_1, float line_x_closest_1, float h_2, float radius_2, float thickness) {
+    float b2_ = (line_b_1 * line_b_1);
+    float _e5 = excess_of(thickness, radius_2);
     float above_1 = ((h_2 - thickness) * (((2.0 * radius_2) + thickness) + h_2));
-    return ((b2_ < _e7) ? (b2_ - above_1) : (_e7 - line.x_closest));
+    return ((b2_ < _e5) ? (b2_ - above_1) : (_e5 - line_x_closest_1));
 }
 
 vec2 table_uv(float x_share, float row, vec2 size_1) {
@@ -150,22 +147,22 @@ float azimuth_share(vec3 dir_1) {
     return (s_1 / (large + small));
 }
 
-float zenith_share(Line line_1, float mu, float h_3, float radius_3, float thickness_1, vec4 limb) {
-    if (line_1.ground) {
-        float cosine_1 = min((sqrt(max(-(line_1.x_closest), 0.0)) / radius_3), 1.0);
-        float _e26 = crowded((0.5 * cosine_1), ((line_1.p / radius_3) / sqrt((2.0 + (2.0 * cosine_1)))), SQRT_HALF);
-        return _e26;
+float zenith_share(float line_b_2, float line_p_1, float line_x_closest_2, bool line_ground_1, float mu, float h_3, float radius_3, float thickness_1, vec4 limb) {
+    if (line_ground_1) {
+        float cosine_1 = min((sqrt(max(-(line_x_closest_2), 0.0)) / radius_3), 1.0);
+        float _e22 = crowded((0.5 * cosine_1), ((line_p_1 / radius_3) / sqrt((2.0 + (2.0 * cosine_1)))), SQRT_HALF);
+        return _e22;
     }
     if ((mu >= 0.0)) {
-        float s_2 = ((line_1.p / (radius_3 + h_3)) / sqrt((2.0 + (2.0 * mu))));
-        float _e48 = crowded((0.5 * (mu + limb.w)), s_2, sqrt((0.5 + (0.5 * limb.w))));
-        return (limb.x + (((1.0 - limb.x) * max((_e48 - limb.z), 0.0)) / (1.0 - limb.z)));
+        float s_2 = ((line_p_1 / (radius_3 + h_3)) / sqrt((2.0 + (2.0 * mu))));
+        float _e46 = crowded((0.5 * (mu + limb.w)), s_2, sqrt((0.5 + (0.5 * limb.w))));
+        return (limb.x + (((1.0 - limb.x) * max((_e46 - limb.z), 0.0)) / (1.0 - limb.z)));
     }
     float limit = max(min(h_3, thickness_1), 1e-20);
-    float lowest = (max(line_1.x_closest, 0.0) / (radius_3 + line_1.p));
+    float lowest = (max(line_x_closest_2, 0.0) / (radius_3 + line_p_1));
     float part = min((lowest / limit), 1.0);
-    float _e78 = top_half_chord2_(line_1, h_3, radius_3, thickness_1);
-    float b2_1 = ((h_3 > thickness_1) ? _e78 : (line_1.b * line_1.b));
+    float _e73 = top_half_chord2_(line_b_2, line_x_closest_2, h_3, radius_3, thickness_1);
+    float b2_1 = ((h_3 > thickness_1) ? _e73 : (line_b_2 * line_b_2));
     float v_1 = sqrt(clamp((b2_1 / (limit * (((2.0 * radius_3) + limit) + lowest))), 0.0, 1.0));
     return (limb.x * sqrt(((part * (1.0 + (limb.y * v_1))) / (1.0 + v_1))));
 }
@@ -203,6 +200,10 @@ vec3 aerosol_phase(vec3 dir_2, vec3 sun, vec3 asymmetry) {
 void main() {
     vec4 position = gl_FragCoord;
     vec3 light = vec3(0.0);
+    float line_b = 0.0;
+    float line_p = 0.0;
+    float line_x_closest = 0.0;
+    bool line_ground = false;
     vec2 _e5 = _group_0_binding_0_fs.frame.size;
     vec3 _e9 = _group_0_binding_0_fs.frame.ray_forward;
     vec3 _e13 = _group_0_binding_0_fs.frame.ray_right;
@@ -212,40 +213,44 @@ void main() {
     float h_4 = _group_0_binding_0_fs.frame.altitude;
     float radius_4 = _group_0_binding_0_fs.frame.medium.radius;
     float thickness_2 = _group_0_binding_0_fs.frame.medium.thickness;
-    Line _e34 = line_past(dir_3, h_4, radius_4);
-    if (_e34.ground) {
-        uint _e39 = _group_0_binding_0_fs.frame.low_resolution;
-        if ((_e39 == 0u)) {
+    line_past(dir_3, h_4, radius_4, line_b, line_p, line_x_closest, line_ground);
+    float _e38 = line_b;
+    float _e39 = line_p;
+    float _e40 = line_x_closest;
+    bool _e41 = line_ground;
+    if (_e41) {
+        uint _e45 = _group_0_binding_0_fs.frame.low_resolution;
+        if ((_e45 == 0u)) {
             discard;
         }
         _fs2p_location0 = vec4(0.0, 0.0, 0.0, -1.0);
         return;
     }
     vec2 size_2 = vec2(uvec2(textureSize(_group_0_binding_1_fs, 0).xy));
-    vec4 _e54 = _group_0_binding_0_fs.frame.limb;
-    float _e55 = zenith_share(_e34, dir_3.z, h_4, radius_4, thickness_2, _e54);
-    float _e56 = azimuth_share(dir_3);
-    float _e62 = _group_0_binding_0_fs.tables.ground_rows;
-    float _e63 = sky_row(_e55, false, size_2.y, _e62);
-    vec2 _e64 = table_uv(_e56, _e63, size_2);
-    vec4 texel = textureLod(_group_0_binding_1_fs, vec2(_e64), 0.0);
-    vec3 _e70 = fourth(texel.xyz);
-    light = _e70;
-    vec3 _e72 = light;
-    vec4 _e76 = textureLod(_group_0_binding_2_fs, vec2(_e64), 0.0);
-    vec3 _e78 = fourth(_e76.xyz);
-    vec3 _e82 = _group_0_binding_0_fs.frame.sun;
-    vec3 _e87 = _group_0_binding_0_fs.frame.medium.mie_asymmetry;
-    vec3 _e88 = aerosol_phase(dir_3, _e82, _e87);
-    light = (_e72 + (_e78 * _e88));
-    vec3 _e91 = light;
-    float _e95 = _group_0_binding_0_fs.frame.sky_weight;
-    light = (_e91 * _e95);
+    vec4 _e60 = _group_0_binding_0_fs.frame.limb;
+    float _e61 = zenith_share(_e38, _e39, _e40, _e41, dir_3.z, h_4, radius_4, thickness_2, _e60);
+    float _e62 = azimuth_share(dir_3);
+    float _e67 = _group_0_binding_0_fs.tables.ground_rows;
+    float _e69 = sky_row(_e61, false, size_2.y, _e67);
+    vec2 _e70 = table_uv(_e62, _e69, size_2);
+    vec4 texel = textureLod(_group_0_binding_1_fs, vec2(_e70), 0.0);
+    vec3 _e76 = fourth(texel.xyz);
+    light = _e76;
+    vec3 _e78 = light;
+    vec4 _e82 = textureLod(_group_0_binding_2_fs, vec2(_e70), 0.0);
+    vec3 _e84 = fourth(_e82.xyz);
+    vec3 _e88 = _group_0_binding_0_fs.frame.sun;
+    vec3 _e93 = _group_0_binding_0_fs.frame.medium.mie_asymmetry;
+    vec3 _e94 = aerosol_phase(dir_3, _e88, _e93);
+    light = (_e78 + (_e84 * _e94));
     vec3 _e97 = light;
-    vec3 _e102 = _group_0_binding_0_fs.frame.medium.irradiance;
-    light = min((_e97 * _e102), vec3(32000.0));
-    vec3 _e107 = light;
-    _fs2p_location0 = vec4(_e107, (1.0 - texel.w));
+    float _e101 = _group_0_binding_0_fs.frame.sky_weight;
+    light = (_e97 * _e101);
+    vec3 _e103 = light;
+    vec3 _e108 = _group_0_binding_0_fs.frame.medium.irradiance;
+    light = min((_e103 * _e108), vec3(32000.0));
+    vec3 _e113 = light;
+    _fs2p_location0 = vec4(_e113, (1.0 - texel.w));
     return;
 }
 

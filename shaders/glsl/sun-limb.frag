@@ -49,12 +49,6 @@ struct Uniforms {
     vec4 moon;
     vec4 shine;
 };
-struct Line {
-    float b;
-    float p;
-    float x_closest;
-    bool ground;
-};
 const float HALF_MAX = 32000.0;
 const uint STEPS = 128u;
 
@@ -83,20 +77,20 @@ float half_chord2_(float b, float above, float depth, float p) {
     return (depth * (sphere + p));
 }
 
-Line line_past(vec3 dir, float h_1, float radius_1) {
-    bool local_1 = false;
+void line_past(vec3 dir, float h_1, float radius_1, inout bool out_ground) {
+    bool unnamed_1 = false;
     float r_1 = (radius_1 + h_1);
     float b_1 = (r_1 * dir.z);
     float p_1 = (r_1 * sqrt(dot(dir.xy, dir.xy)));
-    float _e11 = excess_of(h_1, radius_1);
-    float _e13 = half_chord2_(b_1, _e11, (radius_1 - p_1), p_1);
+    float _e12 = excess_of(h_1, radius_1);
+    float _e14 = half_chord2_(b_1, _e12, (radius_1 - p_1), p_1);
     if ((b_1 < 0.0)) {
-        local_1 = (_e13 >= 0.0);
+        unnamed_1 = (_e14 >= 0.0);
     } else {
-        local_1 = false;
+        unnamed_1 = false;
     }
-    bool _e22 = local_1;
-    return Line(b_1, p_1, -(_e13), _e22);
+    bool _e22 = unnamed_1;
+    out_ground = _e22;
 }
 
 vec3 limb_exponents() {
@@ -104,8 +98,8 @@ vec3 limb_exponents() {
 }
 
 vec3 limb_darkening(float r, float half_) {
-    vec3 _e2 = limb_exponents();
-    vec3 power = ((0.5 * _e2) + vec3(1.0));
+    vec3 _e0 = limb_exponents();
+    vec3 power = ((0.5 * _e0) + vec3(1.0));
     float inner = clamp((r - half_), 0.0, 1.0);
     float outer = clamp((r + half_), 0.0, 1.0);
     float area = ((outer - inner) * (outer + inner));
@@ -120,34 +114,45 @@ vec3 limb_darkening(float r, float half_) {
 
 void main() {
     vec4 position = gl_FragCoord;
-    bool local = false;
+    bool unnamed = false;
     vec3 light = vec3(0.0);
-    Frame f = _group_0_binding_0_fs.frame;
-    Medium m = f.medium;
-    vec3 _e10 = pixel_ray(position.xy, f.size, f.ray_forward, f.ray_right, f.ray_up);
-    vec3 dir_1 = normalize(_e10);
-    Line _e14 = line_past(dir_1, f.altitude, m.radius);
-    float _e19 = disk_coverage((dir_1 - f.sun), f.sun_chord, f.pixel_angle);
-    if (!(_e14.ground)) {
-        local = (_e19 <= 0.0);
+    bool line_ground = false;
+    float f_medium_radius = _group_0_binding_0_fs.frame.medium.radius;
+    vec3 f_medium_irradiance = _group_0_binding_0_fs.frame.medium.irradiance;
+    vec3 f_ray_forward = _group_0_binding_0_fs.frame.ray_forward;
+    float f_altitude = _group_0_binding_0_fs.frame.altitude;
+    vec3 f_ray_right = _group_0_binding_0_fs.frame.ray_right;
+    vec3 f_ray_up = _group_0_binding_0_fs.frame.ray_up;
+    vec3 f_sun = _group_0_binding_0_fs.frame.sun;
+    float f_sun_chord = _group_0_binding_0_fs.frame.sun_chord;
+    vec2 f_size = _group_0_binding_0_fs.frame.size;
+    float f_sun_disk = _group_0_binding_0_fs.frame.sun_disk;
+    float f_pixel_angle = _group_0_binding_0_fs.frame.pixel_angle;
+    vec3 _e27 = pixel_ray(position.xy, f_size, f_ray_forward, f_ray_right, f_ray_up);
+    vec3 dir_1 = normalize(_e27);
+    line_past(dir_1, f_altitude, f_medium_radius, line_ground);
+    bool _e30 = line_ground;
+    float _e32 = disk_coverage((dir_1 - f_sun), f_sun_chord, f_pixel_angle);
+    if (!(_e30)) {
+        unnamed = (_e32 <= 0.0);
     } else {
-        local = true;
+        unnamed = true;
     }
-    bool _e27 = local;
-    if (_e27) {
+    bool _e39 = unnamed;
+    if (_e39) {
         discard;
     }
-    light = (m.irradiance * (f.sun_disk * _e19));
-    vec3 _e33 = light;
-    vec3 _e44 = limb_darkening((length((dir_1 - f.sun)) / f.sun_chord), ((0.5 * f.pixel_angle) / f.sun_chord));
-    light = (_e33 * _e44);
-    vec3 _e46 = light;
-    light = min(_e46, vec3(32000.0));
-    vec3 _e50 = light;
-    float _e52 = light.x;
-    float _e54 = light.y;
-    float _e56 = light.z;
-    _fs2p_location0 = vec4(_e50, (max(_e52, max(_e54, _e56)) * 3.125e-5));
+    light = (f_medium_irradiance * (f_sun_disk * _e32));
+    vec3 _e43 = light;
+    vec3 _e50 = limb_darkening((length((dir_1 - f_sun)) / f_sun_chord), ((0.5 * f_pixel_angle) / f_sun_chord));
+    light = (_e43 * _e50);
+    vec3 _e52 = light;
+    light = min(_e52, vec3(32000.0));
+    vec3 _e56 = light;
+    float _e58 = light.x;
+    float _e60 = light.y;
+    float _e62 = light.z;
+    _fs2p_location0 = vec4(_e56, (max(_e58, max(_e60, _e62)) * 3.125e-5));
     return;
 }
 

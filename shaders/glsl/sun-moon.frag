@@ -49,12 +49,6 @@ struct Uniforms {
     vec4 moon;
     vec4 shine;
 };
-struct Line {
-    float b;
-    float p;
-    float x_closest;
-    bool ground;
-};
 const float HALF_MAX = 32000.0;
 const uint STEPS = 128u;
 
@@ -87,57 +81,68 @@ float half_chord2_(float b, float above, float depth, float p) {
     return (depth * (sphere + p));
 }
 
-Line line_past(vec3 dir, float h_1, float radius_1) {
-    bool local_1 = false;
+void line_past(vec3 dir, float h_1, float radius_1, inout bool out_ground) {
+    bool unnamed_1 = false;
     float r = (radius_1 + h_1);
     float b_1 = (r * dir.z);
     float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
-    float _e11 = excess_of(h_1, radius_1);
-    float _e13 = half_chord2_(b_1, _e11, (radius_1 - p_1), p_1);
+    float _e12 = excess_of(h_1, radius_1);
+    float _e14 = half_chord2_(b_1, _e12, (radius_1 - p_1), p_1);
     if ((b_1 < 0.0)) {
-        local_1 = (_e13 >= 0.0);
+        unnamed_1 = (_e14 >= 0.0);
     } else {
-        local_1 = false;
+        unnamed_1 = false;
     }
-    bool _e22 = local_1;
-    return Line(b_1, p_1, -(_e13), _e22);
+    bool _e22 = unnamed_1;
+    out_ground = _e22;
 }
 
 void main() {
     vec4 position = gl_FragCoord;
-    bool local = false;
+    bool unnamed = false;
     vec3 light = vec3(0.0);
-    Frame f = _group_0_binding_0_fs.frame;
-    Medium m = f.medium;
-    vec3 _e10 = pixel_ray(position.xy, f.size, f.ray_forward, f.ray_right, f.ray_up);
-    vec3 dir_1 = normalize(_e10);
-    Line _e14 = line_past(dir_1, f.altitude, m.radius);
-    float _e19 = disk_coverage((dir_1 - f.sun), f.sun_chord, f.pixel_angle);
-    if (!(_e14.ground)) {
-        local = (_e19 <= 0.0);
+    bool line_ground = false;
+    float f_medium_radius = _group_0_binding_0_fs.frame.medium.radius;
+    vec3 f_medium_irradiance = _group_0_binding_0_fs.frame.medium.irradiance;
+    vec3 f_ray_forward = _group_0_binding_0_fs.frame.ray_forward;
+    float f_altitude = _group_0_binding_0_fs.frame.altitude;
+    vec3 f_ray_right = _group_0_binding_0_fs.frame.ray_right;
+    vec3 f_ray_up = _group_0_binding_0_fs.frame.ray_up;
+    vec3 f_sun = _group_0_binding_0_fs.frame.sun;
+    float f_sun_chord = _group_0_binding_0_fs.frame.sun_chord;
+    vec2 f_size = _group_0_binding_0_fs.frame.size;
+    float f_sun_disk = _group_0_binding_0_fs.frame.sun_disk;
+    float f_pixel_angle = _group_0_binding_0_fs.frame.pixel_angle;
+    vec3 _e27 = pixel_ray(position.xy, f_size, f_ray_forward, f_ray_right, f_ray_up);
+    vec3 dir_1 = normalize(_e27);
+    line_past(dir_1, f_altitude, f_medium_radius, line_ground);
+    bool _e30 = line_ground;
+    float _e32 = disk_coverage((dir_1 - f_sun), f_sun_chord, f_pixel_angle);
+    if (!(_e30)) {
+        unnamed = (_e32 <= 0.0);
     } else {
-        local = true;
+        unnamed = true;
     }
-    bool _e27 = local;
-    if (_e27) {
+    bool _e39 = unnamed;
+    if (_e39) {
         discard;
     }
-    light = (m.irradiance * (f.sun_disk * _e19));
-    vec4 _e35 = _group_0_binding_0_fs.moon;
-    float _e41 = _group_0_binding_0_fs.shine.x;
-    float _e43 = disk_coverage((dir_1 - _e35.xyz), _e41, f.pixel_angle);
-    float left = (1.0 - _e43);
-    vec3 _e46 = light;
-    float _e50 = _group_0_binding_0_fs.shine.w;
-    float _e53 = resolved(f.sun_chord, f.pixel_angle);
-    light = (_e46 * mix(_e50, left, _e53));
-    vec3 _e56 = light;
-    light = min(_e56, vec3(32000.0));
-    vec3 _e60 = light;
-    float _e62 = light.x;
-    float _e64 = light.y;
-    float _e66 = light.z;
-    _fs2p_location0 = vec4(_e60, (max(_e62, max(_e64, _e66)) * 3.125e-5));
+    light = (f_medium_irradiance * (f_sun_disk * _e32));
+    vec4 _e45 = _group_0_binding_0_fs.moon;
+    float _e51 = _group_0_binding_0_fs.shine.x;
+    float _e52 = disk_coverage((dir_1 - _e45.xyz), _e51, f_pixel_angle);
+    float left = (1.0 - _e52);
+    vec3 _e55 = light;
+    float _e59 = _group_0_binding_0_fs.shine.w;
+    float _e60 = resolved(f_sun_chord, f_pixel_angle);
+    light = (_e55 * mix(_e59, left, _e60));
+    vec3 _e63 = light;
+    light = min(_e63, vec3(32000.0));
+    vec3 _e67 = light;
+    float _e69 = light.x;
+    float _e71 = light.y;
+    float _e73 = light.z;
+    _fs2p_location0 = vec4(_e67, (max(_e69, max(_e71, _e73)) * 3.125e-5));
     return;
 }
 

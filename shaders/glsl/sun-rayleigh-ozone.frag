@@ -49,18 +49,6 @@ struct Uniforms {
     vec4 moon;
     vec4 shine;
 };
-struct Line {
-    float b;
-    float p;
-    float x_closest;
-    bool ground;
-};
-struct AirPath {
-    float start;
-    float length_;
-    float x;
-    float b;
-};
 const float HALF_MAX = 32000.0;
 const uint STEPS = 128u;
 
@@ -107,66 +95,75 @@ float half_chord2_(float b_2, float above, float depth, float p) {
     return (depth * (sphere + p));
 }
 
-Line line_past(vec3 dir, float h_1, float radius_3) {
-    bool local_1 = false;
+void line_past(vec3 dir, float h_1, float radius_3, inout float out_b, inout float out_x_closest, inout bool out_ground) {
+    bool unnamed_1 = false;
     float r = (radius_3 + h_1);
     float b_5 = (r * dir.z);
     float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
-    float _e11 = excess_of(h_1, radius_3);
-    float _e13 = half_chord2_(b_5, _e11, (radius_3 - p_1), p_1);
+    float _e14 = excess_of(h_1, radius_3);
+    float _e16 = half_chord2_(b_5, _e14, (radius_3 - p_1), p_1);
     if ((b_5 < 0.0)) {
-        local_1 = (_e13 >= 0.0);
+        unnamed_1 = (_e16 >= 0.0);
     } else {
-        local_1 = false;
+        unnamed_1 = false;
     }
-    bool _e22 = local_1;
-    return Line(b_5, p_1, -(_e13), _e22);
+    bool _e25 = unnamed_1;
+    out_b = b_5;
+    out_x_closest = -(_e16);
+    out_ground = _e25;
 }
 
-float top_half_chord2_(Line line, float h_2, float radius_4, float thickness) {
-    float b2_ = (line.b * line.b);
-    float _e7 = excess_of(thickness, radius_4);
+float top_half_chord2_(float line_b_1, float line_x_closest_1, float h_2, float radius_4, float thickness) {
+    float b2_ = (line_b_1 * line_b_1);
+    float _e5 = excess_of(thickness, radius_4);
     float above_1 = ((h_2 - thickness) * (((2.0 * radius_4) + thickness) + h_2));
-    return ((b2_ < _e7) ? (b2_ - above_1) : (_e7 - line.x_closest));
+    return ((b2_ < _e5) ? (b2_ - above_1) : (_e5 - line_x_closest_1));
 }
 
 float to_ground(float x_3, float b_3, float root) {
     return min((x_3 / (root - b_3)), -(b_3));
 }
 
-AirPath air_path(Line line_1, float h_3, float radius_5, float thickness_1) {
-    bool local_2 = false;
-    float _e4 = excess_of(thickness_1, radius_5);
-    float ground_root = sqrt(max(-(line_1.x_closest), 0.0));
+void air_path(float line_b_2, float line_x_closest_2, bool line_ground_1, float h_3, float radius_5, float thickness_1, inout float out_length, inout float out_x, inout float out_b_1) {
+    bool unnamed_2 = false;
+    float _e5 = excess_of(thickness_1, radius_5);
+    float ground_root = sqrt(max(-(line_x_closest_2), 0.0));
     if ((h_3 <= thickness_1)) {
-        float _e11 = excess_of(h_3, radius_5);
-        float _e13 = distance_to_top(_e11, line_1.b, _e4);
-        float _e15 = to_ground(_e11, line_1.b, ground_root);
-        float reach = (line_1.ground ? _e15 : _e13);
-        return AirPath(0.0, reach, _e11, line_1.b);
+        float _e15 = excess_of(h_3, radius_5);
+        float _e16 = distance_to_top(_e15, line_b_2, _e5);
+        float _e17 = to_ground(_e15, line_b_2, ground_root);
+        float reach = (line_ground_1 ? _e17 : _e16);
+        out_length = reach;
+        out_x = _e15;
+        out_b_1 = line_b_2;
+        return;
     }
-    float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_5) + thickness_1) + h_3));
-    float _e27 = top_half_chord2_(line_1, h_3, radius_5, thickness_1);
-    if (!((line_1.b >= 0.0))) {
-        local_2 = (_e27 <= 0.0);
+    float _e19 = top_half_chord2_(line_b_2, line_x_closest_2, h_3, radius_5, thickness_1);
+    if (!((line_b_2 >= 0.0))) {
+        unnamed_2 = (_e19 <= 0.0);
     } else {
-        local_2 = true;
+        unnamed_2 = true;
     }
-    bool _e37 = local_2;
-    if (_e37) {
-        return AirPath(0.0, -1.0, 0.0, 0.0);
+    bool _e28 = unnamed_2;
+    if (_e28) {
+        out_length = -1.0;
+        out_x = 0.0;
+        out_b_1 = 0.0;
+        return;
     }
-    float half_ = sqrt(_e27);
-    float _e50 = to_ground(_e4, -(half_), ground_root);
-    return AirPath((above_2 / (half_ - line_1.b)), (line_1.ground ? _e50 : (2.0 * half_)), _e4, -(half_));
+    float half_ = sqrt(_e19);
+    float _e36 = to_ground(_e5, -(half_), ground_root);
+    out_length = (line_ground_1 ? _e36 : (2.0 * half_));
+    out_x = _e5;
+    out_b_1 = -(half_);
 }
 
-vec4 layers_of(Medium m) {
-    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+vec4 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width) {
+    return vec4(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_center, m_ozone_inv_half_width);
 }
 
-mat3x3 coefficients_of(Medium m_1) {
-    return mat3x3(m_1.rayleigh, m_1.mie_extinction, m_1.ozone);
+mat3x3 coefficients_of(vec3 m_rayleigh, vec3 m_mie_extinction, vec3 m_ozone) {
+    return mat3x3(m_rayleigh, m_mie_extinction, m_ozone);
 }
 
 vec3 densities(vec4 layers, float h_4) {
@@ -179,8 +176,8 @@ vec3 densities(vec4 layers, float h_4) {
 
 vec3 extinction(mat3x3 coefficients, vec3 d_1) {
     vec3 sum = vec3(0.0);
-    vec3 _e5 = sum;
-    sum = (_e5 + (coefficients[0] * d_1.x));
+    vec3 _e3 = sum;
+    sum = (_e3 + (coefficients[0] * d_1.x));
     vec3 _e10 = sum;
     sum = (_e10 + (coefficients[2] * d_1.z));
     vec3 _e15 = sum;
@@ -201,26 +198,26 @@ vec3 path_densities(vec4 layers_1, float radius_6, float x_4, float b_4, float d
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e43 = i;
-            i = (_e43 + 1u);
+            uint _e42 = i;
+            i = (_e42 + 1u);
         }
         loop_init = false;
-        uint _e23 = i;
-        if ((_e23 < samples)) {
+        uint _e18 = i;
+        if ((_e18 < samples)) {
         } else {
             break;
         }
         {
-            uint _e25 = i;
-            float u_1 = (u0_ + (du * float(_e25)));
-            float _e32 = warp(low_1, (u_1 + (0.5 * du)));
-            float _e34 = warp(low_1, (u_1 + du));
-            float _e35 = altitude_after(x_4, b_4, _e32, radius_6);
-            vec3 _e36 = sum_1;
-            vec3 _e37 = densities(layers_1, _e35);
+            uint _e20 = i;
+            float u_1 = (u0_ + (du * float(_e20)));
+            float _e27 = warp(low_1, (u_1 + (0.5 * du)));
+            float _e29 = warp(low_1, (u_1 + du));
+            float _e32 = altitude_after(x_4, b_4, _e27, radius_6);
+            vec3 _e34 = sum_1;
+            vec3 _e36 = densities(layers_1, _e32);
             float _e38 = t0_;
-            sum_1 = (_e36 + (_e37 * (_e34 - _e38)));
-            t0_ = _e34;
+            sum_1 = (_e34 + (_e36 * (_e29 - _e38)));
+            t0_ = _e29;
         }
     }
     vec3 _e45 = sum_1;
@@ -229,40 +226,69 @@ vec3 path_densities(vec4 layers_1, float radius_6, float x_4, float b_4, float d
 
 void main() {
     vec4 position = gl_FragCoord;
-    bool local = false;
+    bool unnamed = false;
     vec3 light = vec3(0.0);
-    Frame f = _group_0_binding_0_fs.frame;
-    Medium m_2 = f.medium;
-    vec3 _e10 = pixel_ray(position.xy, f.size, f.ray_forward, f.ray_right, f.ray_up);
-    vec3 dir_1 = normalize(_e10);
-    Line _e14 = line_past(dir_1, f.altitude, m_2.radius);
-    float _e19 = disk_coverage((dir_1 - f.sun), f.sun_chord, f.pixel_angle);
-    if (!(_e14.ground)) {
-        local = (_e19 <= 0.0);
+    float line_b = 0.0;
+    float line_x_closest = 0.0;
+    bool line_ground = false;
+    float path_length = 0.0;
+    float path_x = 0.0;
+    float path_b = 0.0;
+    vec3 f_medium_rayleigh = _group_0_binding_0_fs.frame.medium.rayleigh;
+    float f_medium_rayleigh_inv_height = _group_0_binding_0_fs.frame.medium.rayleigh_inv_height;
+    float f_medium_mie_inv_height = _group_0_binding_0_fs.frame.medium.mie_inv_height;
+    vec3 f_medium_mie_extinction = _group_0_binding_0_fs.frame.medium.mie_extinction;
+    float f_medium_ozone_center = _group_0_binding_0_fs.frame.medium.ozone_center;
+    float f_medium_ozone_inv_half_width = _group_0_binding_0_fs.frame.medium.ozone_inv_half_width;
+    vec3 f_medium_ozone = _group_0_binding_0_fs.frame.medium.ozone;
+    float f_medium_radius = _group_0_binding_0_fs.frame.medium.radius;
+    vec3 f_medium_irradiance = _group_0_binding_0_fs.frame.medium.irradiance;
+    float f_medium_thickness = _group_0_binding_0_fs.frame.medium.thickness;
+    vec3 f_ray_forward = _group_0_binding_0_fs.frame.ray_forward;
+    float f_altitude = _group_0_binding_0_fs.frame.altitude;
+    vec3 f_ray_right = _group_0_binding_0_fs.frame.ray_right;
+    vec3 f_ray_up = _group_0_binding_0_fs.frame.ray_up;
+    vec3 f_sun = _group_0_binding_0_fs.frame.sun;
+    float f_sun_chord = _group_0_binding_0_fs.frame.sun_chord;
+    vec2 f_size = _group_0_binding_0_fs.frame.size;
+    float f_sun_disk = _group_0_binding_0_fs.frame.sun_disk;
+    float f_pixel_angle = _group_0_binding_0_fs.frame.pixel_angle;
+    vec3 _e43 = pixel_ray(position.xy, f_size, f_ray_forward, f_ray_right, f_ray_up);
+    vec3 dir_1 = normalize(_e43);
+    line_past(dir_1, f_altitude, f_medium_radius, line_b, line_x_closest, line_ground);
+    float _e48 = line_b;
+    float _e49 = line_x_closest;
+    bool _e50 = line_ground;
+    float _e52 = disk_coverage((dir_1 - f_sun), f_sun_chord, f_pixel_angle);
+    if (!(_e50)) {
+        unnamed = (_e52 <= 0.0);
     } else {
-        local = true;
+        unnamed = true;
     }
-    bool _e27 = local;
-    if (_e27) {
+    bool _e59 = unnamed;
+    if (_e59) {
         discard;
     }
-    light = (m_2.irradiance * (f.sun_disk * _e19));
-    AirPath _e36 = air_path(_e14, f.altitude, m_2.radius, m_2.thickness);
-    if ((_e36.length_ > 0.0)) {
-        vec3 _e40 = light;
-        mat3x3 _e41 = coefficients_of(m_2);
-        vec4 _e42 = layers_of(m_2);
-        vec3 _e48 = path_densities(_e42, m_2.radius, _e36.x, _e36.b, _e36.length_, STEPS);
-        vec3 _e49 = extinction(_e41, _e48);
-        light = (_e40 * exp(-(_e49)));
+    light = (f_medium_irradiance * (f_sun_disk * _e52));
+    air_path(_e48, _e49, _e50, f_altitude, f_medium_radius, f_medium_thickness, path_length, path_x, path_b);
+    float _e66 = path_length;
+    float _e67 = path_x;
+    float _e68 = path_b;
+    if ((_e66 > 0.0)) {
+        vec3 _e71 = light;
+        mat3x3 _e72 = coefficients_of(f_medium_rayleigh, f_medium_mie_extinction, f_medium_ozone);
+        vec4 _e73 = layers_of(f_medium_rayleigh_inv_height, f_medium_mie_inv_height, f_medium_ozone_center, f_medium_ozone_inv_half_width);
+        vec3 _e75 = path_densities(_e73, f_medium_radius, _e67, _e68, _e66, STEPS);
+        vec3 _e76 = extinction(_e72, _e75);
+        light = (_e71 * exp(-(_e76)));
     }
-    vec3 _e53 = light;
-    light = min(_e53, vec3(32000.0));
-    vec3 _e57 = light;
-    float _e59 = light.x;
-    float _e61 = light.y;
-    float _e63 = light.z;
-    _fs2p_location0 = vec4(_e57, (max(_e59, max(_e61, _e63)) * 3.125e-5));
+    vec3 _e80 = light;
+    light = min(_e80, vec3(32000.0));
+    vec3 _e84 = light;
+    float _e86 = light.x;
+    float _e88 = light.y;
+    float _e90 = light.z;
+    _fs2p_location0 = vec4(_e84, (max(_e86, max(_e88, _e90)) * 3.125e-5));
     return;
 }
 

@@ -95,16 +95,6 @@ struct Terrain {
     Tables tables;
     MoonShadow eclipse;
 };
-struct Varyings {
-    vec4 clip;
-    vec3 position;
-    vec3 light;
-    vec2 surface;
-};
-struct Shaded {
-    vec4 color;
-    float depth;
-};
 const float HALF_MAX = 32000.0;
 const float INV_4PI = 0.07957747;
 const float LOG_FLOOR = -100.0;
@@ -128,17 +118,17 @@ smooth in vec3 _vs2fs_location1;
 smooth in vec2 _vs2fs_location2;
 layout(location = 0) out vec4 _fs2p_location0;
 
-float depth_of(DepthCode c, float z) {
-    if ((c.log_ > 0.0)) {
-        return (log2((1.0 + (z * 1000.0))) / c.log_);
+float depth_of(float c_scale, float c_bias, float c_log, float z) {
+    if ((c_log > 0.0)) {
+        return (log2((1.0 + (z * 1000.0))) / c_log);
     }
-    return (((1.0 / z) - c.bias) / c.scale);
+    return (((1.0 / z) - c_bias) / c_scale);
 }
 
 float quarter_atan(float y, float x) {
     float q = (min(x, y) / max(max(x, y), 1e-30));
-    float s_1 = (q * q);
-    float p = (1.0 + (s_1 * (-0.33333147 + (s_1 * (0.19993551 + (s_1 * (-0.142089 + (s_1 * (0.10656264 + (s_1 * (-0.07528964 + (s_1 * (0.042909615 + (s_1 * (-0.016165737 + (s_1 * 0.0028662258))))))))))))))));
+    float s = (q * q);
+    float p = (1.0 + (s * (-0.33333147 + (s * (0.19993551 + (s * (-0.142089 + (s * (0.10656264 + (s * (-0.07528964 + (s * (0.042909615 + (s * (-0.016165737 + (s * 0.0028662258))))))))))))))));
     return ((y > x) ? (1.5707964 - (q * p)) : (q * p));
 }
 
@@ -204,45 +194,49 @@ float limb_place(float moon_1, float apart_3) {
     return (0.25 + (0.75 * sqrt(((apart_3 - inner) / (2.0 * min(moon_1, 1.0))))));
 }
 
-vec3 sun_left(highp sampler2D shade_1, MoonShadow s, vec3 position, vec3 sun) {
+vec3 sun_left(highp sampler2D shade_1, vec3 s_across, float s_along, float s_radius, float s_tangent, float s_least, vec3 position, vec3 sun) {
     vec3 share_1 = vec3(0.0);
-    bool local = false;
+    bool unnamed = false;
     float beside = dot(position, sun);
-    float apart_4 = length((s.across - (position - (sun * beside))));
-    vec2 _e14 = moon_before_sun(apart_4, (s.along - beside), s.radius, s.tangent);
-    float _e17 = visible_share(_e14.x, _e14.y);
-    share_1 = vec3(_e17);
-    float _e21 = share_1.x;
-    if ((_e21 > 0.0)) {
-        float _e27 = share_1.x;
-        local = (_e27 < 1.0);
+    float apart_4 = length((s_across - (position - (sun * beside))));
+    vec2 _e13 = moon_before_sun(apart_4, (s_along - beside), s_radius, s_tangent);
+    float _e16 = visible_share(_e13.x, _e13.y);
+    share_1 = vec3(_e16);
+    float _e20 = share_1.x;
+    if ((_e20 > 0.0)) {
+        float _e24 = share_1.x;
+        unnamed = (_e24 < 1.0);
     } else {
-        local = false;
+        unnamed = false;
     }
-    bool _e31 = local;
-    if (_e31) {
-        vec3 _e32 = share_1;
-        float _e35 = limb_place(_e14.x, _e14.y);
-        vec3 _e37 = shade_at(shade_1, _e35, 1);
-        share_1 = (_e32 * _e37);
+    bool _e30 = unnamed;
+    if (_e30) {
+        vec3 _e31 = share_1;
+        float _e34 = limb_place(_e13.x, _e13.y);
+        vec3 _e37 = shade_at(shade_1, _e34, 1);
+        share_1 = (_e31 * _e37);
     }
     vec3 _e39 = share_1;
-    return max(_e39, vec3(s.least));
+    return max(_e39, vec3(s_least));
 }
 
 void main() {
-    Varyings in_ = Varyings(gl_FragCoord, _vs2fs_location0, _vs2fs_location1, _vs2fs_location2);
+    vec4 in_clip = gl_FragCoord;
+    vec3 in_position = _vs2fs_location0;
+    vec3 in_light = _vs2fs_location1;
+    vec2 in_surface = _vs2fs_location2;
     vec3 albedo = vec3(0.0);
     vec3 light = vec3(0.0);
-    Shaded out_ = Shaded(vec4(0.0), 0.0);
-    float h = in_.surface.x;
-    vec3 _e5 = _group_0_binding_0_fs.low_albedo;
-    vec3 _e8 = _group_0_binding_0_fs.high_albedo;
-    float _e11 = _group_0_binding_0_fs.amplitude;
-    albedo = mix(_e5, _e8, smoothstep(0.05, 0.6, (h / _e11)));
-    vec3 _e20 = _group_0_binding_0_fs.high_albedo;
-    vec3 _e21 = albedo;
-    albedo = mix(_e20, _e21, smoothstep(0.8, 0.95, in_.surface.y));
+    vec4 out_color = vec4(0.0);
+    float out_depth = 0.0;
+    float h = in_surface.x;
+    vec3 _e6 = _group_0_binding_0_fs.low_albedo;
+    vec3 _e9 = _group_0_binding_0_fs.high_albedo;
+    float _e12 = _group_0_binding_0_fs.amplitude;
+    albedo = mix(_e6, _e9, smoothstep(0.05, 0.6, (h / _e12)));
+    vec3 _e21 = _group_0_binding_0_fs.high_albedo;
+    vec3 _e22 = albedo;
+    albedo = mix(_e21, _e22, smoothstep(0.8, 0.95, in_surface.y));
     vec3 _e28 = albedo;
     float _e33 = _group_0_binding_0_fs.snow_line;
     float _e36 = _group_0_binding_0_fs.snow_line;
@@ -250,24 +244,31 @@ void main() {
     vec3 _e41 = albedo;
     float _e48 = _group_0_binding_0_fs.sea;
     albedo = mix(_e41, vec3(0.02, 0.04, 0.06), (_e48 * (1.0 - smoothstep(0.0, 0.004, h))));
-    light = in_.light;
-    vec3 _e58 = light;
-    MoonShadow _e62 = _group_0_binding_0_fs.eclipse;
-    vec3 _e67 = _group_0_binding_0_fs.frame.sun;
-    vec3 _e68 = sun_left(_group_0_binding_1_fs, _e62, in_.position, _e67);
-    light = (_e58 * _e68);
-    vec3 _e71 = albedo;
-    vec3 _e72 = light;
-    vec3 _e78 = _group_0_binding_0_fs.frame.medium.irradiance;
-    vec3 reflected = (((_e71 * _e72) * _e78) * 0.31830987);
-    out_.color = vec4(min(reflected, vec3(32000.0)), 1.0);
-    DepthCode _e92 = _group_0_binding_0_fs.frame.depth;
-    vec3 _e96 = _group_0_binding_0_fs.axis;
-    float _e100 = depth_of(_e92, max(dot(in_.position, _e96), 1e-9));
-    out_.depth = clamp(_e100, 0.0, 1.0);
-    Shaded _e104 = out_;
-    _fs2p_location0 = _e104.color;
-    gl_FragDepth = _e104.depth;
+    light = in_light;
+    vec3 _e57 = light;
+    vec3 _e61 = _group_0_binding_0_fs.eclipse.across;
+    float _e63 = _group_0_binding_0_fs.eclipse.along;
+    float _e65 = _group_0_binding_0_fs.eclipse.radius;
+    float _e67 = _group_0_binding_0_fs.eclipse.tangent;
+    float _e69 = _group_0_binding_0_fs.eclipse.least;
+    vec3 _e73 = _group_0_binding_0_fs.frame.sun;
+    vec3 _e75 = sun_left(_group_0_binding_1_fs, _e61, _e63, _e65, _e67, _e69, in_position, _e73);
+    light = (_e57 * _e75);
+    vec3 _e77 = albedo;
+    vec3 _e78 = light;
+    vec3 _e84 = _group_0_binding_0_fs.frame.medium.irradiance;
+    vec3 reflected = (((_e77 * _e78) * _e84) * 0.31830987);
+    out_color = vec4(min(reflected, vec3(32000.0)), 1.0);
+    float _e99 = _group_0_binding_0_fs.frame.depth.scale;
+    float _e101 = _group_0_binding_0_fs.frame.depth.bias;
+    float _e103 = _group_0_binding_0_fs.frame.depth.log_;
+    vec3 _e106 = _group_0_binding_0_fs.axis;
+    float _e110 = depth_of(_e99, _e101, _e103, max(dot(in_position, _e106), 1e-9));
+    out_depth = clamp(_e110, 0.0, 1.0);
+    vec4 _e114 = out_color;
+    float _e115 = out_depth;
+    _fs2p_location0 = _e114;
+    gl_FragDepth = _e115;
     return;
 }
 

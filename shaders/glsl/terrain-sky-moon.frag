@@ -64,11 +64,6 @@ struct Tables {
     uint slices;
     float air_ground_rows;
 };
-struct Corner {
-    ivec2 low;
-    ivec2 high;
-    vec2 part;
-};
 struct MoonShadow {
     vec3 across;
     float along;
@@ -100,17 +95,6 @@ struct Terrain {
     Tables tables;
     MoonShadow eclipse;
 };
-struct Varyings {
-    vec4 clip;
-    vec3 position;
-    vec3 light;
-    vec2 surface;
-    float sun;
-};
-struct Shaded {
-    vec4 color;
-    float depth;
-};
 const float HALF_MAX = 32000.0;
 const float INV_4PI = 0.07957747;
 const float LOG_FLOOR = -100.0;
@@ -137,33 +121,35 @@ smooth in vec2 _vs2fs_location2;
 smooth in float _vs2fs_location3;
 layout(location = 0) out vec4 _fs2p_location0;
 
-float depth_of(DepthCode c, float z) {
-    if ((c.log_ > 0.0)) {
-        return (log2((1.0 + (z * 1000.0))) / c.log_);
+float depth_of(float c_scale, float c_bias, float c_log, float z) {
+    if ((c_log > 0.0)) {
+        return (log2((1.0 + (z * 1000.0))) / c_log);
     }
-    return (((1.0 / z) - c.bias) / c.scale);
+    return (((1.0 / z) - c_bias) / c_scale);
 }
 
-Corner corner(vec2 at, ivec2 size) {
+void corner(vec2 at, ivec2 size, inout ivec2 out_low, inout ivec2 out_high, inout vec2 out_part) {
     vec2 inside = clamp(at, vec2(0.0), vec2((size - ivec2(1))));
     ivec2 low = min(ivec2(inside), (size - ivec2(1)));
-    return Corner(low, min((low + ivec2(1)), (size - ivec2(1))), (inside - vec2(low)));
+    out_low = low;
+    out_high = min((low + ivec2(1)), (size - ivec2(1)));
+    out_part = (inside - vec2(low));
 }
 
-vec4 bilinear(highp sampler2D table, Corner c_1, ivec2 origin) {
-    ivec2 low_1 = (c_1.low + origin);
-    ivec2 high = (c_1.high + origin);
+vec4 bilinear(highp sampler2D table, ivec2 c_low, ivec2 c_high, vec2 c_part, ivec2 origin) {
+    ivec2 low_1 = (c_low + origin);
+    ivec2 high = (c_high + origin);
     vec4 _e8 = texelFetch(table, low_1, 0);
     vec4 _e13 = texelFetch(table, ivec2(high.x, low_1.y), 0);
-    vec4 bottom = mix(_e8, _e13, c_1.part.x);
-    vec4 _e21 = texelFetch(table, ivec2(low_1.x, high.y), 0);
-    vec4 _e23 = texelFetch(table, high, 0);
-    vec4 top = mix(_e21, _e23, c_1.part.x);
-    return mix(bottom, top, c_1.part.y);
+    vec4 bottom = mix(_e8, _e13, c_part.x);
+    vec4 _e20 = texelFetch(table, ivec2(low_1.x, high.y), 0);
+    vec4 _e22 = texelFetch(table, high, 0);
+    vec4 top = mix(_e20, _e22, c_part.x);
+    return mix(bottom, top, c_part.y);
 }
 
-vec4 sun_axis(Tables t) {
-    return vec4(t.sun_middle, t.sun_width, t.sun_first, t.sun_span);
+vec4 sun_axis(float t_sun_middle, float t_sun_width, float t_sun_first, float t_sun_span) {
+    return vec4(t_sun_middle, t_sun_width, t_sun_first, t_sun_span);
 }
 
 float sun_share(vec4 axis, float mu) {
@@ -171,20 +157,26 @@ float sun_share(vec4 axis, float mu) {
     return (((sign(y_1) * log((abs(y_1) + sqrt(((y_1 * y_1) + 1.0))))) - axis.z) / axis.w);
 }
 
-vec3 ground_irradiance(highp sampler2D table_1, Tables t_1, float mu_sun) {
+vec3 ground_irradiance(highp sampler2D table_1, float t_sun_middle_1, float t_sun_width_1, float t_sun_first_1, float t_sun_span_1, float mu_sun) {
+    ivec2 corner_low = ivec2(0);
+    ivec2 corner_high = ivec2(0);
+    vec2 corner_part = vec2(0.0);
     ivec2 dims = ivec2(uvec2(textureSize(table_1, 0).xy));
-    vec4 _e5 = sun_axis(t_1);
-    float _e6 = sun_share(_e5, mu_sun);
-    vec2 at_1 = vec2((_e6 * float((dims.x - 1))), 0.0);
-    Corner _e17 = corner(at_1, ivec2(dims.x, 1));
-    vec4 _e23 = bilinear(table_1, _e17, ivec2(0, (dims.y - 1)));
-    return exp2(_e23.xyz);
+    vec4 _e7 = sun_axis(t_sun_middle_1, t_sun_width_1, t_sun_first_1, t_sun_span_1);
+    float _e9 = sun_share(_e7, mu_sun);
+    vec2 at_1 = vec2((_e9 * float((dims.x - 1))), 0.0);
+    corner(at_1, ivec2(dims.x, 1), corner_low, corner_high, corner_part);
+    ivec2 _e23 = corner_low;
+    ivec2 _e24 = corner_high;
+    vec2 _e25 = corner_part;
+    vec4 _e31 = bilinear(table_1, _e23, _e24, _e25, ivec2(0, (dims.y - 1)));
+    return exp2(_e31.xyz);
 }
 
 float quarter_atan(float y, float x) {
     float q = (min(x, y) / max(max(x, y), 1e-30));
-    float s_2 = (q * q);
-    float p = (1.0 + (s_2 * (-0.33333147 + (s_2 * (0.19993551 + (s_2 * (-0.142089 + (s_2 * (0.10656264 + (s_2 * (-0.07528964 + (s_2 * (0.042909615 + (s_2 * (-0.016165737 + (s_2 * 0.0028662258))))))))))))))));
+    float s = (q * q);
+    float p = (1.0 + (s * (-0.33333147 + (s * (0.19993551 + (s * (-0.142089 + (s * (0.10656264 + (s * (-0.07528964 + (s * (0.042909615 + (s * (-0.016165737 + (s * 0.0028662258))))))))))))))));
     return ((y > x) ? (1.5707964 - (q * p)) : (q * p));
 }
 
@@ -250,88 +242,105 @@ float limb_place(float moon_1, float apart_3) {
     return (0.25 + (0.75 * sqrt(((apart_3 - inner) / (2.0 * min(moon_1, 1.0))))));
 }
 
-vec3 sun_left(highp sampler2D shade_1, MoonShadow s, vec3 position, vec3 sun) {
+vec3 sun_left(highp sampler2D shade_1, vec3 s_across, float s_along, float s_radius, float s_tangent, float s_least, vec3 position, vec3 sun) {
     vec3 share_1 = vec3(0.0);
-    bool local = false;
+    bool unnamed = false;
     float beside = dot(position, sun);
-    float apart_4 = length((s.across - (position - (sun * beside))));
-    vec2 _e14 = moon_before_sun(apart_4, (s.along - beside), s.radius, s.tangent);
-    float _e17 = visible_share(_e14.x, _e14.y);
-    share_1 = vec3(_e17);
-    float _e21 = share_1.x;
-    if ((_e21 > 0.0)) {
-        float _e27 = share_1.x;
-        local = (_e27 < 1.0);
+    float apart_4 = length((s_across - (position - (sun * beside))));
+    vec2 _e13 = moon_before_sun(apart_4, (s_along - beside), s_radius, s_tangent);
+    float _e16 = visible_share(_e13.x, _e13.y);
+    share_1 = vec3(_e16);
+    float _e20 = share_1.x;
+    if ((_e20 > 0.0)) {
+        float _e24 = share_1.x;
+        unnamed = (_e24 < 1.0);
     } else {
-        local = false;
+        unnamed = false;
     }
-    bool _e31 = local;
-    if (_e31) {
-        vec3 _e32 = share_1;
-        float _e35 = limb_place(_e14.x, _e14.y);
-        vec3 _e37 = shade_at(shade_1, _e35, 1);
-        share_1 = (_e32 * _e37);
+    bool _e30 = unnamed;
+    if (_e30) {
+        vec3 _e31 = share_1;
+        float _e34 = limb_place(_e13.x, _e13.y);
+        vec3 _e37 = shade_at(shade_1, _e34, 1);
+        share_1 = (_e31 * _e37);
     }
     vec3 _e39 = share_1;
-    return max(_e39, vec3(s.least));
+    return max(_e39, vec3(s_least));
 }
 
-vec3 sun_left_around(highp sampler2D shade_2, MoonShadow s_1, vec3 position_1, vec3 sun_1) {
-    float apart_5 = length((s_1.across - (position_1 - (sun_1 * dot(position_1, sun_1)))));
-    vec3 _e13 = shade_at(shade_2, (apart_5 * s_1.rate), 0);
-    return max(_e13, vec3(s_1.least));
+vec3 sun_left_around(highp sampler2D shade_2, vec3 s_across_1, float s_least_1, float s_rate, vec3 position_1, vec3 sun_1) {
+    float apart_5 = length((s_across_1 - (position_1 - (sun_1 * dot(position_1, sun_1)))));
+    vec3 _e13 = shade_at(shade_2, (apart_5 * s_rate), 0);
+    return max(_e13, vec3(s_least_1));
 }
 
 void main() {
-    Varyings in_ = Varyings(gl_FragCoord, _vs2fs_location0, _vs2fs_location1, _vs2fs_location2, _vs2fs_location3);
+    vec4 in_clip = gl_FragCoord;
+    vec3 in_position = _vs2fs_location0;
+    vec3 in_light = _vs2fs_location1;
+    vec2 in_surface = _vs2fs_location2;
+    float in_sun = _vs2fs_location3;
     vec3 albedo = vec3(0.0);
     vec3 light = vec3(0.0);
     vec3 sky = vec3(0.0);
-    Shaded out_ = Shaded(vec4(0.0), 0.0);
-    float h = in_.surface.x;
-    vec3 _e5 = _group_0_binding_0_fs.low_albedo;
-    vec3 _e8 = _group_0_binding_0_fs.high_albedo;
-    float _e11 = _group_0_binding_0_fs.amplitude;
-    albedo = mix(_e5, _e8, smoothstep(0.05, 0.6, (h / _e11)));
-    vec3 _e20 = _group_0_binding_0_fs.high_albedo;
-    vec3 _e21 = albedo;
-    albedo = mix(_e20, _e21, smoothstep(0.8, 0.95, in_.surface.y));
-    vec3 _e28 = albedo;
-    float _e33 = _group_0_binding_0_fs.snow_line;
-    float _e36 = _group_0_binding_0_fs.snow_line;
-    albedo = mix(_e28, vec3(0.8), smoothstep(_e33, (_e36 * 1.15), h));
-    vec3 _e41 = albedo;
-    float _e48 = _group_0_binding_0_fs.sea;
-    albedo = mix(_e41, vec3(0.02, 0.04, 0.06), (_e48 * (1.0 - smoothstep(0.0, 0.004, h))));
-    light = in_.light;
+    vec4 out_color = vec4(0.0);
+    float out_depth = 0.0;
+    float h = in_surface.x;
+    vec3 _e7 = _group_0_binding_0_fs.low_albedo;
+    vec3 _e10 = _group_0_binding_0_fs.high_albedo;
+    float _e13 = _group_0_binding_0_fs.amplitude;
+    albedo = mix(_e7, _e10, smoothstep(0.05, 0.6, (h / _e13)));
+    vec3 _e22 = _group_0_binding_0_fs.high_albedo;
+    vec3 _e23 = albedo;
+    albedo = mix(_e22, _e23, smoothstep(0.8, 0.95, in_surface.y));
+    vec3 _e29 = albedo;
+    float _e34 = _group_0_binding_0_fs.snow_line;
+    float _e37 = _group_0_binding_0_fs.snow_line;
+    albedo = mix(_e29, vec3(0.8), smoothstep(_e34, (_e37 * 1.15), h));
+    vec3 _e42 = albedo;
+    float _e49 = _group_0_binding_0_fs.sea;
+    albedo = mix(_e42, vec3(0.02, 0.04, 0.06), (_e49 * (1.0 - smoothstep(0.0, 0.004, h))));
+    light = in_light;
     vec3 _e58 = light;
-    MoonShadow _e62 = _group_0_binding_0_fs.eclipse;
-    vec3 _e67 = _group_0_binding_0_fs.frame.sun;
-    vec3 _e68 = sun_left(_group_0_binding_1_fs, _e62, in_.position, _e67);
-    light = (_e58 * _e68);
-    Tables _e73 = _group_0_binding_0_fs.tables;
-    vec3 _e75 = ground_irradiance(_group_0_binding_2_fs, _e73, in_.sun);
-    sky = (_e75 * (0.5 + (0.5 * in_.surface.y)));
-    vec3 _e84 = sky;
-    MoonShadow _e88 = _group_0_binding_0_fs.eclipse;
-    vec3 _e93 = _group_0_binding_0_fs.frame.sun;
-    vec3 _e94 = sun_left_around(_group_0_binding_1_fs, _e88, in_.position, _e93);
-    sky = (_e84 * _e94);
-    vec3 _e96 = light;
+    vec3 _e62 = _group_0_binding_0_fs.eclipse.across;
+    float _e64 = _group_0_binding_0_fs.eclipse.along;
+    float _e66 = _group_0_binding_0_fs.eclipse.radius;
+    float _e68 = _group_0_binding_0_fs.eclipse.tangent;
+    float _e70 = _group_0_binding_0_fs.eclipse.least;
+    vec3 _e74 = _group_0_binding_0_fs.frame.sun;
+    vec3 _e76 = sun_left(_group_0_binding_1_fs, _e62, _e64, _e66, _e68, _e70, in_position, _e74);
+    light = (_e58 * _e76);
+    float _e81 = _group_0_binding_0_fs.tables.sun_middle;
+    float _e83 = _group_0_binding_0_fs.tables.sun_width;
+    float _e85 = _group_0_binding_0_fs.tables.sun_first;
+    float _e87 = _group_0_binding_0_fs.tables.sun_span;
+    vec3 _e89 = ground_irradiance(_group_0_binding_2_fs, _e81, _e83, _e85, _e87, in_sun);
+    sky = (_e89 * (0.5 + (0.5 * in_surface.y)));
     vec3 _e97 = sky;
-    light = (_e96 + _e97);
-    vec3 _e100 = albedo;
-    vec3 _e101 = light;
-    vec3 _e107 = _group_0_binding_0_fs.frame.medium.irradiance;
-    vec3 reflected = (((_e100 * _e101) * _e107) * 0.31830987);
-    out_.color = vec4(min(reflected, vec3(32000.0)), 1.0);
-    DepthCode _e121 = _group_0_binding_0_fs.frame.depth;
-    vec3 _e125 = _group_0_binding_0_fs.axis;
-    float _e129 = depth_of(_e121, max(dot(in_.position, _e125), 1e-9));
-    out_.depth = clamp(_e129, 0.0, 1.0);
-    Shaded _e133 = out_;
-    _fs2p_location0 = _e133.color;
-    gl_FragDepth = _e133.depth;
+    vec3 _e101 = _group_0_binding_0_fs.eclipse.across;
+    float _e103 = _group_0_binding_0_fs.eclipse.least;
+    float _e105 = _group_0_binding_0_fs.eclipse.rate;
+    vec3 _e109 = _group_0_binding_0_fs.frame.sun;
+    vec3 _e111 = sun_left_around(_group_0_binding_1_fs, _e101, _e103, _e105, in_position, _e109);
+    sky = (_e97 * _e111);
+    vec3 _e113 = light;
+    vec3 _e114 = sky;
+    light = (_e113 + _e114);
+    vec3 _e116 = albedo;
+    vec3 _e117 = light;
+    vec3 _e123 = _group_0_binding_0_fs.frame.medium.irradiance;
+    vec3 reflected = (((_e116 * _e117) * _e123) * 0.31830987);
+    out_color = vec4(min(reflected, vec3(32000.0)), 1.0);
+    float _e138 = _group_0_binding_0_fs.frame.depth.scale;
+    float _e140 = _group_0_binding_0_fs.frame.depth.bias;
+    float _e142 = _group_0_binding_0_fs.frame.depth.log_;
+    vec3 _e145 = _group_0_binding_0_fs.axis;
+    float _e149 = depth_of(_e138, _e140, _e142, max(dot(in_position, _e145), 1e-9));
+    out_depth = clamp(_e149, 0.0, 1.0);
+    vec4 _e153 = out_color;
+    float _e154 = out_depth;
+    _fs2p_location0 = _e153;
+    gl_FragDepth = _e154;
     return;
 }
 

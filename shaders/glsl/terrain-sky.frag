@@ -64,11 +64,6 @@ struct Tables {
     uint slices;
     float air_ground_rows;
 };
-struct Corner {
-    ivec2 low;
-    ivec2 high;
-    vec2 part;
-};
 struct MoonShadow {
     vec3 across;
     float along;
@@ -100,17 +95,6 @@ struct Terrain {
     Tables tables;
     MoonShadow eclipse;
 };
-struct Varyings {
-    vec4 clip;
-    vec3 position;
-    vec3 light;
-    vec2 surface;
-    float sun;
-};
-struct Shaded {
-    vec4 color;
-    float depth;
-};
 const float HALF_MAX = 32000.0;
 const float INV_4PI = 0.07957747;
 const float LOG_FLOOR = -100.0;
@@ -134,33 +118,35 @@ smooth in vec2 _vs2fs_location2;
 smooth in float _vs2fs_location3;
 layout(location = 0) out vec4 _fs2p_location0;
 
-float depth_of(DepthCode c, float z) {
-    if ((c.log_ > 0.0)) {
-        return (log2((1.0 + (z * 1000.0))) / c.log_);
+float depth_of(float c_scale, float c_bias, float c_log, float z) {
+    if ((c_log > 0.0)) {
+        return (log2((1.0 + (z * 1000.0))) / c_log);
     }
-    return (((1.0 / z) - c.bias) / c.scale);
+    return (((1.0 / z) - c_bias) / c_scale);
 }
 
-Corner corner(vec2 at, ivec2 size) {
+void corner(vec2 at, ivec2 size, inout ivec2 out_low, inout ivec2 out_high, inout vec2 out_part) {
     vec2 inside = clamp(at, vec2(0.0), vec2((size - ivec2(1))));
     ivec2 low = min(ivec2(inside), (size - ivec2(1)));
-    return Corner(low, min((low + ivec2(1)), (size - ivec2(1))), (inside - vec2(low)));
+    out_low = low;
+    out_high = min((low + ivec2(1)), (size - ivec2(1)));
+    out_part = (inside - vec2(low));
 }
 
-vec4 bilinear(highp sampler2D table, Corner c_1, ivec2 origin) {
-    ivec2 low_1 = (c_1.low + origin);
-    ivec2 high = (c_1.high + origin);
+vec4 bilinear(highp sampler2D table, ivec2 c_low, ivec2 c_high, vec2 c_part, ivec2 origin) {
+    ivec2 low_1 = (c_low + origin);
+    ivec2 high = (c_high + origin);
     vec4 _e8 = texelFetch(table, low_1, 0);
     vec4 _e13 = texelFetch(table, ivec2(high.x, low_1.y), 0);
-    vec4 bottom = mix(_e8, _e13, c_1.part.x);
-    vec4 _e21 = texelFetch(table, ivec2(low_1.x, high.y), 0);
-    vec4 _e23 = texelFetch(table, high, 0);
-    vec4 top = mix(_e21, _e23, c_1.part.x);
-    return mix(bottom, top, c_1.part.y);
+    vec4 bottom = mix(_e8, _e13, c_part.x);
+    vec4 _e20 = texelFetch(table, ivec2(low_1.x, high.y), 0);
+    vec4 _e22 = texelFetch(table, high, 0);
+    vec4 top = mix(_e20, _e22, c_part.x);
+    return mix(bottom, top, c_part.y);
 }
 
-vec4 sun_axis(Tables t) {
-    return vec4(t.sun_middle, t.sun_width, t.sun_first, t.sun_span);
+vec4 sun_axis(float t_sun_middle, float t_sun_width, float t_sun_first, float t_sun_span) {
+    return vec4(t_sun_middle, t_sun_width, t_sun_first, t_sun_span);
 }
 
 float sun_share(vec4 axis, float mu) {
@@ -168,56 +154,73 @@ float sun_share(vec4 axis, float mu) {
     return (((sign(y) * log((abs(y) + sqrt(((y * y) + 1.0))))) - axis.z) / axis.w);
 }
 
-vec3 ground_irradiance(highp sampler2D table_1, Tables t_1, float mu_sun) {
+vec3 ground_irradiance(highp sampler2D table_1, float t_sun_middle_1, float t_sun_width_1, float t_sun_first_1, float t_sun_span_1, float mu_sun) {
+    ivec2 corner_low = ivec2(0);
+    ivec2 corner_high = ivec2(0);
+    vec2 corner_part = vec2(0.0);
     ivec2 dims = ivec2(uvec2(textureSize(table_1, 0).xy));
-    vec4 _e5 = sun_axis(t_1);
-    float _e6 = sun_share(_e5, mu_sun);
-    vec2 at_1 = vec2((_e6 * float((dims.x - 1))), 0.0);
-    Corner _e17 = corner(at_1, ivec2(dims.x, 1));
-    vec4 _e23 = bilinear(table_1, _e17, ivec2(0, (dims.y - 1)));
-    return exp2(_e23.xyz);
+    vec4 _e7 = sun_axis(t_sun_middle_1, t_sun_width_1, t_sun_first_1, t_sun_span_1);
+    float _e9 = sun_share(_e7, mu_sun);
+    vec2 at_1 = vec2((_e9 * float((dims.x - 1))), 0.0);
+    corner(at_1, ivec2(dims.x, 1), corner_low, corner_high, corner_part);
+    ivec2 _e23 = corner_low;
+    ivec2 _e24 = corner_high;
+    vec2 _e25 = corner_part;
+    vec4 _e31 = bilinear(table_1, _e23, _e24, _e25, ivec2(0, (dims.y - 1)));
+    return exp2(_e31.xyz);
 }
 
 void main() {
-    Varyings in_ = Varyings(gl_FragCoord, _vs2fs_location0, _vs2fs_location1, _vs2fs_location2, _vs2fs_location3);
+    vec4 in_clip = gl_FragCoord;
+    vec3 in_position = _vs2fs_location0;
+    vec3 in_light = _vs2fs_location1;
+    vec2 in_surface = _vs2fs_location2;
+    float in_sun = _vs2fs_location3;
     vec3 albedo = vec3(0.0);
     vec3 light = vec3(0.0);
     vec3 sky = vec3(0.0);
-    Shaded out_ = Shaded(vec4(0.0), 0.0);
-    float h = in_.surface.x;
-    vec3 _e5 = _group_0_binding_0_fs.low_albedo;
-    vec3 _e8 = _group_0_binding_0_fs.high_albedo;
-    float _e11 = _group_0_binding_0_fs.amplitude;
-    albedo = mix(_e5, _e8, smoothstep(0.05, 0.6, (h / _e11)));
-    vec3 _e20 = _group_0_binding_0_fs.high_albedo;
-    vec3 _e21 = albedo;
-    albedo = mix(_e20, _e21, smoothstep(0.8, 0.95, in_.surface.y));
-    vec3 _e28 = albedo;
-    float _e33 = _group_0_binding_0_fs.snow_line;
-    float _e36 = _group_0_binding_0_fs.snow_line;
-    albedo = mix(_e28, vec3(0.8), smoothstep(_e33, (_e36 * 1.15), h));
-    vec3 _e41 = albedo;
-    float _e48 = _group_0_binding_0_fs.sea;
-    albedo = mix(_e41, vec3(0.02, 0.04, 0.06), (_e48 * (1.0 - smoothstep(0.0, 0.004, h))));
-    light = in_.light;
-    Tables _e61 = _group_0_binding_0_fs.tables;
-    vec3 _e63 = ground_irradiance(_group_0_binding_1_fs, _e61, in_.sun);
-    sky = (_e63 * (0.5 + (0.5 * in_.surface.y)));
-    vec3 _e72 = light;
-    vec3 _e73 = sky;
-    light = (_e72 + _e73);
-    vec3 _e76 = albedo;
+    vec4 out_color = vec4(0.0);
+    float out_depth = 0.0;
+    float h = in_surface.x;
+    vec3 _e7 = _group_0_binding_0_fs.low_albedo;
+    vec3 _e10 = _group_0_binding_0_fs.high_albedo;
+    float _e13 = _group_0_binding_0_fs.amplitude;
+    albedo = mix(_e7, _e10, smoothstep(0.05, 0.6, (h / _e13)));
+    vec3 _e22 = _group_0_binding_0_fs.high_albedo;
+    vec3 _e23 = albedo;
+    albedo = mix(_e22, _e23, smoothstep(0.8, 0.95, in_surface.y));
+    vec3 _e29 = albedo;
+    float _e34 = _group_0_binding_0_fs.snow_line;
+    float _e37 = _group_0_binding_0_fs.snow_line;
+    albedo = mix(_e29, vec3(0.8), smoothstep(_e34, (_e37 * 1.15), h));
+    vec3 _e42 = albedo;
+    float _e49 = _group_0_binding_0_fs.sea;
+    albedo = mix(_e42, vec3(0.02, 0.04, 0.06), (_e49 * (1.0 - smoothstep(0.0, 0.004, h))));
+    light = in_light;
+    float _e61 = _group_0_binding_0_fs.tables.sun_middle;
+    float _e63 = _group_0_binding_0_fs.tables.sun_width;
+    float _e65 = _group_0_binding_0_fs.tables.sun_first;
+    float _e67 = _group_0_binding_0_fs.tables.sun_span;
+    vec3 _e69 = ground_irradiance(_group_0_binding_1_fs, _e61, _e63, _e65, _e67, in_sun);
+    sky = (_e69 * (0.5 + (0.5 * in_surface.y)));
     vec3 _e77 = light;
-    vec3 _e83 = _group_0_binding_0_fs.frame.medium.irradiance;
-    vec3 reflected = (((_e76 * _e77) * _e83) * 0.31830987);
-    out_.color = vec4(min(reflected, vec3(32000.0)), 1.0);
-    DepthCode _e97 = _group_0_binding_0_fs.frame.depth;
-    vec3 _e101 = _group_0_binding_0_fs.axis;
-    float _e105 = depth_of(_e97, max(dot(in_.position, _e101), 1e-9));
-    out_.depth = clamp(_e105, 0.0, 1.0);
-    Shaded _e109 = out_;
-    _fs2p_location0 = _e109.color;
-    gl_FragDepth = _e109.depth;
+    vec3 _e78 = sky;
+    light = (_e77 + _e78);
+    vec3 _e80 = albedo;
+    vec3 _e81 = light;
+    vec3 _e87 = _group_0_binding_0_fs.frame.medium.irradiance;
+    vec3 reflected = (((_e80 * _e81) * _e87) * 0.31830987);
+    out_color = vec4(min(reflected, vec3(32000.0)), 1.0);
+    float _e102 = _group_0_binding_0_fs.frame.depth.scale;
+    float _e104 = _group_0_binding_0_fs.frame.depth.bias;
+    float _e106 = _group_0_binding_0_fs.frame.depth.log_;
+    vec3 _e109 = _group_0_binding_0_fs.axis;
+    float _e113 = depth_of(_e102, _e104, _e106, max(dot(in_position, _e109), 1e-9));
+    out_depth = clamp(_e113, 0.0, 1.0);
+    vec4 _e117 = out_color;
+    float _e118 = out_depth;
+    _fs2p_location0 = _e117;
+    gl_FragDepth = _e118;
     return;
 }
 

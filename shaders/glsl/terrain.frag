@@ -95,16 +95,6 @@ struct Terrain {
     Tables tables;
     MoonShadow eclipse;
 };
-struct Varyings {
-    vec4 clip;
-    vec3 position;
-    vec3 light;
-    vec2 surface;
-};
-struct Shaded {
-    vec4 color;
-    float depth;
-};
 const float HALF_MAX = 32000.0;
 const float INV_4PI = 0.07957747;
 const float LOG_FLOOR = -100.0;
@@ -125,26 +115,30 @@ smooth in vec3 _vs2fs_location1;
 smooth in vec2 _vs2fs_location2;
 layout(location = 0) out vec4 _fs2p_location0;
 
-float depth_of(DepthCode c, float z) {
-    if ((c.log_ > 0.0)) {
-        return (log2((1.0 + (z * 1000.0))) / c.log_);
+float depth_of(float c_scale, float c_bias, float c_log, float z) {
+    if ((c_log > 0.0)) {
+        return (log2((1.0 + (z * 1000.0))) / c_log);
     }
-    return (((1.0 / z) - c.bias) / c.scale);
+    return (((1.0 / z) - c_bias) / c_scale);
 }
 
 void main() {
-    Varyings in_ = Varyings(gl_FragCoord, _vs2fs_location0, _vs2fs_location1, _vs2fs_location2);
+    vec4 in_clip = gl_FragCoord;
+    vec3 in_position = _vs2fs_location0;
+    vec3 in_light = _vs2fs_location1;
+    vec2 in_surface = _vs2fs_location2;
     vec3 albedo = vec3(0.0);
     vec3 light = vec3(0.0);
-    Shaded out_ = Shaded(vec4(0.0), 0.0);
-    float h = in_.surface.x;
-    vec3 _e5 = _group_0_binding_0_fs.low_albedo;
-    vec3 _e8 = _group_0_binding_0_fs.high_albedo;
-    float _e11 = _group_0_binding_0_fs.amplitude;
-    albedo = mix(_e5, _e8, smoothstep(0.05, 0.6, (h / _e11)));
-    vec3 _e20 = _group_0_binding_0_fs.high_albedo;
-    vec3 _e21 = albedo;
-    albedo = mix(_e20, _e21, smoothstep(0.8, 0.95, in_.surface.y));
+    vec4 out_color = vec4(0.0);
+    float out_depth = 0.0;
+    float h = in_surface.x;
+    vec3 _e6 = _group_0_binding_0_fs.low_albedo;
+    vec3 _e9 = _group_0_binding_0_fs.high_albedo;
+    float _e12 = _group_0_binding_0_fs.amplitude;
+    albedo = mix(_e6, _e9, smoothstep(0.05, 0.6, (h / _e12)));
+    vec3 _e21 = _group_0_binding_0_fs.high_albedo;
+    vec3 _e22 = albedo;
+    albedo = mix(_e21, _e22, smoothstep(0.8, 0.95, in_surface.y));
     vec3 _e28 = albedo;
     float _e33 = _group_0_binding_0_fs.snow_line;
     float _e36 = _group_0_binding_0_fs.snow_line;
@@ -152,19 +146,22 @@ void main() {
     vec3 _e41 = albedo;
     float _e48 = _group_0_binding_0_fs.sea;
     albedo = mix(_e41, vec3(0.02, 0.04, 0.06), (_e48 * (1.0 - smoothstep(0.0, 0.004, h))));
-    light = in_.light;
-    vec3 _e59 = albedo;
-    vec3 _e60 = light;
-    vec3 _e66 = _group_0_binding_0_fs.frame.medium.irradiance;
-    vec3 reflected = (((_e59 * _e60) * _e66) * 0.31830987);
-    out_.color = vec4(min(reflected, vec3(32000.0)), 1.0);
-    DepthCode _e80 = _group_0_binding_0_fs.frame.depth;
-    vec3 _e84 = _group_0_binding_0_fs.axis;
-    float _e88 = depth_of(_e80, max(dot(in_.position, _e84), 1e-9));
-    out_.depth = clamp(_e88, 0.0, 1.0);
-    Shaded _e92 = out_;
-    _fs2p_location0 = _e92.color;
-    gl_FragDepth = _e92.depth;
+    light = in_light;
+    vec3 _e57 = albedo;
+    vec3 _e58 = light;
+    vec3 _e64 = _group_0_binding_0_fs.frame.medium.irradiance;
+    vec3 reflected = (((_e57 * _e58) * _e64) * 0.31830987);
+    out_color = vec4(min(reflected, vec3(32000.0)), 1.0);
+    float _e79 = _group_0_binding_0_fs.frame.depth.scale;
+    float _e81 = _group_0_binding_0_fs.frame.depth.bias;
+    float _e83 = _group_0_binding_0_fs.frame.depth.log_;
+    vec3 _e86 = _group_0_binding_0_fs.axis;
+    float _e90 = depth_of(_e79, _e81, _e83, max(dot(in_position, _e86), 1e-9));
+    out_depth = clamp(_e90, 0.0, 1.0);
+    vec4 _e94 = out_color;
+    float _e95 = out_depth;
+    _fs2p_location0 = _e94;
+    gl_FragDepth = _e95;
     return;
 }
 

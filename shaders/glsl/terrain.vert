@@ -95,12 +95,6 @@ struct Terrain {
     Tables tables;
     MoonShadow eclipse;
 };
-struct Varyings {
-    vec4 clip;
-    vec3 position;
-    vec3 light;
-    vec2 surface;
-};
 const float HALF_MAX = 32000.0;
 const float INV_4PI = 0.07957747;
 const float LOG_FLOOR = -100.0;
@@ -142,12 +136,12 @@ float distance_to_top(float x_2, float b_1, float x_top) {
     return (root - b_1);
 }
 
-vec4 layers_of(Medium m_1) {
-    return vec4(m_1.rayleigh_inv_height, m_1.mie_inv_height, m_1.ozone_center, m_1.ozone_inv_half_width);
+vec4 layers_of(float m_rayleigh_inv_height_1, float m_mie_inv_height_1, float m_ozone_center_1, float m_ozone_inv_half_width_1) {
+    return vec4(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
 }
 
-mat3x3 coefficients_of(Medium m_2) {
-    return mat3x3(m_2.rayleigh, m_2.mie_extinction, m_2.ozone);
+mat3x3 coefficients_of(vec3 m_rayleigh_1, vec3 m_mie_extinction_1, vec3 m_ozone_1) {
+    return mat3x3(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
 }
 
 vec3 densities(vec4 layers, float h_1) {
@@ -161,8 +155,8 @@ vec3 densities(vec4 layers, float h_1) {
 
 vec3 extinction(mat3x3 coefficients, vec3 d_1) {
     vec3 sum = vec3(0.0);
-    vec3 _e5 = sum;
-    sum = (_e5 + (coefficients[0] * d_1.x));
+    vec3 _e3 = sum;
+    sum = (_e3 + (coefficients[0] * d_1.x));
     vec3 _e10 = sum;
     sum = (_e10 + (coefficients[1] * d_1.y));
     vec3 _e15 = sum;
@@ -185,26 +179,26 @@ vec3 path_densities(vec4 layers_1, float radius_3, float x_3, float b_2, float d
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e43 = i;
-            i = (_e43 + 1u);
+            uint _e42 = i;
+            i = (_e42 + 1u);
         }
         loop_init = false;
-        uint _e23 = i;
-        if ((_e23 < samples)) {
+        uint _e18 = i;
+        if ((_e18 < samples)) {
         } else {
             break;
         }
         {
-            uint _e25 = i;
-            float u_1 = (u0_ + (du * float(_e25)));
-            float _e32 = warp(low_1, (u_1 + (0.5 * du)));
-            float _e34 = warp(low_1, (u_1 + du));
-            float _e35 = altitude_after(x_3, b_2, _e32, radius_3);
-            vec3 _e36 = sum_1;
-            vec3 _e37 = densities(layers_1, _e35);
+            uint _e20 = i;
+            float u_1 = (u0_ + (du * float(_e20)));
+            float _e27 = warp(low_1, (u_1 + (0.5 * du)));
+            float _e29 = warp(low_1, (u_1 + du));
+            float _e32 = altitude_after(x_3, b_2, _e27, radius_3);
+            vec3 _e34 = sum_1;
+            vec3 _e36 = densities(layers_1, _e32);
             float _e38 = t0_;
-            sum_1 = (_e36 + (_e37 * (_e34 - _e38)));
-            t0_ = _e34;
+            sum_1 = (_e34 + (_e36 * (_e29 - _e38)));
+            t0_ = _e29;
         }
     }
     vec3 _e45 = sum_1;
@@ -212,10 +206,10 @@ vec3 path_densities(vec4 layers_1, float radius_3, float x_3, float b_2, float d
 }
 
 vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_4, float thickness, float x_4, float sun_b, uint samples_1) {
-    float _e7 = excess_of(thickness, radius_4);
-    float _e8 = distance_to_top(x_4, sun_b, _e7);
-    vec3 _e9 = path_densities(layers_2, radius_4, x_4, sun_b, _e8, samples_1);
-    vec3 _e10 = extinction(coefficients_1, _e9);
+    float _e2 = excess_of(thickness, radius_4);
+    float _e5 = distance_to_top(x_4, sun_b, _e2);
+    vec3 _e8 = path_densities(layers_2, radius_4, x_4, sun_b, _e5, samples_1);
+    vec3 _e10 = extinction(coefficients_1, _e8);
     return exp(-(_e10));
 }
 
@@ -281,10 +275,10 @@ vec4 height_field(vec3 n, float amplitude, float rate, float sea, float spacing)
         return vec4(0.0);
     }
     float above = min(rise, 1.0);
-    vec4 _e65 = land;
-    vec3 d_above = ((rise < 1.0) ? (_e65.xyz * 14.0) : vec3(0.0));
-    vec4 _e76 = noise(((n * 9.0) + vec3(29.0)));
-    vec4 belt_noise = (_e76 * vec4(vec3(9.0), 1.0));
+    vec4 _e66 = land;
+    vec3 d_above = ((rise < 1.0) ? (_e66.xyz * 14.0) : vec3(0.0));
+    vec4 _e77 = noise(((n * 9.0) + vec3(29.0)));
+    vec4 belt_noise = (_e77 * vec4(vec3(9.0), 1.0));
     float t_1 = clamp(((belt_noise.w - 0.38) * 4.0), 0.0, 1.0);
     float belt = (0.1 + (((0.9 * t_1) * t_1) * (3.0 - (2.0 * t_1))));
     vec3 d_belt = (belt_noise.xyz * (((5.4 * t_1) * (1.0 - t_1)) * 4.0));
@@ -292,129 +286,169 @@ vec4 height_field(vec3 n, float amplitude, float rate, float sea, float spacing)
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            int _e183 = octave;
-            octave = (_e183 + 1);
+            int _e181 = octave;
+            octave = (_e181 + 1);
         }
         loop_init_1 = false;
-        int _e117 = octave;
-        if ((_e117 < 6)) {
+        int _e113 = octave;
+        if ((_e113 < 6)) {
         } else {
             break;
         }
         {
-            float _e120 = frequency;
-            float seen = clamp(((0.3 / (_e120 * spacing)) - 0.5), 0.0, 1.0);
+            float _e116 = frequency;
+            float seen = clamp(((0.3 / (_e116 * spacing)) - 0.5), 0.0, 1.0);
             if ((seen > 0.0)) {
-                float _e131 = frequency;
-                int _e133 = octave;
-                vec4 _e139 = noise(((n * _e131) + vec3((float(_e133) * 17.0))));
-                float _e140 = frequency;
-                vec4 v = (_e139 * vec4(vec3(_e140), 1.0));
+                float _e128 = frequency;
+                int _e130 = octave;
+                vec4 _e136 = noise(((n * _e128) + vec3((float(_e130) * 17.0))));
+                float _e137 = frequency;
+                vec4 v = (_e136 * vec4(vec3(_e137), 1.0));
                 float s = ((v.w < 0.5) ? 2.0 : -2.0);
-                vec4 _e151 = ridge;
-                float _e163 = gain;
-                ridge = (_e151 + (vec4((v.xyz * s), (1.0 - abs(((2.0 * v.w) - 1.0)))) * (_e163 * seen)));
+                vec4 _e149 = ridge;
+                float _e162 = gain;
+                ridge = (_e149 + (vec4((v.xyz * s), (1.0 - abs(((2.0 * v.w) - 1.0)))) * (_e162 * seen)));
             }
-            float _e168 = ridge.w;
-            float _e169 = gain;
-            ridge.w = (_e168 + ((0.6 * _e169) * (1.0 - seen)));
-            float _e176 = frequency;
-            frequency = (_e176 * 2.03);
-            float _e179 = gain;
-            gain = (_e179 * 0.45);
+            float _e167 = ridge.w;
+            float _e168 = gain;
+            ridge.w = (_e167 + ((0.6 * _e168) * (1.0 - seen)));
+            float _e175 = frequency;
+            frequency = (_e175 * 2.03);
+            float _e178 = gain;
+            gain = (_e178 * 0.45);
         }
     }
-    float _e187 = ridge.w;
-    float w_1 = ((above * belt) * _e187);
-    float _e191 = ridge.w;
-    float _e195 = ridge.w;
-    vec4 _e199 = ridge;
-    vec3 d_2 = ((((d_above * belt) * _e191) + ((above * d_belt) * _e195)) + ((above * belt) * _e199.xyz));
+    float _e186 = ridge.w;
+    float w_1 = ((above * belt) * _e186);
+    float _e190 = ridge.w;
+    float _e194 = ridge.w;
+    vec4 _e198 = ridge;
+    vec3 d_2 = ((((d_above * belt) * _e190) + ((above * d_belt) * _e194)) + ((above * belt) * _e198.xyz));
     return (vec4(d_2, w_1) * amplitude);
 }
 
 void main() {
     uint index = uint(gl_VertexID);
-    Medium m = Medium(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
+    vec3 m_rayleigh = vec3(0.0);
+    float m_rayleigh_inv_height = 0.0;
+    float m_mie_inv_height = 0.0;
+    vec3 m_mie_extinction = vec3(0.0);
+    float m_ozone_center = 0.0;
+    float m_ozone_inv_half_width = 0.0;
+    vec3 m_ozone = vec3(0.0);
+    float m_radius = 0.0;
+    float m_thickness = 0.0;
     vec3 light = vec3(0.0);
-    Varyings out_ = Varyings(vec4(0.0), vec3(0.0), vec3(0.0), vec2(0.0));
-    Frame f_1 = _group_0_binding_0_vs.frame;
-    m = f_1.medium;
+    vec4 out_clip = vec4(0.0);
+    vec3 out_position = vec3(0.0);
+    vec3 out_light = vec3(0.0);
+    vec2 out_surface = vec2(0.0);
+    vec3 f_medium_rayleigh = _group_0_binding_0_vs.frame.medium.rayleigh;
+    float f_medium_rayleigh_inv_height = _group_0_binding_0_vs.frame.medium.rayleigh_inv_height;
+    float f_medium_mie_inv_height = _group_0_binding_0_vs.frame.medium.mie_inv_height;
+    vec3 f_medium_mie_extinction = _group_0_binding_0_vs.frame.medium.mie_extinction;
+    float f_medium_ozone_center = _group_0_binding_0_vs.frame.medium.ozone_center;
+    float f_medium_ozone_inv_half_width = _group_0_binding_0_vs.frame.medium.ozone_inv_half_width;
+    vec3 f_medium_ozone = _group_0_binding_0_vs.frame.medium.ozone;
+    float f_medium_radius = _group_0_binding_0_vs.frame.medium.radius;
+    float f_medium_thickness = _group_0_binding_0_vs.frame.medium.thickness;
+    vec3 f_ray_right = _group_0_binding_0_vs.frame.ray_right;
+    vec3 f_ray_up = _group_0_binding_0_vs.frame.ray_up;
+    vec3 f_sun = _group_0_binding_0_vs.frame.sun;
+    float f_sun_chord = _group_0_binding_0_vs.frame.sun_chord;
+    float f_camera_altitude = _group_0_binding_0_vs.frame.camera_altitude;
+    m_rayleigh = f_medium_rayleigh;
+    m_rayleigh_inv_height = f_medium_rayleigh_inv_height;
+    m_mie_inv_height = f_medium_mie_inv_height;
+    m_mie_extinction = f_medium_mie_extinction;
+    m_ozone_center = f_medium_ozone_center;
+    m_ozone_inv_half_width = f_medium_ozone_inv_half_width;
+    m_ozone = f_medium_ozone;
+    m_radius = f_medium_radius;
+    m_thickness = f_medium_thickness;
     uint k = min((max((index % 772u), 1u) - 1u), (772u - 3u));
     uint ring = ((index / 772u) + (k & 1u));
     float azimuth = ((TAU * float(((k / 2u) % SEGMENTS))) / 384.0);
-    float _e30 = _group_0_binding_0_vs.arc_rate;
-    float s_1 = (_e30 * float(ring));
-    float _e35 = _group_0_binding_0_vs.arc_scale;
-    float t_2 = ((_e35 * 0.5) * (exp(s_1) - exp(-(s_1))));
-    vec3 _e45 = _group_0_binding_0_vs.grid_x;
-    vec3 _e50 = _group_0_binding_0_vs.grid_y;
-    vec3 flat_ = normalize(((_e45 * cos(azimuth)) + (_e50 * sin(azimuth))));
+    float _e67 = _group_0_binding_0_vs.arc_rate;
+    float s_1 = (_e67 * float(ring));
+    float _e72 = _group_0_binding_0_vs.arc_scale;
+    float t_2 = ((_e72 * 0.5) * (exp(s_1) - exp(-(s_1))));
+    vec3 _e82 = _group_0_binding_0_vs.grid_x;
+    vec3 _e87 = _group_0_binding_0_vs.grid_y;
+    vec3 flat_ = normalize(((_e82 * cos(azimuth)) + (_e87 * sin(azimuth))));
     vec3 up = vec3(0.0, 0.0, 1.0);
     float sin_arc = ((2.0 * t_2) / (1.0 + (t_2 * t_2)));
     float drop = (((2.0 * t_2) * t_2) / (1.0 + (t_2 * t_2)));
     vec3 n_1 = ((flat_ * sin_arc) + (up * (1.0 - drop)));
-    vec3 _e79 = _group_0_binding_0_vs.planet_x;
-    vec3 _e83 = _group_0_binding_0_vs.planet_y;
-    vec3 _e87 = _group_0_binding_0_vs.planet_z;
-    vec3 planet_n = vec3(dot(_e79, n_1), dot(_e83, n_1), dot(_e87, n_1));
-    float _e92 = _group_0_binding_0_vs.arc_rate;
-    float _e97 = _group_0_binding_0_vs.arc_scale;
-    float _e100 = _group_0_binding_0_vs.arc_scale;
-    float along = (((2.0 * _e92) * sqrt(((_e97 * _e100) + (t_2 * t_2)))) / (1.0 + (t_2 * t_2)));
+    vec3 _e116 = _group_0_binding_0_vs.planet_x;
+    vec3 _e120 = _group_0_binding_0_vs.planet_y;
+    vec3 _e124 = _group_0_binding_0_vs.planet_z;
+    vec3 planet_n = vec3(dot(_e116, n_1), dot(_e120, n_1), dot(_e124, n_1));
+    float _e129 = _group_0_binding_0_vs.arc_rate;
+    float _e134 = _group_0_binding_0_vs.arc_scale;
+    float _e137 = _group_0_binding_0_vs.arc_scale;
+    float along = (((2.0 * _e129) * sqrt(((_e134 * _e137) + (t_2 * t_2)))) / (1.0 + (t_2 * t_2)));
     float spacing_1 = max(along, (sin_arc * 0.016362462));
-    float _e115 = _group_0_binding_0_vs.amplitude;
-    float _e118 = _group_0_binding_0_vs.mountain_rate;
-    float _e121 = _group_0_binding_0_vs.sea;
-    vec4 _e122 = height_field(planet_n, _e115, _e118, _e121, spacing_1);
-    float h_3 = _e122.w;
-    float _e125 = m.radius;
-    float _e132 = m.radius;
-    vec3 position = ((flat_ * ((_e125 + h_3) * sin_arc)) + (up * ((h_3 - f_1.camera_altitude) - ((_e132 + h_3) * drop))));
-    vec3 _e140 = _group_0_binding_0_vs.planet_x;
-    vec3 _e145 = _group_0_binding_0_vs.planet_y;
-    vec3 _e151 = _group_0_binding_0_vs.planet_z;
-    vec3 g = (((_e140 * _e122.x) + (_e145 * _e122.y)) + (_e151 * _e122.z));
-    float _e159 = m.radius;
-    vec3 tangential = ((g - (n_1 * dot(g, n_1))) / vec3(_e159));
+    float _e152 = _group_0_binding_0_vs.amplitude;
+    float _e155 = _group_0_binding_0_vs.mountain_rate;
+    float _e158 = _group_0_binding_0_vs.sea;
+    vec4 _e159 = height_field(planet_n, _e152, _e155, _e158, spacing_1);
+    float h_3 = _e159.w;
+    float _e161 = m_radius;
+    float _e166 = m_radius;
+    vec3 position = ((flat_ * ((_e161 + h_3) * sin_arc)) + (up * ((h_3 - f_camera_altitude) - ((_e166 + h_3) * drop))));
+    vec3 _e174 = _group_0_binding_0_vs.planet_x;
+    vec3 _e179 = _group_0_binding_0_vs.planet_y;
+    vec3 _e185 = _group_0_binding_0_vs.planet_z;
+    vec3 g = (((_e174 * _e159.x) + (_e179 * _e159.y)) + (_e185 * _e159.z));
+    float _e192 = m_radius;
+    vec3 tangential = ((g - (n_1 * dot(g, n_1))) / vec3(_e192));
     vec3 normal = normalize((n_1 - tangential));
-    float _e165 = m.radius;
-    float _e166 = excess_of(h_3, _e165);
-    float _e168 = m.radius;
-    float sun_b_1 = ((_e168 + h_3) * dot(n_1, f_1.sun));
-    float _e175 = m.radius;
-    float dip = (sqrt(_e166) / (_e175 + h_3));
-    float above_1 = ((dot(n_1, f_1.sun) + dip) / f_1.sun_chord);
+    float _e197 = m_radius;
+    float _e198 = excess_of(h_3, _e197);
+    float _e199 = m_radius;
+    float sun_b_1 = ((_e199 + h_3) * dot(n_1, f_sun));
+    float _e204 = m_radius;
+    float dip = (sqrt(_e198) / (_e204 + h_3));
+    float above_1 = ((dot(n_1, f_sun) + dip) / f_sun_chord);
     float visible = smoothstep(-1.0, 1.0, above_1);
-    vec3 _e191 = _group_0_binding_0_vs.sky_share;
-    light = ((_e191 * clamp(((dot(n_1, f_1.sun) + 0.1) / 1.1), 0.0, 1.0)) * (0.5 + (0.5 * dot(normal, n_1))));
+    vec3 _e215 = _group_0_binding_0_vs.sky_share;
+    light = ((_e215 * clamp(((dot(n_1, f_sun) + 0.1) / 1.1), 0.0, 1.0)) * (0.5 + (0.5 * dot(normal, n_1))));
     if ((visible > 0.0)) {
-        vec3 _e210 = light;
-        Medium _e211 = m;
-        mat3x3 _e212 = coefficients_of(_e211);
-        Medium _e213 = m;
-        vec4 _e214 = layers_of(_e213);
-        float _e216 = m.radius;
-        float _e218 = m.thickness;
-        vec3 _e220 = sun_transmittance(_e212, _e214, _e216, _e218, _e166, sun_b_1, 8u);
-        light = (_e210 + (_e220 * (visible * max(dot(normal, f_1.sun), 0.0))));
+        vec3 _e234 = light;
+        vec3 _e235 = m_rayleigh;
+        vec3 _e236 = m_mie_extinction;
+        vec3 _e237 = m_ozone;
+        mat3x3 _e238 = coefficients_of(_e235, _e236, _e237);
+        float _e239 = m_rayleigh_inv_height;
+        float _e240 = m_mie_inv_height;
+        float _e241 = m_ozone_center;
+        float _e242 = m_ozone_inv_half_width;
+        vec4 _e243 = layers_of(_e239, _e240, _e241, _e242);
+        float _e244 = m_radius;
+        float _e245 = m_thickness;
+        vec3 _e247 = sun_transmittance(_e238, _e243, _e244, _e245, _e198, sun_b_1, 8u);
+        light = (_e234 + (_e247 * (visible * max(dot(normal, f_sun), 0.0))));
     }
-    vec3 _e231 = _group_0_binding_0_vs.axis;
-    float z = dot(position, _e231);
-    float _e241 = _group_0_binding_0_vs.offset_x;
-    float right = ((dot(position, f_1.ray_right) / dot(f_1.ray_right, f_1.ray_right)) - (_e241 * z));
-    float _e252 = _group_0_binding_0_vs.offset_y;
-    float top = ((dot(position, f_1.ray_up) / dot(f_1.ray_up, f_1.ray_up)) - (_e252 * z));
-    out_.clip = vec4(right, top, (0.5 * z), z);
-    out_.position = position;
-    vec3 _e261 = light;
-    out_.light = _e261;
-    out_.surface = vec2(h_3, dot(normal, n_1));
-    Varyings _e265 = out_;
-    gl_Position = _e265.clip;
-    _vs2fs_location0 = _e265.position;
-    _vs2fs_location1 = _e265.light;
-    _vs2fs_location2 = _e265.surface;
+    vec3 _e256 = _group_0_binding_0_vs.axis;
+    float z = dot(position, _e256);
+    float _e263 = _group_0_binding_0_vs.offset_x;
+    float right = ((dot(position, f_ray_right) / dot(f_ray_right, f_ray_right)) - (_e263 * z));
+    float _e271 = _group_0_binding_0_vs.offset_y;
+    float top = ((dot(position, f_ray_up) / dot(f_ray_up, f_ray_up)) - (_e271 * z));
+    out_clip = vec4(right, top, (0.5 * z), z);
+    out_position = position;
+    vec3 _e281 = light;
+    out_light = _e281;
+    out_surface = vec2(h_3, dot(normal, n_1));
+    vec4 _e284 = out_clip;
+    vec3 _e285 = out_position;
+    vec3 _e286 = out_light;
+    vec2 _e287 = out_surface;
+    gl_Position = _e284;
+    _vs2fs_location0 = _e285;
+    _vs2fs_location1 = _e286;
+    _vs2fs_location2 = _e287;
     gl_Position.yz = vec2(-gl_Position.y, gl_Position.z * 2.0 - gl_Position.w);
     return;
 }

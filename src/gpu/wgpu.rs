@@ -11,9 +11,9 @@ use std::sync::{Arc, Mutex, PoisonError};
 use slotmap::SlotMap;
 
 use super::{
-    AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, ProgramId, ReadId, SAMPLER_BINDING, TEXTURES_MAX,
-    TextureDesc, TextureId, Textures, TimerId, TimerKind, UNIFORM_MAX, check_pass, decode_texels, encode_texels,
-    unknown,
+    AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, Precision, ProgramId, ReadId, SAMPLER_BINDING,
+    TEXTURES_MAX, TextureDesc, TextureId, Textures, TimerId, TimerKind, UNIFORM_MAX, check_pass, decode_texels,
+    encode_texels, unknown,
 };
 use crate::error::{Error, Result};
 use crate::shaders::Program;
@@ -178,6 +178,7 @@ impl WgpuBackend {
                 timer,
                 max_texture_size: limits.max_texture_dimension_2d,
                 filters_f32,
+                precision: Precision::Guaranteed,
             },
             device,
             queue,

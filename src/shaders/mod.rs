@@ -16,6 +16,10 @@ mod generated;
 #[rustfmt::skip]
 mod generated_probe;
 #[cfg(feature = "translate")]
+pub mod split_structs;
+#[cfg(feature = "translate")]
+pub mod struct_lint;
+#[cfg(feature = "translate")]
 pub mod translate;
 
 use crate::model::atmosphere::{AtmosphereParams, MiePhase};

@@ -6,6 +6,7 @@ use naga::back::glsl;
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 
 use super::Program;
+use super::split_structs::{split_outputs, split_structs};
 use crate::error::{Error, Result};
 
 /// A translated program: its name, both shaders, the uniform block's name in each, and the sampler names
@@ -54,6 +55,7 @@ fn stage(program: Program, stage: naga::ShaderStage, entry: &str) -> Result<(Str
     module.entry_points.retain(|e| e.name == entry);
     // The writer asks for features of every function left in the module, reachable or not.
     naga::compact::compact(&mut module, naga::compact::KeepUnused::No);
+    split_structs(&mut module).map_err(|e| driver_error("split the structs of", program, e))?;
     let info = validate(program, &module)?;
     let options = glsl::Options {
         version: glsl::Version::Embedded { version: 300, is_webgl: true },
@@ -66,6 +68,7 @@ fn stage(program: Program, stage: naga::ShaderStage, entry: &str) -> Result<(Str
         glsl::Writer::new(&mut text, &module, &info, &options, &pipeline, naga::proc::BoundsCheckPolicies::default())
             .and_then(|mut writer| writer.write())
             .map_err(|e| driver_error("translate", program, e))?;
+    let text = split_outputs(&text).map_err(|e| driver_error("split the outputs of", program, e))?;
     let block = reflection.uniforms.values().next().cloned().unwrap_or_default();
     let mut textures = vec![String::new(); program.textures()];
     let mut filtered = 0;
