@@ -260,6 +260,29 @@ impl std::fmt::Display for TimerKind {
     }
 }
 
+/// How precisely fragment shaders compute. Less than 32 bits for plain numbers is no adapter: it is refused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Precision {
+    /// 32 bits, which WebGPU guarantees; it was not tested.
+    Guaranteed,
+    /// 32 bits, also for the members of structs: a pixel showed it.
+    Full,
+    /// 32 bits for plain numbers, fewer for the members of GLSL structs, as a pixel showed. Adreno GPUs up to the 6xx
+    /// do that (<https://github.com/KhronosGroup/WebGL/issues/3351>). No shader of this crate holds a struct value, so
+    /// that its pictures are right; your own shaders may suffer.
+    StructMembersReduced,
+}
+
+impl std::fmt::Display for Precision {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Guaranteed => "32 bits by WebGPU's rules",
+            Self::Full => "32 bits",
+            Self::StructMembersReduced => "32 bits, fewer in structs",
+        })
+    }
+}
+
 /// What draws.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AdapterInfo {
@@ -275,11 +298,14 @@ pub struct AdapterInfo {
     pub max_texture_size: u32,
     /// Whether it interpolates between texels of 32-bit floats. Where it does not, the sky tables have 16 bits.
     pub filters_f32: bool,
+    /// How precisely its fragment shaders compute.
+    pub precision: Precision,
 }
 
 impl std::fmt::Display for AdapterInfo {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}: {}, {}, timer: {}", self.backend, self.adapter, self.driver, self.timer)
+        let Self { backend, adapter, driver, timer, precision, .. } = self;
+        write!(f, "{backend}: {adapter}, {driver}, timer: {timer}, floats: {precision}")
     }
 }
 

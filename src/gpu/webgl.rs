@@ -8,6 +8,7 @@
 //! Needed: OpenGL ES 3.0 or WebGL2 with `EXT_color_buffer_float`.
 #![allow(unsafe_code)] // Every OpenGL call is a foreign function; see the reason at each block.
 
+mod precision;
 mod state;
 
 use std::collections::HashMap;
@@ -17,7 +18,7 @@ use glow::HasContext as _;
 use slotmap::SlotMap;
 
 use super::{
-    AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, Program, ProgramId, ReadId, TEXTURES_MAX,
+    AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, Precision, Program, ProgramId, ReadId, TEXTURES_MAX,
     TextureDesc, TextureId, TimerId, TimerKind, UNIFORM_MAX, Vertices, check_pass, decode_texels, encode_texels,
     unknown,
 };
@@ -101,7 +102,8 @@ impl WebGlBackend {
     /// is put back after each call; see the [module](self) for the one exception.
     ///
     /// # Errors
-    /// [`Error::Unavailable`] if the context cannot draw to float textures.
+    /// [`Error::Unavailable`] if the context cannot draw to float textures, or if it computes fragment shaders with
+    /// fewer than 32 bits: one pixel is drawn to find out.
     pub fn new(gl: Rc<glow::Context>) -> Result<Self> {
         Self::make(gl, true)
     }
@@ -129,7 +131,7 @@ impl WebGlBackend {
         let saved = shared.then(|| Saved::take(&gl, web));
         let failed = |e: String| driver("create", e);
         // SAFETY: the caller's context is current; only objects made here are touched.
-        let made = unsafe {
+        let mut made = unsafe {
             // Left-over errors of the user are not ours.
             while gl.get_error() != glow::NO_ERROR {}
             let alignment = gl.get_parameter_i32(glow::UNIFORM_BUFFER_OFFSET_ALIGNMENT).max(16) as u32;
@@ -160,6 +162,7 @@ impl WebGlBackend {
                     timer,
                     max_texture_size: gl.get_parameter_i32(glow::MAX_TEXTURE_SIZE).max(1) as u32,
                     filters_f32: extensions.iter().any(|e| e.ends_with("OES_texture_float_linear")),
+                    precision: Precision::Full,
                 },
                 shared,
                 web,
@@ -180,9 +183,11 @@ impl WebGlBackend {
                 gl,
             }
         };
+        let precision = precision::test(&made.gl, web, made.vertex_array, made.ring, made.binding_point);
         if let Some(saved) = saved {
             saved.restore(&made.gl, web);
         }
+        made.info.precision = precision?;
         Ok(made)
     }
 

@@ -11,7 +11,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use slotmap::SlotMap;
 
 use super::{
-    AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, Program, ProgramId, ReadId, SAMPLER_BINDING,
+    AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, Precision, Program, ProgramId, ReadId, SAMPLER_BINDING,
     TEXTURES_MAX, TextureDesc, TextureId, TimerId, TimerKind, UNIFORM_MAX, Vertices, check_pass, decode_texels,
     encode_texels, program::Bound, unknown,
 };
@@ -195,6 +195,7 @@ impl WgpuBackend {
                 timer,
                 max_texture_size: limits.max_texture_dimension_2d,
                 filters_f32,
+                precision: Precision::Guaranteed,
             },
             device,
             queue,

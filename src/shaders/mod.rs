@@ -23,6 +23,10 @@ pub(crate) use wgsl;
 #[rustfmt::skip]
 mod generated;
 #[cfg(feature = "translate")]
+pub mod split_structs;
+#[cfg(feature = "translate")]
+pub mod struct_lint;
+#[cfg(feature = "translate")]
 pub mod translate;
 
 pub use generated::*;

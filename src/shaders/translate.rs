@@ -11,6 +11,7 @@ use std::path::Path;
 use naga::back::glsl;
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 
+use super::split_structs::{split_outputs, split_structs};
 use crate::error::{Error, Result};
 use crate::gpu::{Program, ProgramInfo, SAMPLER_BINDING, TEXTURES_MAX};
 
@@ -174,6 +175,7 @@ fn stage(program: &str, wgsl: &str, stage: naga::ShaderStage, entry: &str, owner
     module.entry_points.retain(|e| e.name == entry);
     // The writer asks for features of every function left in the module, reachable or not.
     naga::compact::compact(&mut module, naga::compact::KeepUnused::No);
+    split_structs(&mut module).map_err(|e| driver_error("split the structs of", program, e))?;
     let info = validate(program, wgsl, &module)?;
     let options = glsl::Options {
         version: glsl::Version::Embedded { version: 300, is_webgl: true },
@@ -186,6 +188,7 @@ fn stage(program: &str, wgsl: &str, stage: naga::ShaderStage, entry: &str, owner
         glsl::Writer::new(&mut text, &module, &info, &options, &pipeline, naga::proc::BoundsCheckPolicies::default())
             .and_then(|mut writer| writer.write())
             .map_err(|e| driver_error("translate", program, e))?;
+    let text = split_outputs(&text).map_err(|e| driver_error("split the outputs of", program, e))?;
     let block = reflection.uniforms.values().next().cloned().unwrap_or_default();
     let mut samplers = Vec::new();
     for (name, mapping) in &reflection.texture_mapping {
