@@ -10,12 +10,12 @@
 
 mod state;
 
-use std::collections::HashMap;
 use std::rc::Rc;
 
 use glow::HasContext as _;
 use slotmap::SlotMap;
 
+use super::map::Map;
 use super::{
     AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, ProgramId, ReadId, TEXTURES_MAX, TextureDesc,
     TextureId, TimerId, TimerKind, UNIFORM_MAX, check_pass, decode_texels, encode_texels, unknown,
@@ -62,7 +62,7 @@ pub struct WebGlBackend {
     web: bool,
     textures: SlotMap<TextureId, Texture>,
     programs: SlotMap<ProgramId, Compiled>,
-    framebuffers: HashMap<(TextureId, Option<TextureId>), glow::Framebuffer>,
+    framebuffers: Map<(TextureId, Option<TextureId>), glow::Framebuffer>,
     reads: SlotMap<ReadId, Vec<f32>>,
     timers: SlotMap<TimerId, Timer>,
     vertex_array: glow::VertexArray,
@@ -161,7 +161,7 @@ impl WebGlBackend {
                 web,
                 textures: SlotMap::with_key(),
                 programs: SlotMap::with_key(),
-                framebuffers: HashMap::new(),
+                framebuffers: Map::new(),
                 reads: SlotMap::with_key(),
                 timers: SlotMap::with_key(),
                 vertex_array: gl.create_vertex_array().map_err(failed)?,

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::error::{Error, Result, in_range};
+use crate::error::{Error, Quoted, Result, in_range};
 use crate::frame::disks::disk_pass;
 use crate::frame::eclipse::{EclipseUniform, Shade, ShadowUniform, TEXELS, shadow};
 use crate::frame::lut::{FrameTables, IDLE, LutSettings, Luts, TablesUniform};
@@ -127,9 +127,10 @@ impl Mode {
 
     /// By its name; the error lists the names.
     pub fn from_name(name: &str) -> Result<Self> {
-        Self::ALL.into_iter().find(|m| m.name() == name).ok_or_else(|| {
-            Error::invalid("mode", format_args!("{name:?}"), "one of sky-dome, atmosphere-post, planet, lut")
-        })
+        Self::ALL
+            .into_iter()
+            .find(|m| m.name() == name)
+            .ok_or_else(|| Error::invalid("mode", Quoted(name), "one of sky-dome, atmosphere-post, planet, lut"))
     }
 
     /// The settings that it stands for.

@@ -17,7 +17,7 @@
 
 use std::time::Duration;
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Quoted, Result};
 use crate::frame::lut::LutSettings;
 use crate::render::sky::{Method, SkySettings};
 
@@ -75,7 +75,7 @@ impl Quality {
     pub fn from_name(name: &str) -> Result<Self> {
         Self::ALL.iter().find(|q| q.name == name).copied().ok_or_else(|| {
             let names: Vec<_> = Self::ALL.iter().map(|q| q.name).collect();
-            Error::invalid("quality", format_args!("{name:?}"), format_args!("one of {}", names.join(", ")))
+            Error::invalid("quality", Quoted(name), format_args!("one of {}", names.join(", ")))
         })
     }
 

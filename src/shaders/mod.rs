@@ -134,7 +134,7 @@ impl ToneMap {
         Self::ALL
             .into_iter()
             .find(|t| t.name() == name)
-            .ok_or_else(|| crate::Error::invalid("tone_map", format_args!("{name:?}"), "one of aces, agx, neutral"))
+            .ok_or_else(|| crate::Error::invalid("tone_map", crate::error::Quoted(name), "one of aces, agx, neutral"))
     }
 }
 

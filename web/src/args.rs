@@ -3,15 +3,15 @@
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::HtmlCanvasElement;
 
-use welkin::{Error, Result};
+use welkin::error::{Error, Quoted, Result, in_range, short};
 
 /// A value as an error shows it.
 fn shown(value: &JsValue) -> String {
     if let Some(number) = value.as_f64() {
-        return welkin::error::short(number);
+        return short(number);
     }
     match value.as_string() {
-        Some(text) => format!("{text:?}"),
+        Some(text) => Quoted(&text).to_string(),
         None if value.is_null() => "null".into(),
         None => value.as_bool().map_or_else(|| value.js_typeof().as_string().unwrap_or_default(), |b| b.to_string()),
     }
@@ -25,9 +25,9 @@ pub fn name(value: &JsValue) -> String {
 /// A number from `lo` to `hi` of a unit.
 pub fn number(field: &str, value: &JsValue, lo: f64, hi: f64, unit: &str) -> Result<f64> {
     if let Some(number) = value.as_f64() {
-        return welkin::error::in_range(field, number, lo, hi, unit);
+        return in_range(field, number, lo, hi, unit);
     }
-    let [lo, hi] = [lo, hi].map(welkin::error::short);
+    let [lo, hi] = [lo, hi].map(short);
     Err(Error::invalid(field, shown(value), format_args!("a number from {lo} to {hi} {unit}").to_string().trim_end()))
 }
 

@@ -2,8 +2,8 @@
 
 use web_sys::HtmlCanvasElement;
 
+use welkin::error::{Error, Quoted, Result};
 use welkin::gpu::{AdapterInfo, Backend, TextureId};
-use welkin::{Error, Result};
 
 /// The backends that this module was built with.
 pub const BACKENDS: &[&str] = &[
@@ -49,6 +49,6 @@ pub async fn open(canvas: HtmlCanvasElement, backend: &str) -> Result<Box<dyn Su
         "webgl2" => crate::webgl::open(&canvas),
         #[cfg(feature = "webgpu")]
         "webgpu" => crate::webgpu::open(canvas).await,
-        other => Err(Error::invalid("backend", format_args!("{other:?}"), BACKENDS.join(" or "))),
+        other => Err(Error::invalid("backend", Quoted(other), BACKENDS.join(" or "))),
     }
 }
