@@ -41,6 +41,7 @@ block! {
     ShadowKey {
         /// Each of the five numbers of `MoonShadow` as the two halves of an f64, then padding.
         halves: [u32; 10],
+        /// Fills up sixteen bytes.
         pad: [u32; 2],
     }
 }

@@ -3,7 +3,7 @@
 use super::graph::{Node, Resource, Stage, reads};
 use super::uniforms::block;
 use crate::error::{Error, Result, in_range};
-use crate::gpu::{Backend, DepthUse, Format, Inputs, Pass, Program, Target, TextureId, Uniform};
+use crate::gpu::{Backend, Format, Inputs, Pass, Program, Target, TextureId, Uniform};
 use crate::settings::ToneMap;
 use crate::shaders::tone_map;
 

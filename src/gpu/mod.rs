@@ -6,6 +6,8 @@
 
 #[cfg(feature = "egl")]
 pub mod egl;
+#[cfg(any(feature = "wgpu", feature = "webgl"))]
+mod map;
 pub mod pool;
 mod program;
 #[cfg(feature = "webgl")]

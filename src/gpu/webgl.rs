@@ -11,12 +11,12 @@
 mod precision;
 mod state;
 
-use std::collections::HashMap;
 use std::rc::Rc;
 
 use glow::HasContext as _;
 use slotmap::SlotMap;
 
+use super::map::Map;
 use super::{
     AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, Precision, Program, ProgramId, ReadId, TEXTURES_MAX,
     TextureDesc, TextureId, TimerId, TimerKind, UNIFORM_MAX, Vertices, check_pass, decode_texels, encode_texels,
@@ -66,7 +66,7 @@ pub struct WebGlBackend {
     web: bool,
     textures: SlotMap<TextureId, Texture>,
     programs: SlotMap<ProgramId, Compiled>,
-    framebuffers: HashMap<(TextureId, Option<TextureId>), glow::Framebuffer>,
+    framebuffers: Map<(TextureId, Option<TextureId>), glow::Framebuffer>,
     reads: SlotMap<ReadId, Vec<f32>>,
     timers: SlotMap<TimerId, Timer>,
     vertex_array: glow::VertexArray,
@@ -168,7 +168,7 @@ impl WebGlBackend {
                 web,
                 textures: SlotMap::with_key(),
                 programs: SlotMap::with_key(),
-                framebuffers: HashMap::new(),
+                framebuffers: Map::new(),
                 reads: SlotMap::with_key(),
                 timers: SlotMap::with_key(),
                 vertex_array: gl.create_vertex_array().map_err(failed)?,

@@ -4,12 +4,12 @@
 //! views with [`WgpuBackend::import_view`] and record passes into your own encoder with
 //! [`WgpuBackend::encode`].
 
-use std::collections::HashMap;
 use std::num::NonZeroU64;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use slotmap::SlotMap;
 
+use super::map::Map;
 use super::{
     AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, Precision, Program, ProgramId, ReadId, SAMPLER_BINDING,
     TEXTURES_MAX, TextureDesc, TextureId, TimerId, TimerKind, UNIFORM_MAX, Vertices, check_pass, decode_texels,
@@ -63,8 +63,8 @@ pub struct WgpuBackend {
     info: AdapterInfo,
     textures: SlotMap<TextureId, Texture>,
     programs: SlotMap<ProgramId, Compiled>,
-    pipelines: HashMap<(ProgramId, Format, Option<DepthUse>), wgpu::RenderPipeline>,
-    bind_groups: HashMap<(ProgramId, Bound), wgpu::BindGroup>,
+    pipelines: Map<(ProgramId, Format, Option<DepthUse>), wgpu::RenderPipeline>,
+    bind_groups: Map<(ProgramId, Bound), wgpu::BindGroup>,
     reads: SlotMap<ReadId, Read>,
     timers: SlotMap<TimerId, Timer>,
     sampler: wgpu::Sampler,
@@ -201,8 +201,8 @@ impl WgpuBackend {
             queue,
             textures: SlotMap::with_key(),
             programs: SlotMap::with_key(),
-            pipelines: HashMap::new(),
-            bind_groups: HashMap::new(),
+            pipelines: Map::new(),
+            bind_groups: Map::new(),
             reads: SlotMap::with_key(),
             timers: SlotMap::with_key(),
             sampler,
@@ -264,7 +264,7 @@ impl WgpuBackend {
             if depth.format != Format::Depth32Float || (depth.width, depth.height) != (color.width, color.height) {
                 return Err(Error::invalid(
                     format_args!("pass {} depth target", pass.label),
-                    format_args!("{depth:?}"),
+                    format_args!("{:?}, {} × {}", depth.format, depth.width, depth.height),
                     "Depth32Float and as large as the colour target",
                 ));
             }

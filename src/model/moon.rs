@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 
-use crate::error::{Result, in_range};
+use crate::error::{Decimal, Result, in_range};
 use crate::model::quadrature::gauss_32;
 use crate::model::rays::ray_sphere_intersect;
 
@@ -84,8 +84,8 @@ impl Moon {
         if distance <= self.radius {
             return Err(crate::Error::invalid(
                 "moon.position",
-                format_args!("{distance} m from the camera"),
-                format_args!("more than moon.radius ({} m) from it", self.radius),
+                format_args!("{} m from the camera", Decimal(distance)),
+                format_args!("more than moon.radius ({} m) from it", Decimal(self.radius)),
             ));
         }
         Ok(())

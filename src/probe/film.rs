@@ -1,7 +1,7 @@
 //! Where a film's camera and sun go, and how far neighbouring frames lie apart: `welkin film` and the tests share it.
 
 use crate::AtmosphereParams;
-use crate::render::sky::HAND_OVER;
+use crate::frame::HAND_OVER;
 
 /// Lowest and highest camera of a climb, metres.
 pub const CLIMB: [f64; 2] = [2.0, 1e9];

@@ -30,7 +30,7 @@ pub use truth::{Promise, RESOLUTION};
 use crate::error::Result;
 use crate::frame::luts::TablesUniform;
 use crate::frame::uniforms::{FrameUniform, MediumUniform};
-use crate::gpu::{Backend, Format, Inputs, Pass, Program, ReadId, Target, TextureDesc, TextureId, Uniform};
+use crate::gpu::{Backend, Format, Inputs, Pass, Program, ReadId, Target, TextureDesc, TextureId};
 use crate::model::atmosphere::{AtmosphereParams, MiePhase};
 use crate::settings::LutSettings;
 

@@ -51,7 +51,7 @@ impl Frame {
     }
 }
 
-pub use crate::settings::quality::MEDIA;
+pub use crate::settings::front::MEDIA;
 
 /// A medium of [`MEDIA`], with a sun of irradiance 1.
 ///

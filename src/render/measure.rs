@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::picture::{PictureRenderer, PictureSettings};
 use crate::error::{Error, Result};
 use crate::frame::luts::MEDIUM_LABELS;
-use crate::gpu::{Backend, DepthUse, Inputs, Pass, Program, Target, TextureDesc, TextureId, Uniform};
+use crate::gpu::{Backend, Inputs, Pass, Program, Target, TextureDesc, TextureId};
 use crate::model::atmosphere::AtmosphereParams;
 use crate::model::scene::{Camera, DepthConvention, Pose, Scene};
 use crate::settings::SkySettings;

@@ -7,7 +7,7 @@ pub mod quality;
 
 use std::fmt;
 
-use crate::error::{Error, Result, in_range};
+use crate::error::{Error, Quoted, Result, in_range};
 
 pub use luts::LutSettings;
 pub use quality::Quality;
@@ -170,7 +170,7 @@ impl Mode {
     /// [`Error::Invalid`] with the names that there are.
     pub fn from_name(name: &str) -> Result<Self> {
         Self::ALL.into_iter().find(|m| m.name() == name).ok_or_else(|| {
-            Error::invalid("mode", format_args!("{name:?}"), "one of sky-dome, atmosphere-post, planet, lut")
+            Error::invalid("mode", Quoted(name), "one of sky-dome, atmosphere-post, planet, lut")
         })
     }
 
@@ -228,7 +228,7 @@ impl ToneMap {
         Self::ALL
             .into_iter()
             .find(|t| t.name() == name)
-            .ok_or_else(|| Error::invalid("tone_map", format_args!("{name:?}"), "one of aces, agx, neutral"))
+            .ok_or_else(|| Error::invalid("tone_map", Quoted(name), "one of aces, agx, neutral"))
     }
 }
 

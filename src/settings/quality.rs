@@ -20,7 +20,7 @@ use std::time::Duration;
 
 use super::front::ParetoFront;
 use super::luts::LutSettings;
-use crate::error::{Error, Result};
+use crate::error::{Error, Quoted, Result};
 
 /// How the light is computed, and how finely. How exact and how fast that is, is measured: [`ParetoFront::cost`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -79,7 +79,7 @@ impl Quality {
     pub fn from_name(name: &str) -> Result<Self> {
         Self::PRESETS.iter().find(|(n, _)| *n == name).map(|(_, quality)| *quality).ok_or_else(|| {
             let names: Vec<_> = Self::PRESETS.iter().map(|(n, _)| *n).collect();
-            Error::invalid("quality", format_args!("{name:?}"), format_args!("one of {}", names.join(", ")))
+            Error::invalid("quality", Quoted(name), format_args!("one of {}", names.join(", ")))
         })
     }
 

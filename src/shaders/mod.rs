@@ -31,7 +31,6 @@ pub mod translate;
 
 pub use generated::*;
 
-use crate::gpu::ProgramInfo;
 /// Functions for a scene's own shaders, which shade with [`crate::LightingContextUniform`]; no program includes them.
 pub const LIGHTING_WGSL: &str = wgsl!("lib/lighting");
 
