@@ -4,7 +4,7 @@
 use welkin::gpu::egl::Headless;
 use welkin::gpu::wgpu::WgpuBackend;
 use welkin::gpu::{Backend, Format, Pass, TextureDesc, TextureId};
-use welkin::{Error, Method, PictureRenderer, PictureSettings, SkyRenderer, SkySettings};
+use welkin::{Error, Quality, PictureRenderer, PictureSettings, SkyRenderer, SkySettings};
 
 use crate::embedding::{own, scene};
 use crate::harness::world::{World, fresh_picture, whole_picture};
@@ -67,7 +67,7 @@ fn tables_of_a_lost_device_are_forgotten() {
         b.run(&passes).unwrap();
         b.read(target).unwrap()
     };
-    let settings = SkySettings { method: Method::Lut(TINY), ..SkySettings::default() };
+    let settings = SkySettings { quality: Quality::Luts(TINY), ..SkySettings::default() };
     // As many textures of the user's as there may be before the first table, so that the ids meet.
     for own in [0, 1, 7] {
         let mut kept = SkyRenderer::new(settings).unwrap();

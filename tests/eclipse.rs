@@ -10,10 +10,7 @@ use welkin::reference::multiple::Settings as Solve;
 use welkin::reference::path::{Settings, path_trace};
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering, transmittance};
 use welkin::render::cpu_picture::render;
-use welkin::{
-    AtmosphereParams, Bound, Composition, EffectPlan, Error, LutSettings, Method, PictureRenderer,
-    PictureSettings, Scene, SkyRenderer, SkySettings, TerrainStyle,
-};
+use welkin::{AtmosphereParams, Bound, Composition, Frame, Error, LutSettings, Quality, PictureRenderer, PictureSettings, Scene, SkyRenderer, SkySettings, TerrainStyle};
 
 use crate::harness::{
     View, aerial_passes, background, background_passes, cleared, draw, frame_textures, free, luts, march,
@@ -233,15 +230,17 @@ fn irradiance(pixels: &[f32], fov: f64, n: u32) -> [f64; 3] {
     mean(pixels).map(|v| v * f64::from(n * n) * pixel)
 }
 
-const DARKENED: SkySettings = SkySettings { limb_darkening: true, ..BARE };
+const DARKENED: SkySettings = SkySettings { look: Look { limb_darkening: true, ..BARE.look }, ..BARE };
 const BARE: SkySettings = SkySettings {
-    enabled: true,
-    composition: Composition::Full,
-    method: Method::Single { view_samples: 8, light_samples: 4 },
+    look: Look {
+        enabled: true,
+        composition: Composition::Full,
+        sun_disk: true,
+        limb_darkening: false,
+        foreground: true,
+    },
+    quality: Quality::March { view_samples: 8, light_samples: 4 },
     render_scale: 1.0,
-    sun_disk: true,
-    limb_darkening: false,
-    foreground: true,
     bound: Some(Bound::LINEAR),
 };
 
@@ -378,9 +377,9 @@ fn the_moon_has_its_phase_and_the_air_dims_it() {
 fn without_a_moon_there_is_nothing_of_it() {
     let view = at_the_sun(1.0);
     let mut scene = view.scene();
-    let plan = |scene: &Scene| EffectPlan::new(scene, &SkySettings::default(), [64, 64]).unwrap();
+    let plan = |scene: &Scene| Frame::new(scene, &SkySettings::default(), [64, 64]).unwrap();
     let labels =
-        |scene: &Scene| plan(scene).passes().iter().map(|p| p.program.map(|p| p.name())).collect::<Vec<_>>();
+        |scene: &Scene| plan(scene).planned_passes().iter().map(|p| p.program.map(|p| p.name())).collect::<Vec<_>>();
     assert!(labels(&scene).iter().flatten().all(|name| !name.contains("moon")));
     let towards =
         |direction: DVec3| Some(Moon::new(scene.camera.position + direction * DISTANCE, MOON_RADIUS));
@@ -397,7 +396,7 @@ fn without_a_moon_there_is_nothing_of_it() {
         assert_eq!(names.iter().any(|n| n.starts_with("sun")), moon != total, "{names:?}");
     }
     scene.moon = Some(Moon { radius: 1e9, ..Moon::new(scene.camera.position + DVec3::X * DISTANCE, 1.0) });
-    let error = EffectPlan::new(&scene, &SkySettings::default(), [64, 64]).unwrap_err().to_string();
+    let error = Frame::new(&scene, &SkySettings::default(), [64, 64]).unwrap_err().to_string();
     assert!(error.starts_with("moon.position"), "{error}");
 }
 
@@ -415,7 +414,7 @@ fn the_processor_draws_the_same_disks() {
     ));
     let n = 24;
     let settings = PictureSettings {
-        sky: SkySettings { composition: Composition::SkyDome, ..DARKENED },
+        sky: composed(Composition::SkyDome, DARKENED),
         terrain: None,
         ..PictureSettings::default()
     };
@@ -448,7 +447,7 @@ fn air(b: &mut dyn Backend, scene: &Scene, sky: SkySettings, distance: Option<f6
     let mut renderer = SkyRenderer::new(sky).unwrap();
     let mut passes = background_passes(b, &mut renderer, scene, cleared(color));
     let mut from = color;
-    if sky.composition == Composition::Full {
+    if sky.look.composition == Composition::Full {
         if distance.is_some() {
             // Of the sky nothing is seen.
             passes.clear();
@@ -524,7 +523,7 @@ fn light_scattered_once_under_a_shadow() {
 #[test]
 fn light_of_all_orders_under_a_shadow() {
     let p = AtmosphereParams { sun_intensity: 1.0, ..AtmosphereParams::earth() };
-    let sky = SkySettings { composition: Composition::SkyDome, ..luts(LutSettings::MEDIUM) };
+    let sky = composed(Composition::SkyDome, luts(LutSettings::MEDIUM));
     // Distance of the disks' middles as seen from the camera in sun radii (0.0566 is the umbra's edge), and
     // by which factor light may be off: what is scattered more often is an estimate.
     let places = [(0.0, 2.0), (0.04, 2.4), (0.1, 1.6), (0.5, 1.04), (1.0, 1.02)];
@@ -606,14 +605,14 @@ fn the_umbra_is_on_the_planet_and_nowhere_else() {
         let settings = PictureSettings { sky, terrain, dither: false, ..PictureSettings::default() };
         let mut renderer = PictureRenderer::default();
         let pixels = draw(b, &mut renderer, scene, &settings, size);
-        let on = renderer.plan().unwrap().effect("eclipse").unwrap().on;
+        let on = renderer.last_frame().unwrap().effect("eclipse").unwrap().on;
         renderer.destroy(b);
         (pixels, on)
     };
     let moon_at = |point: DVec3| Moon::new(point + sun * 3.6e8, MOON_RADIUS * 1.02);
     let ground = clear.planet_center + DVec3::Z * clear.atmosphere.planet_radius;
     on_both(|b| {
-        for method in [Method::Lut(LutSettings::LOW), march(24, 8)] {
+        for method in [Quality::Luts(LutSettings::LOW), march(24, 8)] {
             let (bright, on) = planet(b, &clear, method);
             assert!(!on);
             let (dark, on) = planet(b, &Scene { moon: Some(moon_at(ground)), ..clear.clone() }, method);

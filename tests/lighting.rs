@@ -5,15 +5,11 @@ use glam::{DVec3, Vec3};
 use welkin::gpu::{Backend, Format, Target};
 use welkin::reference::multiple::Settings;
 use welkin::reference::single::{RayQuery, Tolerance};
-use welkin::render::sky_light::{
-    AtmosphereConfig, LightingContext, LightingContextUniform, SkyHarmonics, SkyLight,
-    lighting_context_at_altitude, modulate_ambient_by_sun, sunlight,
-};
-use welkin::shaders::{MODULES, translate};
-use welkin::{
-    AtmosphereParams, Error, LutSettings, Method, PictureRenderer, PictureSettings, SkyRenderer, SkySettings,
-    TerrainStyle,
-};
+use welkin::model::lighting::{lighting_context_at_altitude, modulate_ambient_by_sun};
+use welkin::model::sunlight::sunlight;
+use welkin::render::sky_light::SkyHarmonics;
+use welkin::shaders::{LIGHTING_WGSL, translate};
+use welkin::{AtmosphereParams, Error, LutSettings, Quality, PictureRenderer, PictureSettings, SkyRenderer, SkySettings, TerrainStyle};
 
 use crate::harness::tables::{Differences, Table, medium};
 use crate::harness::{View, background_passes, draw, on_both, orders, rgb, target};
@@ -110,7 +106,7 @@ fn transition_is_smooth() {
 #[test]
 fn gpu_uniform_struct_size() {
     assert_eq!(size_of::<LightingContextUniform>(), 32);
-    let (_, text) = MODULES.iter().find(|(name, _)| *name == "lighting").unwrap();
+    let text = LIGHTING_WGSL;
     let (members, size) = translate::module_layout(text, "LightingContext").unwrap().unwrap();
     let ours: Vec<_> =
         LightingContextUniform::offsets().into_iter().map(|(n, o)| (n.to_owned(), o)).collect();
@@ -128,13 +124,13 @@ fn gpu_uniform_struct_size() {
 /// The light of a medium's sky, from the tables of a frame.
 fn sky_light(b: &mut dyn Backend, params: &AtmosphereParams, lut: LutSettings) -> SkyLight {
     let scene = View { params: params.clone(), pitch: 30.0, ..View::default() }.scene();
-    let settings = SkySettings { method: Method::Lut(lut), ..SkySettings::default() };
+    let settings = SkySettings { quality: Quality::Luts(lut), ..SkySettings::default() };
     let mut sky = SkyRenderer::new(settings).unwrap();
-    assert!(sky.begin_sky_light(b, &scene).unwrap().is_none(), "light before there are tables");
+    assert!(sky.begin_sky_light(b).unwrap().is_none(), "light before there are tables");
     let target = target(b, [4, 4]);
     let passes = background_passes(b, &mut sky, &scene, Target::color(target));
     b.run(&passes).unwrap();
-    let read = sky.begin_sky_light(b, &scene).unwrap().unwrap();
+    let read = sky.begin_sky_light(b).unwrap().unwrap();
     let light = read.poll(b).unwrap().unwrap();
     sky.destroy(b);
     b.destroy_texture(target);

@@ -7,7 +7,7 @@ use glam::DVec3;
 use proptest::num::f64::{ANY, NORMAL};
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
-use welkin::frame::lut::TablesUniform;
+use welkin::frame::luts::TablesUniform;
 use welkin::frame::uniforms::{FrameOptions, FrameUniform};
 use welkin::gpu::RowOrder;
 use welkin::model::scene::Tangents;

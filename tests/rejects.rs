@@ -5,12 +5,9 @@ use std::time::Duration;
 use glam::DVec3;
 use welkin::gpu::Program;
 use welkin::gpu::{Backend, Format, Inputs, Pass, Target, TextureDesc, Uniform};
-use welkin::settings::quality::Front;
+use welkin::settings::front::ParetoFront;
 use welkin::shaders::copy;
-use welkin::{
-    AtmosphereParams, DepthConvention, Error, PictureRenderer, PictureSettings, Quality, Scene, SkySettings,
-    ToneMap,
-};
+use welkin::{AtmosphereParams, DepthConvention, Error, PictureRenderer, PictureSettings, Quality, Scene, SkySettings, ToneMap};
 
 use crate::harness::{View, march, on_both};
 
@@ -90,8 +87,8 @@ fn wrong_scenes_are_refused_by_name_value_and_range() {
         ),
         ("near plane 0", depth(DepthConvention::ReversedInfinite { near: 0.0 }), ["depth.near", "= 0 "]),
         ("far before near", depth(DepthConvention::ZeroToOne { near: 1.0, far: 0.5 }), ["depth.far", "0.5"]),
-        ("no samples", sky(|s| s.method = march(0, 8)), ["view_samples", "from 1 to 1024"]),
-        ("too many samples", sky(|s| s.method = march(16, 100_000)), ["light_samples", "100000"]),
+        ("no samples", sky(|s| s.quality = march(0, 8)), ["view_samples", "from 1 to 1024"]),
+        ("too many samples", sky(|s| s.quality = march(16, 100_000)), ["light_samples", "100000"]),
         ("scale 0", sky(|s| s.render_scale = 0.0), ["render_scale", "0.125"]),
         ("unknown planet", AtmosphereParams::preset("vulcan").map(|_| ()), ["planet", "vulcan"]),
         (
@@ -147,17 +144,18 @@ fn wrong_requests_of_a_backend_are_refused_and_leave_nothing_behind() {
         let mut bad = good.clone();
         bad.sun_direction = DVec3::splat(f64::NAN);
         say("NaN sun", draw(backend, &mut renderer, &bad, &settings, [4, 4]), "sun_direction");
-        let measure = |b: &mut dyn Backend, q: &[Quality], size| Front::measure(b, q, size).map(|_| ());
+        let presets: Vec<_> = Quality::PRESETS.iter().map(|(_, quality)| *quality).collect();
+        let measure = |b: &mut dyn Backend, q: &[Quality], size| ParetoFront::measure(b, q, size).map(|_| ());
         say("no qualities", measure(backend, &[], [4, 4]), "qualities = none");
-        say("front of no size", measure(backend, Quality::ALL, [4, 0]), "front.height = 0");
-        say("front too large", measure(backend, Quality::ALL, [max + 1, 4]), "front.width");
-        let mut unknown = Quality { method: march(9, 9), ..Quality::SINGLE_LOW };
+        say("front of no size", measure(backend, &presets, [4, 0]), "front.height = 0");
+        say("front too large", measure(backend, &presets, [max + 1, 4]), "front.width");
+        let mut unknown = march(9, 9);
         say(
             "quality without a known error",
             measure(backend, &[Quality::SINGLE_LOW, unknown], [4, 4]),
             "single 9 × 9",
         );
-        unknown.method = march(0, 9);
+        unknown = march(0, 9);
         say("quality that is none", measure(backend, &[unknown], [4, 4]), "view_samples = 0");
         let dark = PictureSettings { exposure: f64::NAN, ..settings };
         say("NaN exposure", draw(backend, &mut renderer, &good, &dark, [4, 4]), "exposure");

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use welkin::frame::eclipse::ShadowUniform;
-use welkin::frame::lut::TablesUniform;
+use welkin::frame::luts::TablesUniform;
 use welkin::frame::terrain::TerrainUniform;
 use welkin::frame::tone_map::ToneUniform;
 use welkin::frame::uniforms::{DepthUniform, FrameUniform, MediumUniform};

@@ -191,7 +191,7 @@ fn pictures_of_all_renderers_have_the_same_noise() {
     let scene: Scene = View { pitch: 20.0, sun_elevation: 20.0, aspect: 1.5, ..View::default() }.scene();
     let empty = Scene { atmosphere: airless(scene.atmosphere.clone()), ..scene.clone() };
     let settings = PictureSettings {
-        sky: SkySettings { sun_disk: false, ..SkySettings::default() },
+        sky: without_disk(SkySettings::default()),
         terrain: None,
         ..PictureSettings::default()
     };
