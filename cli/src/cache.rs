@@ -23,7 +23,7 @@ pub struct Cache {
 }
 
 impl Cache {
-    /// In the folder that is asked for, or `welkin` in the user's cache folder.
+    /// Keeps them in the folder that is asked for, or in `welkin` in the user's cache folder.
     pub fn new(args: &CacheArgs) -> Self {
         let mut cache = Self { folder: None, reused: 0, solved: 0, notes: Vec::new() };
         if args.no_cache {

@@ -90,8 +90,8 @@ pub fn fitting(font: &MonoFont<'_>, x: u32, right: u32) -> usize {
     (right.saturating_sub(x) / (font.character_size.width + font.character_spacing)) as usize
 }
 
-/// At most `lines` lines of at most `most` characters, parted at spaces where there are some; what does not fit on the
-/// last one is cut and ends in dots.
+/// At most `lines` lines of at most `most` characters, parted at spaces where there are some; what does not
+/// fit on the last one is cut and ends in dots.
 pub fn wrapped(text: &str, most: usize, lines: usize) -> Vec<String> {
     let mut rest = text.trim();
     let mut all = Vec::new();

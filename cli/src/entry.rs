@@ -1,4 +1,5 @@
-//! What both programs do around a command: parse, run, say what went wrong, leave with a status that tells it.
+//! What both programs do around a command: parse, run, say what went wrong, leave with a status that tells
+//! it.
 
 use std::io::Write;
 use std::process::ExitCode;

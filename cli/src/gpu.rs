@@ -88,13 +88,6 @@ impl Gpu {
         self.device.backend()
     }
 
-    /// The backend behind it, current: another device may have been opened or used since. An error says that there
-    /// is none.
-    pub fn current_backend(&mut self) -> anyhow::Result<&mut dyn Backend> {
-        self.device.make_current()?;
-        self.backend().context(NO_GPU)
-    }
-
     /// The backend behind it, current, with the renderer that [`Self::draw`] uses; `None` for the CPU.
     pub fn parts(&mut self) -> anyhow::Result<Option<(&mut dyn Backend, &mut PictureRenderer)>> {
         self.device.make_current()?;
@@ -124,9 +117,6 @@ impl Gpu {
         })
     }
 }
-
-/// What a command that needs a GPU says where there is none.
-pub const NO_GPU: &str = "no GPU backend can be had here ('welkin info' says why)";
 
 /// Radiance as it is without the scale that it was drawn with.
 fn unscaled([r, g, b, a]: [f32; 4], scale: f64) -> [f32; 4] {

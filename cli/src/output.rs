@@ -65,7 +65,8 @@ impl Destination {
         fs::remove_file(&part)
     }
 
-    /// The file that becomes the output once it is complete. In the same folder, so that renaming is one step.
+    /// The file that becomes the output once it is complete. In the same folder, so that renaming is one
+    /// step.
     fn part(&self) -> PathBuf {
         self.path.with_file_name(format!(".welkin-{}.part", std::process::id()))
     }

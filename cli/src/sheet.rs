@@ -34,17 +34,17 @@ pub struct Panel {
 
 /// All that is on the sheet.
 pub struct Sheet {
-    /// Top left.
+    /// The heading, top left.
     pub title: String,
-    /// Beside the title, on up to two lines.
+    /// The text beside the title, on up to two lines.
     pub subtitle: String,
     /// Rows of four.
     pub panels: Vec<Panel>,
-    /// Above the last row.
+    /// The heading above the last row.
     pub comparison_title: String,
     /// The last row, at most four; without any the row is left out.
     pub comparison: Vec<Panel>,
-    /// Along the bottom.
+    /// The text along the bottom.
     pub foot: String,
 }
 

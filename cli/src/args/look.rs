@@ -15,9 +15,10 @@ pub struct LookArgs {
 
     /// Which passes draw the atmosphere, and how unless a quality is asked for
     ///
-    /// sky-dome: the sky alone, in one pass behind the scene. atmosphere-post: one pass over the scene, which reads its
-    /// colour and depth. planet: a shell laid over the scene by blending. These three march single scattering, 24 × 8
-    /// samples. lut: everything from LUTs (lookup tables), with all orders of scattering, from the ground to far orbit.
+    /// sky-dome: the sky alone, in one pass behind the scene. atmosphere-post: one pass over the scene, which
+    /// reads its colour and depth. planet: a shell laid over the scene by blending. These three march single
+    /// scattering, 24 × 8 samples. lut: everything from LUTs (lookup tables), with all orders of scattering,
+    /// from the ground to far orbit.
     #[arg(long, value_name = "MODE", default_value = "lut", value_parser = mode())]
     mode: Mode,
 
@@ -48,8 +49,8 @@ impl LookArgs {
         self.mode
     }
 
-    /// The settings of a sky that is drawn as well as `quality` says and looks as these options say; `moon` says
-    /// whether the scene has a moon, `output` where the picture is written.
+    /// The settings of a sky that is drawn as well as `quality` says and looks as these options say; `moon`
+    /// says whether the scene has a moon, `output` where the picture is written.
     pub fn sky(&self, quality: SkySettings, moon: bool, exposure: f32, output: &Path) -> SkySettings {
         SkySettings {
             composition: self.mode.settings().composition,
@@ -59,8 +60,8 @@ impl LookArgs {
         }
     }
 
-    /// How much what is left out may change a picture of that exposure: as much as nobody sees in 8 bits, or what
-    /// suits numbers.
+    /// How much what is left out may change a picture of that exposure: as much as nobody sees in 8 bits, or
+    /// what suits numbers.
     fn bound(&self, exposure: f32, output: &Path) -> Option<Bound> {
         let linear = output.extension().is_some_and(|e| e.eq_ignore_ascii_case("exr") || e.eq_ignore_ascii_case("hdr"));
         let bound = if linear { Bound::LINEAR } else { Bound::eight_bit(exposure.into()) };

@@ -1,4 +1,5 @@
-//! The options that commands share: groups for `#[command(flatten)]`, each declared once, and what is accepted of them.
+//! The options that commands share: groups for `#[command(flatten)]`, each declared once, and what is
+//! accepted of them.
 
 pub mod backend;
 pub mod cache;

@@ -7,8 +7,8 @@ use clap::Args;
 /// The option `--output` as errors name it.
 pub const OPTION: &str = "--output <FILE>";
 
-/// The option that says where to write. What is written, and where by default, a command says in the help text that
-/// it puts in place of this one's, by `mut_arg("output", …)`.
+/// The option that says where to write. What is written, and where by default, a command says in the help
+/// text that it puts in place of this one's, by `mut_arg("output", …)`.
 #[derive(Args, Debug)]
 pub struct OutputArgs {
     /// Where to write

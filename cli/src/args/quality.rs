@@ -20,8 +20,8 @@ pub fn march([view_samples, light_samples]: [u32; 2]) -> Method {
     Method::Single { view_samples, light_samples }
 }
 
-/// The settings of a sky that is drawn by a method, the rest as by default. Whatever here draws a sky by numbers
-/// asks this, whatever draws it by a named quality [`sky_by_name`].
+/// The settings of a sky that is drawn by a method, the rest as by default. Whatever here draws a sky by
+/// numbers asks this, whatever draws it by a named quality [`sky_by_name`].
 pub fn sky_by_method(method: Method) -> SkySettings {
     SkySettings { method, ..SkySettings::default() }
 }
@@ -53,7 +53,8 @@ fn parse_quality() -> impl TypedValueParser<Value = Quality> {
 /// A quality by its name.
 #[derive(Args, Debug)]
 pub struct PresetArgs {
-    /// Method and its numbers by name; 'welkin-lab accuracy' measures what each costs and misses [default: medium]
+    /// Method and its numbers by name; 'welkin-lab accuracy' measures what each costs and misses [default:
+    /// medium]
     #[arg(long, value_name = "NAME", group = "chosen", value_parser = parse_quality())]
     quality: Option<Quality>,
 }
@@ -78,7 +79,8 @@ pub struct SamplesArgs {
     #[arg(value_parser = values::count(MAX_SAMPLES))]
     samples: Option<u32>,
 
-    /// Single scattering with so many samples from each of those towards the sun, 1 to 256 [default: 8 if it is asked for]
+    /// Single scattering with so many samples from each of those towards the sun, 1 to 256 [default: 8 if it
+    /// is asked for]
     #[arg(long, value_name = "N", conflicts_with = "chosen", allow_hyphen_values = true)]
     #[arg(value_parser = values::count(MAX_LIGHT_SAMPLES))]
     light_samples: Option<u32>,
@@ -104,15 +106,16 @@ pub struct QualityArgs {
 
     /// The cheapest quality with at most this mean error against all orders of scattering, as in 0.4 for 40 %
     ///
-    /// Of radiance, in the worst channel, over the Earth scenes of 'welkin-lab accuracy', by the table in this program.
+    /// Of radiance, in the worst channel, over the Earth scenes of 'welkin-lab accuracy', by the table in
+    /// this program.
     #[arg(long, value_name = "ERROR", group = "chosen")]
     #[arg(allow_hyphen_values = true, value_parser = number(0.0, 1e6, ""))]
     within_error: Option<f64>,
 
     /// The best quality whose sky takes at most this time a frame, as in 5ms; measured here first
     ///
-    /// Every quality is timed on the backend that draws, in frames of the picture's size: the mean over a view from
-    /// the ground, one of the limb and one of the whole Earth.
+    /// Every quality is timed on the backend that draws, in frames of the picture's size: the mean over a
+    /// view from the ground, one of the limb and one of the whole Earth.
     #[arg(long, value_name = "TIME", group = "chosen")]
     #[arg(allow_hyphen_values = true, value_parser = values::duration)]
     within_budget: Option<Duration>,

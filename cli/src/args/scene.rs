@@ -32,15 +32,32 @@ pub struct PlanetArgs {
 }
 
 impl PlanetArgs {
-    /// The planet that was named, or the Earth.
-    pub fn planet(&self) -> &'static str {
-        self.planet.unwrap_or("earth")
+    /// The planet that was named, or `default`.
+    pub fn or(&self, default: &'static str) -> &'static str {
+        self.planet.unwrap_or(default)
     }
 }
 
+/// The options of which any one asks for a single picture. (A group with a flattened part has no members of
+/// its own accord.)
+const SINGLE: [&str; 12] = [
+    "view",
+    "planet",
+    "altitude",
+    "pitch",
+    "heading",
+    "fov",
+    "sun_elevation",
+    "sun_azimuth",
+    "place",
+    "time",
+    "size",
+    "exposure",
+];
+
 /// Options of which any one asks for a single picture: what it shows, and its frame.
 #[derive(Args, Debug, Default)]
-#[group(id = "scene", args = ["planet"])]
+#[group(id = "scene", args = SINGLE)]
 pub struct SceneArgs {
     /// Start from this view of the contact sheet
     #[arg(long, value_name = "NAME", help_heading = VIEW, value_parser = values::view())]
@@ -91,8 +108,8 @@ pub struct SceneArgs {
 
     /// Put the moon where it stood, too; needs --place and --time, years 1900 to 2099
     ///
-    /// It is drawn with its phase, hides the sun's disk, whose edge is then darker, and its shadow falls on the ground
-    /// and through the air. With --backend cpu for light scattered once.
+    /// It is drawn with its phase, hides the sun's disk, whose edge is then darker, and its shadow falls on
+    /// the ground and through the air. With --backend cpu for light scattered once.
     #[arg(long, help_heading = SUN, requires_all = ["place", "time"])]
     moon: bool,
 
@@ -100,7 +117,8 @@ pub struct SceneArgs {
     #[arg(long, value_name = "WxH", help_heading = PICTURE, allow_hyphen_values = true, value_parser = values::size)]
     size: Option<[u32; 2]>,
 
-    /// Multiplies radiance before tone mapping, 1e-6 to 1e6: 2 is one stop brighter [default: the view's, or 1]
+    /// Multiplies radiance before tone mapping, 1e-6 to 1e6: 2 is one stop brighter [default: the view's, or
+    /// 1]
     #[arg(long, value_name = "FACTOR", help_heading = PICTURE, allow_hyphen_values = true)]
     #[arg(value_parser = number(1e-6, 1e6, ""))]
     exposure: Option<f64>,
@@ -145,12 +163,12 @@ impl SceneArgs {
         Ok(FramedScene { view, scene, terrain, size })
     }
 
-    /// The view that the options start from, with what they change of it. The sun may be moved later, by place and
-    /// time.
+    /// The view that the options start from, with what they change of it. The sun may be moved later, by
+    /// place and time.
     fn view(&self) -> View {
         let base = self.view.unwrap_or(&views::DEFAULT);
         View {
-            planet: self.planet.planet.unwrap_or(base.planet),
+            planet: self.planet.or(base.planet),
             altitude: self.altitude.as_ref().map_or(base.altitude, |a| a.metres),
             pitch: self.pitch.unwrap_or(base.pitch),
             heading: self.heading.unwrap_or(base.heading),
@@ -270,7 +288,7 @@ mod tests {
         }
         let command = <Options as clap::CommandFactory>::command();
         let takes_values = command.get_arguments().filter(|arg| arg.get_action().takes_values()).count();
-        assert_eq!(takes_values, 12, "an option that this test does not know");
+        assert_eq!(takes_values, SINGLE.len(), "an option that this test does not know");
         let none = command.try_get_matches_from(["test"]).unwrap();
         assert!(Options::from_arg_matches(&none).is_ok());
     }

@@ -79,18 +79,6 @@ pub fn size(text: &str) -> Result<[u32; 2], String> {
     })
 }
 
-/// The width and the height of a small frame in pixels.
-pub fn frame_size(text: &str) -> Result<[u32; 2], String> {
-    let frame = size(text).ok().filter(|size| size.iter().all(|side| (8..=1000).contains(side)));
-    frame.ok_or_else(|| "must be WIDTHxHEIGHT, each from 8 to 1000, as in 80x120".to_owned())
-}
-
-/// How many steps of a film are measured.
-pub fn steps(text: &str) -> Result<u32, String> {
-    let value = text.trim().parse().ok().filter(|n| *n == 0 || (8..=10_000).contains(n));
-    value.ok_or_else(|| "must be 0 or a whole number from 8 to 10000".to_owned())
-}
-
 /// A time above 0 with a unit.
 pub fn duration(text: &str) -> Result<Duration, String> {
     let time: Option<jiff::SignedDuration> = text.trim().parse().ok();

@@ -15,9 +15,9 @@ use crate::views::Place;
 
 const ECLIPSE_DETAILS: &str = "\
 elevation, azimuth  of the disks' middles, without refraction; 0° is north, 90° east
-magnitude           share of the sun's diameter that is covered; where one disk lies within the other, the ratio
+magnitude           fraction of the sun's diameter that is covered; where one disk lies within the other, the ratio
                     of their diameters
-obscuration         share of the sun's disk that is covered
+obscuration         fraction of the sun's disk that is covered
 sunlight            what is left of the sun's light, its edge being darker than its middle
 Contacts are for a moon without mountains: k = 0.2725076 for partial, 0.272281 for total and annular phases.
 Places are heights above the ellipsoid WGS 84. Times are good to a second or two from 1972 to the next leap second,
@@ -40,7 +40,8 @@ pub struct EclipseArgs {
     #[arg(long, value_name = "LAT,LON", allow_hyphen_values = true, value_parser = values::place)]
     place: Place,
 
-    /// Time in RFC 3339, years 1900 to 2099, as in 2024-04-08T18:17:16Z; the eclipse nearest to it, within 12 hours
+    /// Time in RFC 3339, years 1900 to 2099, as in 2024-04-08T18:17:16Z; the eclipse nearest to it, within 12
+    /// hours
     #[arg(long, value_name = "TIME", allow_hyphen_values = true, value_parser = values::time)]
     time: Timestamp,
 

@@ -15,9 +15,9 @@ use crate::quality_choice::QualityChoice;
 const PLAN_ABOUT: &str = "\
 Say which effects a picture calls for, why, and the passes that draw them
 
-Takes the options of 'welkin render' and draws nothing. Without any this is the plan of the default view from the \
-ground. What a plan leaves out changes no pixel by more than the bound that it names, and is not compiled, allocated, \
-bound or drawn.";
+Takes the options of 'welkin render' and draws nothing. Without any this is the plan of the default view \
+from the ground. What a plan leaves out changes no pixel by more than the bound that it names, and is \
+not compiled, allocated, bound or drawn.";
 
 const PLAN_DETAILS: &str = "\
 Examples:

@@ -28,9 +28,9 @@ use crate::progress::Progress;
 const RADIANCE_ABOUT: &str = "\
 Compute the sky's radiance in given directions, from a table to a table
 
-Radiance is per unit of the sun's irradiance at the top of the atmosphere on a plane normal to the sun: 1/sr. \
-Multiply it by the sun's irradiance. The sun's disk is never part of it; the sun is a point, nothing is \
-refracted or polarised. R, G, B are the medium's three channels (earth: 680, 550, 440 nm).";
+Radiance is per unit of the sun's irradiance at the top of the atmosphere on a plane normal to the sun: \
+1/sr. Multiply it by the sun's irradiance. The sun's disk is never part of it; the sun is a point, \
+nothing is refracted or polarised. R, G, B are the medium's three channels (earth: 680, 550, 440 nm).";
 
 const RADIANCE_DETAILS: &str = "\
 The table of cases is CSV with a header. Columns, found by name, in any order:
@@ -65,7 +65,9 @@ nothing was written.";
 #[derive(Args, Debug)]
 #[command(after_long_help = RADIANCE_DETAILS, long_about = RADIANCE_ABOUT)]
 #[command(after_help = "Columns, and what each method includes: welkin radiance --help")]
-#[command(mut_arg("quality", |arg| arg.help("Sizes of the LUTs, for --method lut: low, medium, high [default: medium]")))]
+#[command(mut_arg("quality", |arg| arg.hide_possible_values(true).help(
+    "Sizes of the LUTs, for --method lut: low, medium, high [default: medium]"
+)))]
 #[command(mut_arg("samples", |arg| arg.help(
     "Samples along each view ray, 1 to 1024; for --method single [default: 32]"
 )))]
@@ -157,9 +159,8 @@ struct Table {
 pub fn run(args: &RadianceArgs) -> anyhow::Result<()> {
     let draws = matches!(args.method, RadianceMethod::Single | RadianceMethod::Lut);
     let backend = args.backend.backend;
-    if draws && backend == BackendChoice::Cpu {
-        let allowed = "auto, webgpu or webgl2 with '--method single'; on the CPU use '--method reference-single'";
-        return Err(UsageError::value(backend::OPTION, "cpu", allowed).into());
+    if draws {
+        args.backend.gpu("it draws with '--method single' or 'lut'; on the CPU use '--method reference-single'")?;
     }
     if !draws && matches!(backend, BackendChoice::WebGpu | BackendChoice::WebGl2) {
         let allowed = "auto or cpu with a reference: it is computed on the CPU";

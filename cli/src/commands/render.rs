@@ -189,8 +189,8 @@ struct Comparison {
 }
 
 impl Comparison {
-    /// The same request by every backend, each with its largest difference from the first; then that difference
-    /// between the first two, magnified. A backend that fails has no panel.
+    /// The same request by every backend, each with its largest difference from the first; then that
+    /// difference between the first two, magnified. A backend that fails has no panel.
     fn draw(backends: &[BackendChoice], request: &RenderRequest, steps: &Progress) -> Self {
         let (mut panels, mut failed) = (Vec::new(), Vec::new());
         let mut drawn: Vec<(&str, Picture)> = Vec::new();
@@ -229,7 +229,8 @@ impl Comparison {
     }
 }
 
-/// Prints the quality, if it was chosen by measurements; last what there is now, who drew it, how long it took.
+/// Prints the quality, if it was chosen by measurements; last what there is now, who drew it, how long it
+/// took.
 fn report(
     args: &RenderArgs,
     choice: &QualityChoice,

@@ -27,7 +27,8 @@ pub enum Command {
     Accuracy(AccuracyArgs),
     /// Run the shaders' functions on a million cases, against f64
     Stress(StressArgs),
-    /// Fly from the ground to the moon's distance and around to the night side: what is drawn, why, and what it costs
+    /// Fly from the ground to the moon's distance and around to the night side: what is drawn, why, and what
+    /// it costs
     Flight(FlightArgs),
     /// Say what each effect costs: bytes, pipelines and milliseconds
     Costs(CostsArgs),

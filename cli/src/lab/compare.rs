@@ -13,7 +13,7 @@ use crate::args::quality::{PresetArgs, SamplesArgs, march, sky_by_method, sky_by
 use crate::args::usage::UsageError;
 use crate::args::values;
 use crate::gpu::{self, Gpu};
-use crate::lab::timing;
+use crate::lab::{device, timing};
 use crate::picture::{Picture, RenderRequest};
 use crate::views::{Place, VIEWS, View};
 
@@ -91,7 +91,7 @@ pub fn run(args: &CompareArgs) -> anyhow::Result<()> {
     }
     let mut choices = gpu::available();
     choices.retain(|c| args.cpu || *c != BackendChoice::Cpu);
-    ensure!(!choices.is_empty(), "{}; --cpu draws without one", gpu::NO_GPU);
+    ensure!(!choices.is_empty(), "{}; --cpu draws without one", device::NONE);
     let mut gpus = Vec::new();
     let mut out = std::io::stdout().lock();
     for choice in choices {
@@ -180,8 +180,8 @@ fn time(args: &CompareArgs, gpus: &mut [(&str, Gpu)], out: &mut impl Write) -> a
     Ok(())
 }
 
-/// The best of `repeat` times of each pass of a picture, and last of a plain full-screen copy of its radiance, all in
-/// the same run. `None` on the CPU, which has no passes.
+/// The best of `repeat` times of each pass of a picture, and last of a plain full-screen copy of its
+/// radiance, all in the same run. `None` on the CPU, which has no passes.
 fn times(gpu: &mut Gpu, request: &RenderRequest, repeat: u32) -> anyhow::Result<Option<Vec<PassTime>>> {
     let Some((backend, renderer)) = gpu.parts()? else { return Ok(None) };
     let size = [request.width, request.height];

@@ -14,7 +14,7 @@ use crate::args::backend::BackendArgs;
 use crate::args::quality::{PresetArgs, march, sky_by_name};
 use crate::args::values;
 use crate::gpu::Gpu;
-use crate::lab::timing;
+use crate::lab::{device, timing};
 use crate::progress::Progress;
 use crate::views::{self, Place, View};
 
@@ -23,10 +23,12 @@ use crate::views::{self, Place, View};
 #[command(long_about = "\
 Say what each effect costs: bytes, pipelines and milliseconds
 
-Two pictures for each effect: one that calls for it and one that does not, alike otherwise. Programs and textures are freed \
-after each. The table has the difference: bytes of textures, pipelines (on WebGL2: programs), milliseconds of the GPU in a \
-frame in which camera and sun move, and milliseconds once for each medium. The last columns count what of the effect was there when it was off: passes, and \
-textures or programs more than the plan without it names.")]
+Two pictures for each effect: one that calls for it and one that does not, alike otherwise. Programs and \
+textures are freed after each. The table has the difference: bytes of textures, pipelines (on WebGL2: \
+programs), milliseconds of the GPU in a frame in which camera and sun move, and milliseconds once for \
+each medium. The last columns count what of the effect was there when it was off: passes, and textures \
+or programs more than the plan without it names.")]
+#[command(mut_arg("backend", |arg| arg.help("What draws: auto, webgpu or webgl2").hide_possible_values(true)))]
 pub struct CostsArgs {
     /// Pixels of the pictures
     #[arg(long, value_name = "WxH", default_value = "960x540", value_parser = values::size)]
@@ -55,9 +57,9 @@ struct Case {
 /// Where a moon stands.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Where {
-    /// In the middle of the picture.
+    /// The moon is in the middle of the picture.
     Ahead,
-    /// Before half of the sun.
+    /// The moon is before half of the sun.
     BeforeSun,
 }
 
@@ -171,7 +173,7 @@ fn rows(quality: Quality) -> Vec<Row> {
 }
 
 fn measure(gpu: &mut Gpu, case: &Case, effect: &str, args: &CostsArgs) -> anyhow::Result<Found> {
-    let backend = gpu.current_backend()?;
+    let backend = device::current(gpu)?;
     let [width, height] = args.size;
     let scene = case.view.scene(Place::DEFAULT, f64::from(width) / f64::from(height), None)?;
     let moon = case.moon.map(|place| {

@@ -1,4 +1,5 @@
-//! `welkin-lab`: how exact, how fast and how smooth the skies are. `welkin-lab --help` says what it can measure.
+//! `welkin-lab`: how exact, how fast and how smooth the skies are. `welkin-lab --help` says what it can
+//! measure.
 
 use std::process::ExitCode;
 

@@ -1,10 +1,11 @@
-//! The laboratory: what measures how exact, how fast and how smooth the skies are. Its commands share their timing,
-//! their plots and how they ask the reference.
+//! The laboratory: what measures how exact, how fast and how smooth the skies are. Its commands share their
+//! timing, their plots and how they ask the reference.
 
 mod accuracy;
 pub mod cli;
 mod compare;
 mod costs;
+mod device;
 mod film;
 mod flight;
 mod plot;
@@ -12,3 +13,4 @@ mod reference;
 mod shaders;
 mod stress;
 mod timing;
+mod values;

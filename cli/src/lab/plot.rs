@@ -13,7 +13,8 @@ pub type Area<'a> = DrawingArea<SVGBackend<'a>, plotters::coord::Shift>;
 /// What drawing a diagram comes to.
 pub type Drawn = Result<(), Box<dyn std::error::Error>>;
 
-/// A white page of `size` pixels as SVG, in rows and columns of diagrams; `draw` draws each of `diagrams` on its part.
+/// A white page of `size` pixels as SVG, in rows and columns of diagrams; `draw` draws each of `diagrams` on
+/// its part.
 pub fn svg<T>(
     size: (u32, u32),
     rows_and_columns: (usize, usize),

@@ -12,8 +12,8 @@ pub fn pixel_ray(view: &ZenithView, [x, y]: [u32; 2], [width, height]: [u32; 2])
     RayQuery { altitude: view.altitude, direction, sun: view.sun, length: f64::INFINITY, moon: None }
 }
 
-/// Light of all orders that the air sends along a ray, per unit of the sun's irradiance. Light that comes straight
-/// from the ground is left out: it is the scene's own to draw.
+/// Light of all orders that the air sends along a ray, per unit of the sun's irradiance. Light that comes
+/// straight from the ground is left out: it is the scene's own to draw.
 pub fn inscatter(orders: &Orders, ray: &RayQuery) -> welkin::Result<[f64; 3]> {
     let light = orders.radiance(ray, Tolerance { relative: 1e-4 })?;
     Ok(std::array::from_fn(|c| light.per_irradiance[c] - light.ground[c]))

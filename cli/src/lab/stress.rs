@@ -16,11 +16,11 @@ use crate::progress::Progress;
 const STRESS_ABOUT: &str = "\
 Run the shaders' functions on a million cases, against f64
 
-Each case is a planet, its air, a camera, a ray and a sun: first a fixed grid of what breaks atmosphere code, then \
-random ones over everything that the library accepts. The shaders' own functions run on each of them, one pixel a \
-case, and every number that comes back must be finite, possible (no negative light, transmittance from 0 to 1) and \
-right: geometry within 1e-5 or 1 m (in proportion on planets smaller than the Earth), everything else within 0.1 % \
-or 1e-6 of the case's brightest value.";
+Each case is a planet, its air, a camera, a ray and a sun: first a fixed grid of what breaks atmosphere \
+code, then random ones over everything that the library accepts. The shaders' own functions run on each \
+of them, one pixel a case, and every number that comes back must be finite, possible (no negative light, \
+transmittance from 0 to 1) and right: geometry within 1e-5 or 1 m (in proportion on planets smaller than \
+the Earth), everything else within 0.1 % or 1e-6 of the case's brightest value.";
 
 const STRESS_DETAILS: &str = "\
 The table, a line for each quantity:
@@ -57,7 +57,9 @@ Exit status: 0 every promise was kept; 1 one was broken, or a backend failed; 2 
 #[derive(Args, Debug)]
 #[command(long_about = STRESS_ABOUT, after_long_help = STRESS_DETAILS)]
 #[command(after_help = "What the table says, and examples: welkin-lab stress --help")]
-#[command(mut_arg("backend", |arg| arg.help("What runs the shaders; the CPU cannot")))]
+#[command(mut_arg("backend", |arg| {
+    arg.help("What runs the shaders: auto, webgpu or webgl2").hide_possible_values(true)
+}))]
 pub struct StressArgs {
     /// How many cases, 1 to 10^10
     #[arg(long, value_name = "N", default_value = "1000000")]

@@ -18,8 +18,8 @@ pub fn copy(backend: &mut dyn Backend, from: TextureId, to: TextureId) -> welkin
     })
 }
 
-/// The shortest time of each pass in `rounds` rounds of all of them. A round before the first, which makes pipelines
-/// and warms caches, is the caller's.
+/// The shortest time of each pass in `rounds` rounds of all of them. A round before the first, which makes
+/// pipelines and warms caches, is the caller's.
 pub fn best_of(backend: &mut dyn Backend, passes: &[Pass], rounds: u32) -> welkin::Result<Vec<PassTime>> {
     let mut best = backend.times(passes)?;
     for _ in 1..rounds {

@@ -148,7 +148,8 @@ impl Findings {
         names
     }
 
-    /// What was measured of a backend over all scenes of a medium, as far as an error against this means something.
+    /// What was measured of a backend over all scenes of a medium, as far as an error against this means
+    /// something.
     pub fn compared(&self, backend: &str, medium: usize, against: Against) -> impl Iterator<Item = &Entry> {
         self.totals(medium).filter(move |e| e.backend == backend && e.candidate.is_compared_with(against))
     }
@@ -160,7 +161,8 @@ impl Findings {
     }
 }
 
-/// What of `all` is not beaten in one of two costs by something that is no worse in the other; by the first cost.
+/// What of `all` is not beaten in one of two costs by something that is no worse in the other; by the first
+/// cost.
 fn front<T: Copy>(mut all: Vec<T>, cost: impl Fn(T) -> (f64, f64)) -> Vec<T> {
     all.sort_by(|a, b| cost(*a).partial_cmp(&cost(*b)).unwrap_or(std::cmp::Ordering::Equal));
     let mut best = f64::INFINITY;

@@ -1,4 +1,5 @@
-//! What the accuracy report measures: what the reference expects of some pixels of a scene, and a backend's errors and times.
+//! What the accuracy report measures: what the reference expects of some pixels of a scene, and a backend's
+//! errors and times.
 
 use anyhow::{Context, ensure};
 use palette::color_difference::Ciede2000;
@@ -16,7 +17,8 @@ use crate::lab::accuracy::scenes::Frame;
 use crate::lab::reference;
 use crate::lab::timing;
 
-/// Values below this fraction of the picture's brightest count as that bright: errors in the dark do not show.
+/// Values below this fraction of the picture's brightest count as that bright: errors in the dark do not
+/// show.
 pub const FLOOR: f64 = 1e-3;
 
 /// What an error is an error against.
@@ -98,7 +100,7 @@ impl Expected {
 /// Every single error, so that statistics can be taken over several scenes.
 #[derive(Clone, Debug, Default)]
 pub struct Errors {
-    /// Of radiance, per channel.
+    /// Errors of radiance, per channel.
     pub relative: [Vec<f64>; 3],
     /// CIEDE2000 after tone mapping.
     pub delta_e: Vec<f64>,
@@ -157,11 +159,11 @@ impl Summary {
 /// Milliseconds, the best of several runs.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Times {
-    /// Of the sky: background and air before the scene.
+    /// Time of the sky's passes: background and aerial perspective.
     pub sky: f64,
-    /// Of a full-screen copy of the same target in the same runs.
+    /// Time of a full-screen copy of the same target in the same runs.
     pub copy: f64,
-    /// Of what is made once for a medium, in the frame that made it.
+    /// Time of what is made once for a medium, in the frame that made it.
     pub once: f64,
 }
 

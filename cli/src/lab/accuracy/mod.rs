@@ -37,9 +37,10 @@ const OPTION: &str = "--output <FOLDER>";
 const ACCURACY_ABOUT: &str = "\
 Measure what accuracy costs in time, on every backend
 
-Draws a fixed set of scenes (sun from the zenith to 12° below the horizon, camera from 2 m to 10,000 km, Earth, \
-Mars and a thick haze) at many qualities on every backend that this machine has, and compares them with the f64 \
-reference. Writes accuracy.md (tables), accuracy.csv (every number) and accuracy.svg (error against time).";
+Draws a fixed set of scenes (sun from the zenith to 12° below the horizon, camera from 2 m to 10,000 km, \
+Earth, Mars and a thick haze) at many qualities on every backend that this machine has, and compares \
+them with the f64 reference. Writes accuracy.md (tables), accuracy.csv (every number) and accuracy.svg \
+(error against time).";
 
 /// Options of `welkin-lab accuracy`.
 #[derive(Args, Debug)]

@@ -64,7 +64,8 @@ fn diagram(findings: &Findings, area: &Area<'_>, title: &str, medium: usize, aga
         COLORS[at % COLORS.len()]
     };
     for (i, backend) in backends.iter().enumerate() {
-        // The first backend: full dots, a full line, labels above; the next: rings, a broken line, labels below.
+        // The first backend: full dots, a full line, labels above; the next: rings, a broken line, labels
+        // below.
         let (offset, first) = if i == 0 { ((6, -14), true) } else { ((-34, 6), false) };
         let dot = |e: &Entry, size, opacity| {
             let color = color(e).mix(opacity);

@@ -158,7 +158,8 @@ pub fn markdown(f: &Findings) -> Result<String, std::fmt::Error> {
     Ok(t)
 }
 
-/// One line for each backend, method and settings, medium or scene, and reference. Errors are fractions, times milliseconds.
+/// One line for each backend, method and settings, medium or scene, and reference. Errors are fractions,
+/// times milliseconds.
 pub fn csv(f: &Findings, file: &mut dyn std::io::Write) -> anyhow::Result<()> {
     let mut writer = csv::Writer::from_writer(file);
     let mut header: Vec<String> =

@@ -10,13 +10,13 @@ pub struct Setup {
     pub name: &'static str,
     /// Index into [`MEDIA`].
     pub medium: usize,
-    /// Of the camera, metres.
+    /// The camera's height above the ground, metres.
     pub altitude: f64,
-    /// Of the sun, at the camera.
+    /// The sun's angle from the zenith at the camera.
     pub sun_zenith: f64,
-    /// Of the camera, above the horizontal.
+    /// How far above the horizontal the camera looks.
     pub pitch: f64,
-    /// Of the camera, away from the sun.
+    /// How far away from the sun the camera looks.
     pub heading: f64,
     /// Vertical field of view.
     pub fov: f64,
@@ -33,9 +33,9 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// With every scene.
+    /// The frame of every scene.
     pub const WHOLE: Self = Self { size: [320, 180], stride: 20 };
-    /// With the quick scenes.
+    /// The frame of the quick scenes.
     pub const QUICK: Self = Self { size: [256, 144], stride: 24 };
 
     pub fn aspect(&self) -> f64 {

@@ -1,4 +1,5 @@
-//! `welkin-lab film`: a climb to a million kilometres or a day as a strip of frames, and how smoothly they follow.
+//! `welkin-lab film`: a climb to a million kilometres or a day as a strip of frames, and how smoothly they
+//! follow.
 
 pub mod path;
 mod strip;
@@ -24,7 +25,8 @@ use crate::args::usage::UsageError;
 use crate::args::values::{self, Length, degrees, number};
 use crate::cache::Cache;
 use crate::gpu::{self, Gpu};
-use crate::lab::reference;
+use crate::lab::values::frame_size;
+use crate::lab::{device, reference};
 use crate::output::{Destination, Output};
 use crate::picture::{Picture, RenderRequest};
 use crate::progress::Progress;
@@ -34,22 +36,25 @@ use path::{Moment, Step};
 const FILM_ABOUT: &str = "\
 Draw a climb to a million kilometres, or a day, as a strip of frames; measure how smoothly they follow
 
-climb: the camera rises from 2 m to 1,000,000 km, each frame higher by the same factor. It looks at the horizon, from \
-100 km on more and more towards the planet's centre, and keeps the whole planet in the picture once it fits.
+climb: the camera rises from 2 m to 1,000,000 km, each frame higher by the same factor. It looks at the \
+horizon, from 100 km on more and more towards the planet's centre, and keeps the whole planet in the \
+picture once it fits.
 day: the sun rises 20° below the horizon behind the camera, passes through the zenith and sets in front of it.
 
-Then the same film in many more and smaller frames, by every backend and by the f64 reference: how far neighbouring \
-frames lie apart, and how far that is from what the reference changes by. A seam, a popping LUT or a hand-over that \
-does not add up shows as a difference there.";
+Then the same film in many more and smaller frames, by every backend and by the f64 reference: how far \
+neighbouring frames lie apart, and how far that is from what the reference changes by. A seam, a popping \
+LUT or a hand-over that does not add up shows as a difference there.";
 
 const FILM_DETAILS: &str = "\
-The table of steps: light of the air over black, without ground and sun's disk, in 32-bit floats. All numbers are fractions \
-of the brightest value that the reference has in the two frames, channel by channel, in %:
+The table of steps: light of the air over black, without ground and sun's disk, in 32-bit floats. All \
+numbers are fractions of the brightest value that the reference has in the two frames, channel by \
+channel, in %:
   mean    of all values of the frame
   pixel   the value that changes most
   off     of the change that is drawn less the reference's change; the two above it are sizes of either change
-Half of a climb's steps are spread evenly in the altitude's logarithm, a quarter over 14 to 51 km, where the background \
-hands over to the depth-aware pass, and a quarter around the top of the air. --csv writes every step.
+Half of a climb's steps are spread evenly in the altitude's logarithm, a quarter over 14 to 51 km, where \
+the background hands over to the depth-aware pass, and a quarter around the top of the air. --csv writes \
+every step.
 
 The reference is solved once for each planet (Earth: 10 s) and kept; its frames take some minutes of a core.
 
@@ -64,6 +69,12 @@ Examples:
 Exit status: 0 drawn and written; 1 drawing, measuring or writing failed; 2 the request was not accepted, and
 nothing was written.";
 
+/// A parser of the number of steps that are measured.
+fn steps(text: &str) -> Result<u32, String> {
+    let value = text.trim().parse().ok().filter(|n| *n == 0 || (8..=10_000).contains(n));
+    value.ok_or_else(|| "must be 0 or a whole number from 8 to 10000".to_owned())
+}
+
 /// Which film.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum FilmKind {
@@ -77,7 +88,9 @@ enum FilmKind {
 #[derive(Args, Debug)]
 #[command(long_about = FILM_ABOUT, after_long_help = FILM_DETAILS)]
 #[command(after_help = "What the table says, and examples: welkin-lab film --help")]
-#[command(mut_arg("backend", |arg| arg.help("What draws; auto: the strip by the best, the table for each that can be had")))]
+#[command(mut_arg("backend", |arg| arg.hide_possible_values(true).help(
+    "What draws: webgpu, webgl2 or auto, which is the best for the strip and each that can be had for the table"
+)))]
 #[command(mut_arg("output", |arg| arg.help("Where to write the strip (.png) [default: film.png]")))]
 pub struct FilmArgs {
     /// What changes from frame to frame
@@ -100,17 +113,18 @@ pub struct FilmArgs {
     frames: u32,
 
     /// Pixels of each frame, 8x8 to 1000x1000
-    #[arg(long, value_name = "WxH", default_value = "80x120", value_parser = values::frame_size)]
+    #[arg(long, value_name = "WxH", default_value = "80x120", value_parser = frame_size)]
     size: [u32; 2],
 
     /// Steps that are measured, 8 to 10000; 0 does not measure
-    #[arg(long, value_name = "N", default_value = "240", value_parser = values::steps)]
+    #[arg(long, value_name = "N", default_value = "240", value_parser = steps)]
     steps: u32,
 
     #[command(flatten)]
     preset: PresetArgs,
 
-    /// Multiplies radiance before tone mapping, 1e-6 to 1e6 [default: 0.4; of a day, 0.25 / median^0.85 of each frame]
+    /// Multiplies radiance before tone mapping, 1e-6 to 1e6 [default: 0.4; of a day, 0.25 / median^0.85 of
+    /// each frame]
     #[arg(long, value_name = "FACTOR", allow_hyphen_values = true, value_parser = number(1e-6, 1e6, ""))]
     exposure: Option<f64>,
 
@@ -179,7 +193,7 @@ pub fn run(args: &FilmArgs) -> anyhow::Result<()> {
         choice => vec![choice],
     };
     choices.retain(|c| *c != BackendChoice::Cpu);
-    ensure!(!choices.is_empty(), gpu::NO_GPU);
+    ensure!(!choices.is_empty(), device::NONE);
     let start = Instant::now();
     let mut gpus = choices.iter().map(|&c| Ok((c.name(), Gpu::open(c)?))).collect::<anyhow::Result<Vec<_>>>()?;
     let mut out = std::io::stdout().lock();
@@ -206,9 +220,9 @@ struct Film<'a> {
     planet: &'static str,
     params: AtmosphereParams,
     kind: FilmKind,
-    /// Of a climb, degrees.
+    /// The sun's height during a climb, degrees.
     sun_elevation: f64,
-    /// Of a day, metres.
+    /// The camera's height during a day, metres.
     altitude: f64,
     sky: SkySettings,
 }
@@ -216,7 +230,7 @@ struct Film<'a> {
 impl<'a> Film<'a> {
     fn new(args: &'a FilmArgs) -> anyhow::Result<Self> {
         let (sun_elevation, altitude) = args.fixed()?;
-        let planet = args.planet.planet();
+        let planet = args.planet.or("earth");
         let mut sky = sky_by_name(args.preset.quality());
         sky.sun_disk = false;
         let params = AtmosphereParams::preset(planet)?;
@@ -356,7 +370,7 @@ impl<'a> Film<'a> {
             radiance: Format::Rgba32Float,
             ..PictureSettings::default()
         };
-        let backend = gpu.current_backend()?;
+        let backend = device::current(gpu)?;
         let mut renderer = PictureRenderer::default();
         let frames = scenes.iter().map(|scene| {
             let drawn = renderer.draw(backend, scene, &settings, size)?;

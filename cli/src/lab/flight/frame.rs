@@ -7,7 +7,7 @@ use crate::lab::film::path::Moment;
 /// What a frame's sky costs.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Cost {
-    /// Passes in this frame, tables included.
+    /// Passes in this frame, those of LUTs included.
     pub passes: usize,
     /// Pixels and texels that they shade.
     pub pixels: f64,
@@ -27,6 +27,7 @@ pub struct Frame {
     pub everything: Cost,
     /// Milliseconds by the clock, with pipelines made when needed and ahead.
     pub clock: [f64; 2],
-    /// Largest change of radiance by what is left out, as a fraction of the bound; and of a display value, of 255.
+    /// Largest change of radiance by what is left out, as a fraction of the bound; and of a display value, of
+    /// 255.
     pub change: [f64; 2],
 }

@@ -21,7 +21,8 @@ use crate::args::scene::PlanetArgs;
 use crate::args::values;
 use crate::gpu::Gpu;
 use crate::lab::film::path::Moment;
-use crate::lab::timing;
+use crate::lab::values::frame_size;
+use crate::lab::{device, timing};
 use crate::output::Destination;
 use crate::progress::Progress;
 use crate::views::{self, Place, View};
@@ -39,19 +40,21 @@ const LEGS: [f64; 4] = [0.4, 0.2, 0.1, 0.3];
 #[command(long_about = "\
 Fly from the ground to the moon's distance and around to the night side: what is drawn, why, and what it costs
 
-The camera rises from 2 m to 384,000 km by day, goes around to the night side, looks away from the planet for a moment \
-and comes down by night. For each frame: the \
-passes that the plan calls for, the pixels that they shade and their time on the GPU, beside the same with every effect \
-forced on. Then every switch of an effect with its reason, the slowest frame with pipelines made ahead and made when \
+The camera rises from 2 m to 384,000 km by day, goes around to the night side, looks away from the \
+planet for a moment and comes down by night. For each frame: the passes that the plan calls for, the \
+pixels that they shade and their time on the GPU, beside the same with every effect forced on. Then \
+every switch of an effect with its reason, the slowest frame with pipelines made ahead and made when \
 they are first needed, and the largest change of a pixel by what was left out.")]
 #[command(after_long_help = "\
-Times are of the sky's passes alone, LUTs included, and the best of --repeat; the demonstration's ground and tone mapping \
-cost the same in both. The slowest frame is by the clock, with everything. A driver that keeps compiled shaders on disk \
-hides what pipelines cost: empty that first (Mesa: MESA_SHADER_CACHE_DIR=an empty folder).
+Times are of the sky's passes alone, LUTs included, and the best of --repeat; the demonstration's ground \
+and tone mapping cost the same in both. The slowest frame is by the clock, with everything. A driver \
+that keeps compiled shaders on disk hides what pipelines cost: empty that first (Mesa: \
+MESA_SHADER_CACHE_DIR=an empty folder).
 
 Examples:
   welkin-lab flight
   welkin-lab flight --frames 400 --size 1920x1080 -o flight.svg --csv flight.csv")]
+#[command(mut_arg("backend", |arg| arg.help("What draws: auto, webgpu or webgl2").hide_possible_values(true)))]
 #[command(mut_arg("output", |arg| arg.help("Draw times, pixels and passes along the flight to this file (SVG)")))]
 pub struct FlightArgs {
     /// Frames, 16 to 4000
@@ -63,7 +66,7 @@ pub struct FlightArgs {
     size: [u32; 2],
 
     /// Pixels of the frames whose radiance is compared, 8x8 to 1000x1000
-    #[arg(long, value_name = "WxH", default_value = "96x54", value_parser = values::frame_size)]
+    #[arg(long, value_name = "WxH", default_value = "96x54", value_parser = frame_size)]
     compare_size: [u32; 2],
 
     /// Rounds of timing, of which the best counts, 1 to 100
@@ -126,7 +129,7 @@ fn of_sky(pass: &Pass) -> bool {
 impl<'a> Flight<'a> {
     fn new(args: &'a FlightArgs) -> anyhow::Result<Self> {
         let backend = args.backend.gpu("what is timed are a GPU's passes")?;
-        let planet = args.planet.planet();
+        let planet = args.planet.or("earth");
         let terrain = (!args.no_terrain).then(|| View { planet, ..views::DEFAULT }.terrain());
         let mut sky = sky_by_name(args.preset.quality());
         sky.bound = Some(Bound::eight_bit(1.0));
@@ -186,13 +189,13 @@ impl<'a> Flight<'a> {
         let cold = self.clocks(&mut Gpu::open(self.backend)?, &moments, &steps)?;
         let mut gpu = Gpu::open(self.backend)?;
         let start = Instant::now();
-        let backend = gpu.current_backend()?;
+        let backend = device::current(&mut gpu)?;
         let mut warm_up = WarmUp::picture(&self.scene(&moments[0], self.args.size)?, &self.settings)?;
         while warm_up.step(backend)? {}
         let ahead = start.elapsed().as_secs_f64();
         let warmed_up = self.clocks(&mut gpu, &moments, &steps)?;
         let describe = gpu.describe();
-        let backend = gpu.current_backend()?;
+        let backend = device::current(&mut gpu)?;
         let mut renderers: [PictureRenderer; 4] = Default::default();
         let mut frames = Vec::with_capacity(moments.len());
         for (moment, clock) in moments.into_iter().zip(cold.into_iter().zip(warmed_up)) {
@@ -215,7 +218,7 @@ impl<'a> Flight<'a> {
 
     /// Milliseconds of each frame by the clock.
     fn clocks(&self, gpu: &mut Gpu, moments: &[Moment], steps: &Progress) -> anyhow::Result<Vec<f64>> {
-        let backend = gpu.current_backend()?;
+        let backend = device::current(gpu)?;
         let mut renderer = PictureRenderer::default();
         let mut clocks = Vec::with_capacity(moments.len());
         for moment in moments {
@@ -249,7 +252,8 @@ impl<'a> Flight<'a> {
         };
         let mut cost =
             Cost { passes: sky.len(), pixels: sky.iter().map(pixels).sum::<f64>() + 0.0, time: f64::INFINITY };
-        // Once in whole: that fills the depth buffer, makes pipelines and warms caches. Then the sky's passes alone.
+        // Once in whole: that fills the depth buffer, makes pipelines and warms caches. Then the sky's passes
+        // alone.
         backend.run(&passes)?;
         let sky: Vec<Pass> = sky.into_iter().copied().collect();
         let times = timing::best_of(backend, &sky, self.args.repeat)?;
@@ -288,7 +292,7 @@ fn report(args: &FlightArgs, frames: &[Frame], ahead: f64) -> String {
     let mut text = format!(
         "{} frames of {width}×{height}, {}, {}\n\n",
         frames.len(),
-        args.planet.planet(),
+        args.planet.or("earth"),
         args.preset.quality().name
     );
     text += "| frame | altitude | sun | passes | all on | megapixels | all on | GPU ms | all on | effects off |\n";
@@ -331,7 +335,8 @@ fn report(args: &FlightArgs, frames: &[Frame], ahead: f64) -> String {
         "\nThe sky's passes over the whole flight: {planned:.1} ms of the GPU, {all:.1} ms with everything on ({:.2}×)\n",
         all / planned
     );
-    // A frame's clock holds its own work: what is compiled in it stands out against a flight that compiles nothing.
+    // A frame's clock holds its own work: what is compiled in it stands out against a flight that compiles
+    // nothing.
     for (name, which) in [("pipelines made when first needed", 0), ("pipelines made ahead", 1)] {
         let mut clocks: Vec<f64> = frames[1..].iter().map(|f| f.clock[which]).collect();
         let worst = clocks.iter().copied().fold(0.0, f64::max);

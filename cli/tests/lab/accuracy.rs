@@ -1,28 +1,21 @@
-//! `welkin accuracy --quick` through the built binary: its files, and that its numbers say what must be so.
+//! `welkin-lab accuracy --quick`: its files, and that its numbers say what must be so.
 
 use std::collections::BTreeMap;
-use std::path::Path;
-use std::process::{Command, Stdio};
 use std::time::Duration;
 
 use welkin::Quality;
 use welkin::settings::quality::{Front, MEDIA};
 
-fn welkin(folder: &Path, args: &[&str]) -> std::process::Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_welkin"));
-    command.env("WELKIN_CACHE_DIR", "cache").args(args).current_dir(folder).stdin(Stdio::null()).output().unwrap()
-}
+use crate::harness::{folder, lab, text};
 
 #[test]
 fn the_quick_report_is_whole_and_makes_sense() {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("accuracy");
-    let _ = std::fs::remove_dir_all(&folder);
-    std::fs::create_dir_all(&folder).unwrap();
-    let out = welkin(
+    let folder = folder("accuracy");
+    let out = lab(
         &folder,
-        &["accuracy", "--quick", "--out", "report/new", "--write-front", "front.txt", "--front-size", "64x36"],
+        &["accuracy", "--quick", "--output", "report/new", "--write-front", "front.txt", "--front-size", "64x36"],
     );
-    let stderr = String::from_utf8_lossy(&out.stderr);
+    let stderr = text(&out.stderr);
     assert!(out.status.success(), "{stderr}");
     assert!(stderr.contains("measuring 42/42"), "no progress: {stderr}");
     let read = |name: &str| std::fs::read_to_string(folder.join("report/new").join(name)).unwrap();
@@ -71,7 +64,7 @@ fn the_quick_report_is_whole_and_makes_sense() {
         let key = (row["backend"].clone(), settings, row["scene"].clone(), row["against"].clone());
         assert!(found.insert(key, [number("mean_G"), number("time_over_copy"), number("mean_delta_e")]).is_none());
     }
-    // 2 backends × (3 media + 8 scenes) × (15 qualities × 2 references + 3 of tables × 1).
+    // 2 backends × (3 media + 8 scenes) × (15 qualities × 2 references + 3 of LUTs × 1).
     assert_eq!(found.len(), 2 * 11 * (15 * 2 + 3));
     for backend in ["webgpu", "webgl2"] {
         let lut = |settings: &str, scenes: &str| {
@@ -88,9 +81,9 @@ fn the_quick_report_is_whole_and_makes_sense() {
             // What single scattering lacks, no samples bring.
             let model = at([64, 16], medium, "all-orders");
             assert!(model[0] > 0.1 && model[2] > 2.0, "{backend} {medium}: {model:?}");
-            // The tables hold it.
-            let tables = lut("100 × 100 × 32", medium);
-            assert!(tables[0] < 0.25 * model[0] && tables[2] < model[2], "{backend} {medium}: {tables:?} {model:?}");
+            // The LUTs hold it.
+            let luts = lut("100 × 100 × 32", medium);
+            assert!(luts[0] < 0.25 * model[0] && luts[2] < model[2], "{backend} {medium}: {luts:?} {model:?}");
         }
         assert!(at([64, 16], "earth", "single")[0] < 5e-3);
     }
@@ -103,12 +96,10 @@ fn the_quick_report_is_whole_and_makes_sense() {
 
 #[test]
 fn a_folder_that_cannot_be_made_is_rejected() {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("accuracy-rejected");
-    let _ = std::fs::remove_dir_all(&folder);
-    std::fs::create_dir_all(&folder).unwrap();
+    let folder = folder("accuracy-rejected");
     std::fs::write(folder.join("file"), "").unwrap();
-    let out = welkin(&folder, &["accuracy", "--quick", "--out", "file/below"]);
-    let message = String::from_utf8_lossy(&out.stderr);
+    let out = lab(&folder, &["accuracy", "--quick", "--output", "file/below"]);
+    let message = text(&out.stderr);
     assert_eq!(out.status.code(), Some(2), "{message}");
-    assert!(message.contains("--out") && message.contains("'file/below'"), "{message}");
+    assert!(message.contains("--output") && message.contains("'file/below'"), "{message}");
 }
