@@ -15,7 +15,7 @@ use welkin::AtmosphereParams;
 use welkin::reference::multiple::{Orders, Settings};
 use welkin::reference::single::{Sun, Tolerance, single_scattering};
 
-#[path = "../tests/support/tables.rs"]
+#[path = "../tests/harness/tables.rs"]
 mod tables;
 use tables::{Table, against_noise, medium, ray};
 

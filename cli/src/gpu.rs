@@ -4,7 +4,7 @@ use anyhow::Context;
 use welkin::gpu::egl::Headless;
 use welkin::gpu::wgpu::WgpuBackend;
 use welkin::gpu::{AdapterInfo, Backend};
-use welkin::{Method, PictureRenderer};
+use welkin::{Quality, PictureRenderer};
 
 use crate::args::backend::BackendChoice;
 use crate::args::usage::UsageError;
@@ -102,7 +102,7 @@ impl Gpu {
             let p = welkin::render::cpu_picture::render(&request.scene, &settings, [width, height], progress)?;
             return Ok(Picture { width, height, hdr: p.radiance, display: p.display });
         };
-        check_samples(backend.info(), &request.sky.method)?;
+        check_samples(backend.info(), &request.sky.quality)?;
         progress(0.0);
         let drawn = renderer.draw(backend, &request.scene, &settings, [width, height]).context("draw")?;
         progress(0.5);
@@ -137,9 +137,9 @@ impl Drop for Gpu {
 ///
 /// Mesa's llvmpipe counts the rounds of all of a pixel's loops together, each loop's last test included, and
 /// stops at 65,535 (`LP_MAX_TGSI_LOOP_ITERATIONS`); pictures then come out dark.
-pub fn check_samples(adapter: &AdapterInfo, method: &Method) -> Result<(), UsageError> {
+pub fn check_samples(adapter: &AdapterInfo, method: &Quality) -> Result<(), UsageError> {
     const MOST: u32 = 65_535;
-    let Method::Single { view_samples: view, light_samples: light } = *method else { return Ok(()) };
+    let Quality::March { view_samples: view, light_samples: light } = *method else { return Ok(()) };
     if !adapter.adapter.contains("llvmpipe") || view * (light + 2) < MOST {
         return Ok(());
     }

@@ -3,10 +3,10 @@
 use std::time::Duration;
 
 use anyhow::bail;
-use welkin::settings::quality::{Cost, Front};
+use welkin::settings::front::{Cost, ParetoFront};
 use welkin::{Mode, Quality, SkySettings};
 
-use crate::args::quality::{QualityArg, march, sky_by_method, sky_by_name};
+use crate::args::quality::{QualityArg, march};
 use crate::args::usage::UsageError;
 use crate::gpu::Gpu;
 
@@ -27,11 +27,11 @@ impl QualityChoice {
         let (quality, why) = match asked {
             QualityArg::Samples(samples) => {
                 let method = march(samples);
-                return Ok(Self { sky: sky_by_method(method), name: method.to_string(), why: None });
+                return Ok(Self { sky: SkySettings::from(method), name: method.to_string(), why: None });
             }
             QualityArg::Default => {
                 let sky = mode.settings();
-                return Ok(Self { sky, name: format!("mode {}, {}", mode.name(), sky.method), why: None });
+                return Ok(Self { sky, name: format!("mode {}, {}", mode.name(), sky.quality), why: None });
             }
             QualityArg::Named(quality) => (quality, None),
             QualityArg::WithinError(error) => {
@@ -48,17 +48,22 @@ impl QualityChoice {
                     )
                     .into());
                 };
-                let front = Front::measure(backend, Quality::ALL, size)?;
+                let front = ParetoFront::measure(backend, &presets(), size)?;
                 let quality = front.within_budget(budget).map_err(|e| refuse("--within-budget <TIME>", e))?;
                 let Some(cost) = front.cost(&quality) else { bail!("quality {quality} was not measured") };
                 (quality, Some(by_budget(&quality, budget, &cost, size)))
             }
         };
-        Ok(Self { sky: sky_by_name(quality), name: format!("quality {quality}"), why })
+        Ok(Self { sky: SkySettings::from(quality), name: format!("quality {quality}"), why })
     }
 }
+/// Every preset.
+pub fn presets() -> Vec<Quality> {
+    Quality::PRESETS.iter().map(|(_, quality)| *quality).collect()
+}
+
 fn by_error(quality: &Quality, asked: f64) -> String {
-    let front = Front::committed();
+    let front = ParetoFront::committed();
     let mut text = format!("quality {quality}: the cheapest with a mean error of {asked} or less on Earth");
     if let Some(cost) = front.cost(quality) {
         text += &format!("; it has {:.3} against all orders of scattering", cost.error);

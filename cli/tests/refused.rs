@@ -1,7 +1,7 @@
 //! What `welkin render` refuses: with status 2, a message that names option, value and range, and no file.
 
 use welkin::Quality;
-use welkin::settings::quality::Front;
+use welkin::settings::front::ParetoFront;
 
 use crate::harness::{self, WELKIN, files, folder, text, welkin};
 
@@ -47,7 +47,7 @@ fn unknown_names_are_rejected_with_the_known_ones() {
     rejected(&["--backend", "metal"], &["'metal'", "--backend", "auto, webgpu, webgl2, cpu"]);
     rejected(&["--tone-map", "hable"], &["'hable'", "--tone-map", "aces, agx, neutral"]);
     rejected(&["--view", "brunch"], &["'brunch'", "--view", "noon, sunset, dusk"]);
-    let names: Vec<_> = welkin::Quality::ALL.iter().map(|q| q.name).collect();
+    let names: Vec<_> = welkin::Quality::PRESETS.iter().map(|(name, _)| *name).collect();
     rejected(&["--quality", "best"], &["'best'", "--quality", &names.join(", ")]);
     rejected(&["--zenith", "3"], &["--zenith"]);
 }
@@ -71,11 +71,11 @@ fn a_quality_is_asked_for_in_one_way() {
 
 #[test]
 fn what_no_quality_can_do_is_rejected_with_the_best_that_one_can() {
-    let front = Front::committed();
-    let costs: Vec<_> = Quality::ALL.iter().map(|q| (q, front.cost(q).unwrap())).collect();
+    let front = ParetoFront::committed();
+    let costs: Vec<_> = Quality::PRESETS.iter().map(|(_, q)| (q, front.cost(q).unwrap())).collect();
     let (best, cost) = costs.iter().min_by(|a, b| a.1.error.total_cmp(&b.1.error)).unwrap();
     let least = format!("{} or more", (cost.error * 1e3).ceil() / 1e3);
-    rejected(&["--within-error", "1e-4"], &["--within-error", "'0.0001'", &least, best.name, "all orders"]);
+    rejected(&["--within-error", "1e-4"], &["--within-error", "'0.0001'", &least, best.preset_name().unwrap(), "all orders"]);
     rejected(
         &["--within-budget", "1ns", "--view", "noon", "--size", "16x16"],
         &["--within-budget", "ms or more", "quality ", "at 16×16 on "],

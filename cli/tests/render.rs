@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use welkin::Quality;
-use welkin::settings::quality::Front;
+use welkin::settings::front::ParetoFront;
 
 use crate::harness::{files, folder, text, welkin};
 
@@ -25,18 +25,18 @@ fn a_quality_is_chosen_by_name_error_or_budget_and_told() {
 
     let (said, by_error) = draw(&["--within-error", "0.6"], "error.exr");
     let want = Quality::within_error(0.6).unwrap();
-    let error = format!("{:.3}", Front::committed().cost(&want).unwrap().error);
+    let error = format!("{:.3}", ParetoFront::committed().cost(&want).unwrap().error);
     for part in [&format!("quality {want}"), "cheapest", "0.6 or less", "it has ", &error, "all orders"] {
         assert!(said.contains(part), "no {part:?}: {said}");
     }
-    assert_eq!(by_error, draw(&["--quality", want.name], "same.exr").1);
+    assert_eq!(by_error, draw(&["--quality", want.preset_name().unwrap()], "same.exr").1);
 
     let (said, by_budget) = draw(&["--within-budget", "10s"], "budget.exr");
-    let want = Front::committed().within_budget(Duration::MAX).unwrap();
+    let want = ParetoFront::committed().within_budget(Duration::MAX).unwrap();
     for part in [&format!("quality {want}"), "best that takes 10000 ms or less", "measured here at 32×20", "copies"] {
         assert!(said.contains(part), "no {part:?}: {said}");
     }
-    assert_eq!(by_budget, draw(&["--quality", want.name], "same.exr").1);
+    assert_eq!(by_budget, draw(&["--quality", want.preset_name().unwrap()], "same.exr").1);
 }
 
 #[test]

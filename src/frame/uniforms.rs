@@ -18,6 +18,7 @@ macro_rules! block {
 
         impl $name {
             /// Name and byte offset of every field, for the check against naga's layout.
+            #[allow(dead_code)] // Blocks of private modules are checked through the blocks that hold them.
             pub fn offsets() -> Vec<(&'static str, u32)> {
                 vec![$((stringify!($field), std::mem::offset_of!($name, $field) as u32),)*]
             }

@@ -174,6 +174,7 @@ impl Chord {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::Vec3;
 
     const R: f64 = 6_360_000.0;
 

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
-use welkin::{Bound, Mode, SkySettings, ToneMap};
+use welkin::{Bound, Look, Mode, SkySettings, ToneMap};
 
 /// Options of what is drawn.
 #[derive(Args, Debug)]
@@ -52,12 +52,12 @@ impl LookArgs {
     /// The settings of a sky that is drawn as well as `quality` says and looks as these options say; `moon`
     /// says whether the scene has a moon, `output` where the picture is written.
     pub fn sky(&self, quality: SkySettings, moon: bool, exposure: f32, output: &Path) -> SkySettings {
-        SkySettings {
-            composition: self.mode.settings().composition,
-            bound: self.bound(exposure, output),
+        let look = Look {
+            composition: self.mode.composition(),
             limb_darkening: self.limb_darkening || moon,
-            ..quality
-        }
+            ..quality.look
+        };
+        SkySettings { look, bound: self.bound(exposure, output), ..quality }
     }
 
     /// How much what is left out may change a picture of that exposure: as much as nobody sees in 8 bits, or

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use welkin::{Method, Quality, SkySettings};
+use welkin::Quality;
 
 use crate::args::values::{self, number};
 
@@ -16,20 +16,10 @@ const MAX_LIGHT_SAMPLES: u32 = 256;
 const SAMPLES: [u32; 2] = [32, 8];
 
 /// Single scattering by its numbers.
-pub fn march([view_samples, light_samples]: [u32; 2]) -> Method {
-    Method::Single { view_samples, light_samples }
+pub fn march([view_samples, light_samples]: [u32; 2]) -> Quality {
+    Quality::March { view_samples, light_samples }
 }
 
-/// The settings of a sky that is drawn by a method, the rest as by default. Whatever here draws a sky by
-/// numbers asks this, whatever draws it by a named quality [`sky_by_name`].
-pub fn sky_by_method(method: Method) -> SkySettings {
-    SkySettings { method, ..SkySettings::default() }
-}
-
-/// The settings of a sky that is drawn by a named quality, the rest as by default.
-pub fn sky_by_name(quality: Quality) -> SkySettings {
-    quality.into()
-}
 
 /// How a quality was asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,13 +37,13 @@ pub enum QualityArg {
 }
 
 fn parse_quality() -> impl TypedValueParser<Value = Quality> {
-    PossibleValuesParser::new(Quality::ALL.iter().map(|q| q.name)).try_map(|name: String| Quality::from_name(&name))
+    PossibleValuesParser::new(Quality::PRESETS.iter().map(|(name, _)| *name)).try_map(|name: String| Quality::from_name(&name))
 }
 
 /// A quality by its name.
 #[derive(Args, Debug)]
 pub struct PresetArgs {
-    /// Method and its numbers by name; 'welkin-lab accuracy' measures what each costs and misses [default:
+    /// Quality and its numbers by name; 'welkin-lab accuracy' measures what each costs and misses [default:
     /// medium]
     #[arg(long, value_name = "NAME", group = "chosen", value_parser = parse_quality())]
     quality: Option<Quality>,

@@ -4,7 +4,7 @@ use std::io::Write;
 
 use clap::Args;
 use serde_json::json;
-use welkin::{Bound, EffectPlan, SkySettings};
+use welkin::{Bound, Frame, Look, SkySettings};
 
 use crate::args::backend::BackendChoice;
 use crate::args::quality::QualityArg;
@@ -53,18 +53,21 @@ pub fn run(args: &PlanArgs) -> anyhow::Result<()> {
     let mut gpu = Gpu::open(if budget { render.backend.backend } else { BackendChoice::Cpu })?;
     let choice = QualityChoice::new(render.quality.asked(), render.look.mode(), &mut gpu, framed.size)?;
     let request = render.request(framed, choice.sky);
-    let settings = SkySettings { foreground: request.terrain.is_some(), ..request.sky };
-    let plan = EffectPlan::new(&request.scene, &settings, [request.width, request.height])?;
+    let settings = SkySettings {
+        look: Look { foreground: request.terrain.is_some(), ..request.sky.look },
+        ..request.sky
+    };
+    let plan = Frame::new(&request.scene, &settings, [request.width, request.height])?;
     let text = if args.json { json(&plan, settings.bound) } else { words(&plan, settings.bound) };
     writeln!(std::io::stdout().lock(), "{text}")?;
     Ok(())
 }
 
-fn json(plan: &EffectPlan, bound: Option<Bound>) -> String {
+fn json(plan: &Frame, bound: Option<Bound>) -> String {
     let effects: Vec<_> =
         plan.effects().iter().map(|e| json!({ "name": e.name, "on": e.on, "reason": e.reason.to_string() })).collect();
     let passes: Vec<_> = plan
-        .passes()
+        .planned_passes()
         .iter()
         .map(|p| {
             let program = p.program.map(|program| program.name());
@@ -75,7 +78,7 @@ fn json(plan: &EffectPlan, bound: Option<Bound>) -> String {
     format!("{:#}", json!({ "bound": bound, "effects": effects, "passes": passes }))
 }
 
-fn words(plan: &EffectPlan, bound: Option<Bound>) -> String {
+fn words(plan: &Frame, bound: Option<Bound>) -> String {
     let mut text = match bound {
         Some(b) => format!("what is off changes no pixel by more than {} of it + {:.2e}\n", b.relative, b.absolute),
         None => "nothing is left out\n".to_owned(),
@@ -83,7 +86,7 @@ fn words(plan: &EffectPlan, bound: Option<Bound>) -> String {
     for e in plan.effects() {
         text += &format!("\n{:20} {:4} {}", e.name, if e.on { "on" } else { "off" }, e.reason);
     }
-    let passes = plan.passes();
+    let passes = plan.planned_passes();
     text += if passes.is_empty() { "\n\nno passes" } else { "\n" };
     for p in passes {
         let program = p.program.map_or_else(|| "(clears)".to_owned(), |program| program.name());

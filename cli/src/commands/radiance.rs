@@ -10,15 +10,15 @@ use clap::{Args, ValueEnum};
 use csv::StringRecord;
 use glam::DVec3;
 use rayon::prelude::*;
-use welkin::gpu::{Backend, DepthUse, Format, Inputs, Pass, Target, TextureDesc, TextureId, Uniform};
+use welkin::gpu::{Backend, Format, Pass, Target, TextureDesc, TextureId};
 use welkin::reference::multiple::Settings;
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
-use welkin::{AtmosphereParams, Camera, DepthConvention, Method, Scene, SkyRenderer};
+use welkin::{AerialTargets, AtmosphereParams, Camera, DepthConvention, FrameTargets, Quality, Scene, SkyRenderer, SkySettings};
 
 use crate::args::backend::{self, BackendArgs, BackendChoice};
 use crate::args::cache::CacheArgs;
 use crate::args::output::{self, OutputArgs};
-use crate::args::quality::{PresetArgs, SamplesArgs, march, sky_by_method};
+use crate::args::quality::{PresetArgs, SamplesArgs, march};
 use crate::args::usage::UsageError;
 use crate::cache::Cache;
 use crate::gpu::{self, Gpu};
@@ -116,16 +116,16 @@ enum RadianceMethod {
 
 impl RadianceArgs {
     /// How the sky is drawn, by a method that draws.
-    fn drawn_by(&self) -> Result<Method, UsageError> {
+    fn drawn_by(&self) -> Result<Quality, UsageError> {
         if self.method == RadianceMethod::Single {
             return Ok(march(self.samples.or_default()));
         }
         let quality = self.preset.quality();
-        if quality.method.is_single_scattering() {
+        if quality.is_single_scattering() {
             let allowed = "low, medium or high with '--method lut': the others march single scattering";
-            return Err(UsageError::value("--quality <NAME>", quality.name, allowed));
+            return Err(UsageError::value("--quality <NAME>", quality.preset_name().unwrap_or("?"), allowed));
         }
-        Ok(quality.method)
+        Ok(quality)
     }
 }
 
@@ -314,15 +314,15 @@ fn number(column: &str, text: &str, lo: f64, hi: f64) -> Result<f64, String> {
 }
 
 /// Radiance through the passes of a picture: the background sky, then the air before an empty scene.
-fn drawn(choice: BackendChoice, method: Method, cases: &[Case]) -> anyhow::Result<(Vec<[f64; 3]>, String)> {
+fn drawn(choice: BackendChoice, quality: Quality, cases: &[Case]) -> anyhow::Result<(Vec<[f64; 3]>, String)> {
     let mut gpu = Gpu::open(choice)?;
-    let by = format!("{method} by {}", gpu.describe());
+    let by = format!("{quality} by {}", gpu.describe());
     let Some(backend) = gpu.backend() else {
         anyhow::bail!("no backend can draw here: {by}; '--method reference-single' needs none");
     };
-    gpu::check_samples(backend.info(), &method)?;
-    let mut settings = sky_by_method(method);
-    settings.sun_disk = false;
+    gpu::check_samples(backend.info(), &quality)?;
+    let mut settings = SkySettings::from(quality);
+    settings.look.sun_disk = false;
     let mut sky = SkyRenderer::new(settings)?;
     let steps = Progress::of("drawing", cases.len().div_ceil(BATCH));
     let mut textures = Textures { made: Vec::new(), pixels: Vec::new() };
@@ -366,29 +366,27 @@ impl Textures {
             let pixel = [self.make(backend, Format::Rgba32Float)?, self.make(backend, Format::Rgba32Float)?];
             self.pixels.push(pixel);
         }
-        let mut passes = Vec::with_capacity(3 * cases.len());
+        let mut passes = Vec::new();
         let mut results = Vec::with_capacity(cases.len());
         for (case, &[behind, front]) in cases.iter().zip(&self.pixels) {
             let scene = case.scene();
-            passes.push(Pass {
-                label: "clear",
-                program: None,
-                inputs: Inputs::NONE,
-                uniform: Uniform::NONE,
-                target: Target {
-                    color: behind,
-                    depth: Some(depth),
-                    clear: Some([0.0; 4]),
-                    clear_depth: Some(scene.depth.background() as f32),
-                },
-                depth: DepthUse::Always,
-            });
-            passes.extend_from_slice(sky.background(backend, &scene, Target::color(behind))?);
-            let air = sky.aerial(backend, &scene, behind, depth, front)?;
-            results.push(if air.is_empty() { behind } else { front });
-            passes.extend_from_slice(air);
+            let clear = Target {
+                color: behind,
+                depth: Some(depth),
+                clear: Some([0.0; 4]),
+                clear_depth: Some(scene.depth.background() as f32),
+            };
+            let aerial = AerialTargets { color: Some(behind), depth, target: Target::color(front) };
+            let targets = FrameTargets::background(Target::color(behind)).with_aerial(aerial);
+            let frame = sky.frame(backend, &scene, &targets)?;
+            results.push(if frame.aerial.is_empty() { behind } else { front });
+            passes.clear();
+            passes.push(Pass::clear("clear", clear));
+            passes.extend_from_slice(frame.background);
+            passes.extend_from_slice(frame.aerial);
+            // LUTs that are made by now are not made again for the next case.
+            backend.run(&passes).context("draw")?;
         }
-        backend.run(&passes).context("draw")?;
         let reads = results.iter().map(|&id| backend.begin_read(id)).collect::<welkin::Result<Vec<_>>>()?;
         reads
             .into_iter()

@@ -9,7 +9,7 @@ use welkin::gpu::{Format, PassTime, TextureDesc};
 use welkin::{SkySettings, ToneMap};
 
 use crate::args::backend::BackendChoice;
-use crate::args::quality::{PresetArgs, SamplesArgs, march, sky_by_method, sky_by_name};
+use crate::args::quality::{PresetArgs, SamplesArgs, march};
 use crate::args::usage::UsageError;
 use crate::args::values;
 use crate::gpu::{self, Gpu};
@@ -75,7 +75,7 @@ impl Difference {
 impl CompareArgs {
     /// The settings of the sky that is drawn.
     fn sky(&self) -> SkySettings {
-        self.samples.given().map_or_else(|| sky_by_name(self.preset.quality()), |samples| sky_by_method(march(samples)))
+        self.samples.given().map_or_else(|| SkySettings::from(self.preset.quality()), |samples| SkySettings::from(march(samples)))
     }
 }
 
@@ -122,7 +122,7 @@ fn request(args: &CompareArgs, view: &View, [width, height]: [u32; 2], dither: b
 
 fn compare(args: &CompareArgs, gpus: &mut [(&str, Gpu)], out: &mut impl Write) -> anyhow::Result<()> {
     let [w, h] = args.size;
-    writeln!(out, "\nDifferences of display values at {w}×{h}, {} (of 255):\n", args.sky().method)?;
+    writeln!(out, "\nDifferences of display values at {w}×{h}, {} (of 255):\n", args.sky().quality)?;
     writeln!(out, "| view | pair | largest | mean | more than 1 apart | not finite |\n|---|---|---:|---:|---:|---:|")?;
     for view in &VIEWS {
         let request = request(args, view, args.size, false)?;
@@ -164,7 +164,7 @@ fn keep(path: &Path, picture: &Picture) -> anyhow::Result<()> {
 
 fn time(args: &CompareArgs, gpus: &mut [(&str, Gpu)], out: &mut impl Write) -> anyhow::Result<()> {
     let [w, h] = args.time_size;
-    writeln!(out, "\nTimes at {w}×{h}, {}, best of {}; × is the ratio to the copy:\n", args.sky().method, args.repeat)?;
+    writeln!(out, "\nTimes at {w}×{h}, {}, best of {}; × is the ratio to the copy:\n", args.sky().quality, args.repeat)?;
     writeln!(out, "| view | backend | pass | ms | × |\n|---|---|---|---:|---:|")?;
     for view in &VIEWS {
         let request = request(args, view, args.time_size, true)?;

@@ -5,13 +5,13 @@ use std::io::Write;
 
 use anyhow::{Context, ensure};
 use clap::Args;
-use welkin::frame::plan::Runs;
+use welkin::frame::graph::Runs;
 use welkin::gpu::{Format, Target, TextureDesc};
 use welkin::model::moon::{MOON_RADIUS, Moon};
-use welkin::{AtmosphereParams, Bound, Composition, Quality, Scene, SkyRenderer, SkySettings};
+use welkin::{AerialTargets, AtmosphereParams, Bound, Composition, FrameTargets, Look, Quality, Scene, SkyRenderer, SkySettings};
 
 use crate::args::backend::BackendArgs;
-use crate::args::quality::{PresetArgs, march, sky_by_name};
+use crate::args::quality::{PresetArgs, march};
 use crate::args::values;
 use crate::gpu::Gpu;
 use crate::lab::{device, timing};
@@ -89,7 +89,7 @@ pub fn run(args: &CostsArgs) -> anyhow::Result<()> {
     let describe = gpu.describe();
     let steps = Progress::of("measuring", 2 * rows.len());
     let [width, height] = args.size;
-    let mut text = format!("{describe}\n\n{width}×{height}, {}; on less off:\n\n", quality.name);
+    let mut text = format!("{describe}\n\n{width}×{height}, {}; on less off:\n\n", quality);
     text += "| effect | off because | bytes | pipelines | ms a frame | ms a medium | left when off: passes, pipelines, textures |\n";
     text += "|---|---|---:|---:|---:|---:|---|\n";
     for row in &rows {
@@ -123,11 +123,11 @@ fn rows(quality: Quality) -> Vec<Row> {
     let day = Case {
         view: View { pitch: 10.0, sun_azimuth: 200.0, ..views::DEFAULT },
         params: AtmosphereParams::earth(),
-        sky: SkySettings { bound: Some(Bound::eight_bit(1.0)), ..sky_by_name(quality) },
+        sky: SkySettings { bound: Some(Bound::eight_bit(1.0)), ..SkySettings::from(quality) },
         moon: None,
     };
     let orbit = Case { view: View { altitude: 4e5, pitch: -18.0, fov: 40.0, ..day.view }, ..day.clone() };
-    let dome = Case { sky: SkySettings { composition: Composition::SkyDome, ..day.sky }, ..day.clone() };
+    let dome = Case { sky: SkySettings { look: Look { composition: Composition::SkyDome, ..day.sky.look }, ..day.sky }, ..day.clone() };
     let medium = |change: fn(&mut AtmosphereParams)| {
         let mut case = day.clone();
         change(&mut case.params);
@@ -148,13 +148,13 @@ fn rows(quality: Quality) -> Vec<Row> {
         case
     };
     let up = Case { view: View { pitch: 50.0, ..day.view }, ..day.clone() };
-    let nothing_before = Case { sky: SkySettings { foreground: false, ..up.sky }, ..up.clone() };
+    let nothing_before = Case { sky: SkySettings { look: Look { foreground: false, ..up.sky.look }, ..up.sky }, ..up.clone() };
     let half = sky(|s| s.render_scale = 0.5);
     let full = sky(|s| s.render_scale = 1.0);
-    let march = sky(|s| s.method = march([16, 8]));
+    let march = sky(|s| s.quality = march([16, 8]));
     let row = |effect, without, on: &Case, off: &Case| Row { effect, without, cases: [on.clone(), off.clone()] };
     vec![
-        row("atmosphere", "switched off", &day, &sky(|s| s.enabled = false)),
+        row("atmosphere", "switched off", &day, &sky(|s| s.look.enabled = false)),
         row("rayleigh", "no gas", &day, &medium(|p| p.rayleigh_scattering = [0.0; 3])),
         row("mie", "no aerosol", &day, &medium(|p| (p.mie_scattering, p.mie_absorption) = ([0.0; 3], [0.0; 3]))),
         row("ozone", "no ozone", &day, &medium(|p| p.ozone_absorption = [0.0; 3])),
@@ -163,10 +163,10 @@ fn rows(quality: Quality) -> Vec<Row> {
         row("background sky", "the planet fills the picture", &dome, &down(&dome)),
         row("planet shell", "the planet fills the picture", &orbit, &down(&orbit)),
         row("aerial perspective", "nothing before the sky", &up, &nothing_before),
-        row("sky tables", "marching 16 × 8", &day, &march),
-        row("air table", "nothing before the sky", &up, &nothing_before),
+        row("sky-view LUT", "marching 16 × 8", &day, &march),
+        row("aerial LUT", "nothing before the sky", &up, &nothing_before),
         row("eclipse", "no moon before the sun", &Case { moon: Some(Where::BeforeSun), ..day.clone() }, &day),
-        row("sun disk", "switched off", &day, &sky(|s| s.sun_disk = false)),
+        row("sun disk", "switched off", &day, &sky(|s| s.look.sun_disk = false)),
         row("moon disk", "the scene has none", &Case { moon: Some(Where::Ahead), ..day.clone() }, &day),
         row("reduced resolution", "render scale 1", &half, &full),
     ]
@@ -199,14 +199,15 @@ fn measure(gpu: &mut Gpu, case: &Case, effect: &str, args: &CostsArgs) -> anyhow
     let before = backend.live();
     let mut sky = SkyRenderer::new(case.sky)?;
     let black = Target { clear: Some([0.0, 0.0, 0.0, 1.0]), ..Target::color(color) };
-    let mut passes = sky.background(backend, &scene, black)?.to_vec();
-    passes.extend_from_slice(sky.aerial(backend, &scene, color, depth, out)?);
-    let plan = sky.last_plan().context("a frame has a plan")?.clone();
+    let aerial = AerialTargets { color: Some(color), depth, target: Target::color(out) };
+    let frame = sky.frame(backend, &scene, &FrameTargets::background(black).with_aerial(aerial))?;
+    let passes = [frame.background, frame.aerial].concat();
+    let plan = frame.frame.clone();
     // Makes pipelines and warms caches; it does not count.
     backend.times(&passes)?;
     let best = timing::best_of(backend, &passes, args.repeat)?;
     let live = backend.live();
-    let named = plan.passes();
+    let named = plan.planned_passes();
     let mut times = [0.0; 2];
     for (pass, time) in passes.iter().zip(best) {
         let often = named.iter().any(|n| n.label == pass.label && n.runs != Runs::PerMedium);

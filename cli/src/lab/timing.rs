@@ -1,21 +1,16 @@
 //! How passes are timed: the best of several rounds, and a full-screen copy to hold them against.
 
-use welkin::gpu::{Backend, DepthUse, Pass, PassTime, Target, TextureId, Uniform, reads};
-use welkin::shaders::Program;
+use welkin::gpu::{Backend, Inputs, Pass, PassTime, Program, Target, TextureId};
+use welkin::shaders;
 
 /// The label of [`copy`].
 pub const COPY: &str = "copy";
 
 /// A full-screen copy of a texture, whose time other passes are compared with.
 pub fn copy(backend: &mut dyn Backend, from: TextureId, to: TextureId) -> welkin::Result<Pass> {
-    Ok(Pass {
-        label: COPY,
-        program: Some(backend.create_program(Program::Copy)?),
-        textures: reads([from]),
-        uniform: Uniform::NONE,
-        target: Target::color(to),
-        depth: DepthUse::Always,
-    })
+    let program = Some(backend.create_program(Program::new(&shaders::copy::INFO, 0))?);
+    let inputs = Inputs::new([("source", Some(from))]);
+    Ok(Pass { program, inputs, ..Pass::clear(COPY, Target::color(to)) })
 }
 
 /// The shortest time of each pass in `rounds` rounds of all of them. A round before the first, which makes

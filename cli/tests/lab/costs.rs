@@ -13,7 +13,7 @@ fn every_effect_costs_nothing_when_it_is_off() {
         .map(|line| line.trim_matches('|').split('|').map(str::trim).collect())
         .collect();
     let effects: Vec<_> = rows.iter().map(|row| row[0]).collect();
-    for effect in welkin::EffectPlan::NAMES {
+    for effect in welkin::Frame::effect_names() {
         assert!(effects.contains(&effect), "{effect} is missing in {printed}");
     }
     for row in &rows {

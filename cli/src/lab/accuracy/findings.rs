@@ -1,8 +1,8 @@
 //! What the accuracy report is made of.
 
-use welkin::{Method, Quality, SkySettings};
+use welkin::{Quality, SkySettings};
 
-use crate::args::quality::{march, sky_by_method};
+use crate::args::quality::{march};
 use crate::lab::accuracy::measure::{Against, Summary, Times};
 use crate::lab::accuracy::scenes::{Frame, MEDIA, Setup};
 
@@ -32,8 +32,7 @@ impl Over {
 pub struct Candidate {
     /// The preset's name, if it is one.
     pub preset: Option<&'static str>,
-    pub method: Method,
-    pub render_scale: f64,
+    pub quality: Quality,
     /// Whether the report shows it scene by scene: the finest preset of its method.
     pub by_scene: bool,
 }
@@ -42,32 +41,27 @@ impl Candidate {
     /// The grid of single scattering, then the presets that are not in it.
     pub fn all() -> Vec<Self> {
         let grid = VIEW_SAMPLES.into_iter().flat_map(|view| LIGHT_SAMPLES.map(|light| march([view, light])));
-        let bare = |method| Self { preset: None, method, render_scale: 1.0, by_scene: false };
+        let bare = |quality| Self { preset: None, quality, by_scene: false };
         let mut all: Vec<_> = grid.map(bare).collect();
-        for q in Quality::ALL {
-            let new = Self { render_scale: q.render_scale, ..bare(q.method) };
-            let at = all.iter().position(|c| (c.method, c.render_scale) == (q.method, q.render_scale));
-            let at = at.unwrap_or_else(|| {
-                all.push(new);
+        for (name, quality) in Quality::PRESETS {
+            let at = all.iter().position(|c| c.quality == *quality).unwrap_or_else(|| {
+                all.push(bare(*quality));
                 all.len() - 1
             });
-            let finest = Quality::ALL.iter().rfind(|other| other.method.name() == q.method.name());
-            (all[at].preset, all[at].by_scene) = (Some(q.name), finest == Some(q));
+            let finest = Quality::PRESETS.iter().rfind(|(_, other)| other.method() == quality.method());
+            (all[at].preset, all[at].by_scene) = (Some(*name), finest.is_some_and(|(n, _)| n == name));
         }
         all
     }
 
     /// The settings of a sky that is drawn so.
     pub fn settings(&self) -> SkySettings {
-        SkySettings { render_scale: self.render_scale, ..sky_by_method(self.method) }
+        self.quality.into()
     }
 
     /// The method's numbers, and the preset's name where it has one.
     pub fn numbers(&self) -> String {
-        let mut text = self.method.numbers();
-        if self.render_scale != 1.0 {
-            text += &format!(", scale {}", self.render_scale);
-        }
+        let mut text = self.quality.numbers();
         if let Some(name) = self.preset {
             text += &format!(" ({name})");
         }
@@ -76,7 +70,7 @@ impl Candidate {
 
     /// Whether an error against this says something about the method.
     pub fn is_compared_with(&self, against: Against) -> bool {
-        against == Against::AllOrders || self.method.is_single_scattering()
+        against == Against::AllOrders || self.quality.is_single_scattering()
     }
 }
 
@@ -140,7 +134,7 @@ impl Findings {
     pub fn methods(&self) -> Vec<&'static str> {
         let mut names = Vec::new();
         for e in &self.entries {
-            let name = e.candidate.method.name();
+            let name = e.candidate.quality.method();
             if !names.contains(&name) {
                 names.push(name);
             }
@@ -182,15 +176,15 @@ mod tests {
     fn the_grid_and_every_preset_are_measured_once() {
         let all = Candidate::all();
         for (i, c) in all.iter().enumerate() {
-            assert!(all[..i].iter().all(|d| (d.method, d.render_scale) != (c.method, c.render_scale)), "{c:?}");
+            assert!(all[..i].iter().all(|d| d.quality != c.quality), "{c:?}");
             assert!(c.is_compared_with(Against::AllOrders));
         }
-        for q in Quality::ALL {
-            let found: Vec<_> = all.iter().filter(|c| c.preset == Some(q.name)).collect();
-            assert_eq!(found.len(), 1, "{q}");
-            assert_eq!((found[0].method, found[0].render_scale), (q.method, q.render_scale));
-            let shown = all.iter().filter(|c| c.by_scene && c.method.name() == q.method.name());
-            assert_eq!(shown.count(), 1, "{q}");
+        for (name, quality) in Quality::PRESETS {
+            let found: Vec<_> = all.iter().filter(|c| c.preset == Some(*name)).collect();
+            assert_eq!(found.len(), 1, "{quality}");
+            assert_eq!(found[0].quality, *quality);
+            let shown = all.iter().filter(|c| c.by_scene && c.quality.method() == quality.method());
+            assert_eq!(shown.count(), 1, "{quality}");
         }
         assert_eq!(all[1].numbers(), "4 × 8");
         assert_eq!(all[4].numbers(), "8 × 8 (single-low)");

@@ -6,7 +6,7 @@ use palette::color_difference::Ciede2000;
 use palette::white_point::D65;
 use palette::{IntoColor, Lab, Srgb};
 use rayon::prelude::*;
-use welkin::frame::lut::MEDIUM_LABELS;
+use welkin::frame::luts::MEDIUM_LABELS;
 use welkin::frame::tone_map::{srgb_encode, tone_map};
 use welkin::gpu::{Backend, Format, Pass, PassTime, TextureId};
 use welkin::reference::multiple::Orders;
@@ -185,7 +185,7 @@ fn sky_passes(
     sky: SkySettings,
 ) -> welkin::Result<(Vec<Pass>, TextureId)> {
     let mut sky = sky;
-    sky.sun_disk = false;
+    sky.look.sun_disk = false;
     let settings = PictureSettings { sky, terrain: None, radiance: Format::Rgba32Float, ..PictureSettings::default() };
     let (passes, drawn) = renderer.passes(backend, scene, &settings, frame.size)?;
     Ok((passes.iter().copied().filter(|p| p.target.color != drawn.display).collect(), drawn.radiance))

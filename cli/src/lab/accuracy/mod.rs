@@ -14,9 +14,10 @@ use anyhow::Context;
 use clap::Args;
 use welkin::gpu::{Backend, Format, TextureDesc, TextureId};
 use welkin::reference::multiple::Settings;
-use welkin::settings::quality::{Front, MeanError};
+use welkin::settings::front::{ParetoFront, MeanError};
 use welkin::{PictureRenderer, Quality};
 
+use crate::quality_choice::presets;
 use crate::args::backend::BackendChoice;
 use crate::args::cache::CacheArgs;
 use crate::args::output::OutputArgs;
@@ -103,7 +104,7 @@ pub fn run(args: &AccuracyArgs) -> anyhow::Result<()> {
 }
 
 /// All findings; and if a size is given, the front of every preset, timed at it.
-fn investigate(quick: bool, front_size: Option<[u32; 2]>, cache: &mut Cache) -> anyhow::Result<(Findings, Front)> {
+fn investigate(quick: bool, front_size: Option<[u32; 2]>, cache: &mut Cache) -> anyhow::Result<(Findings, ParetoFront)> {
     let start = Instant::now();
     let (frame, runs, settings) =
         if quick { (Frame::QUICK, 2, Settings::QUICK) } else { (Frame::WHOLE, 2, Settings::FINE) };
@@ -140,7 +141,7 @@ fn investigate(quick: bool, front_size: Option<[u32; 2]>, cache: &mut Cache) -> 
         compared.push(Compared { setup: *setup, scene, expected });
         progress((i + 1) as f32 / scenes.len() as f32);
     }
-    let (mut adapters, mut entries, mut front) = (Vec::new(), Vec::new(), Front::default());
+    let (mut adapters, mut entries, mut front) = (Vec::new(), Vec::new(), ParetoFront::default());
     for (name, gpu) in &mut gpus {
         adapters.push(gpu.describe());
         let Some(backend) = gpu.backend() else { continue };
@@ -149,7 +150,7 @@ fn investigate(quick: bool, front_size: Option<[u32; 2]>, cache: &mut Cache) -> 
         let copy_to = backend.create_texture(&TextureDesc::new(timing::COPY, width, height, Format::Rgba32Float))?;
         let first = entries.len();
         for candidate in &candidates {
-            let progress = steps.step(&format!("{name}, {}", candidate.method));
+            let progress = steps.step(&format!("{name}, {}", candidate.quality));
             let measured = by_scene(
                 name,
                 backend,
@@ -164,7 +165,7 @@ fn investigate(quick: bool, front_size: Option<[u32; 2]>, cache: &mut Cache) -> 
             // A setting that fails is told, the others are still worth having.
             match measured {
                 Ok(found) => entries.extend(found),
-                Err(e) => missing.push(format!("{name}, {}: {e:#}", candidate.method)),
+                Err(e) => missing.push(format!("{name}, {}: {e:#}", candidate.quality)),
             }
         }
         if let Some(size) = front_size {
@@ -190,14 +191,14 @@ fn front_of(
     entries: &[Entry],
     size: [u32; 2],
     quick: bool,
-) -> welkin::Result<Front> {
+) -> welkin::Result<ParetoFront> {
     let errors = |q: &Quality| {
         let of = |medium| {
             let mut found = entries.iter().filter(|e| e.backend == name && e.over == Over::Medium(medium));
-            let found = found.find(|e| e.candidate.preset == Some(q.name)).ok_or_else(|| {
+            let found = found.find(|e| e.candidate.preset == q.preset_name()).ok_or_else(|| {
                 welkin::Error::invalid("quality", q, "one that could be measured; accuracy.md says why it was not")
             })?;
-            let single = q.method.is_single_scattering().then(|| found.mean(Against::Single));
+            let single = q.is_single_scattering().then(|| found.mean(Against::Single));
             Ok(MeanError { all_orders: found.mean(Against::AllOrders), single })
         };
         Ok([of(0)?, of(1)?, of(2)?])
@@ -205,7 +206,7 @@ fn front_of(
     let today = jiff::Timestamp::now().strftime("%Y-%m-%d").to_string();
     let scenes = if quick { "quick scenes (welkin-lab accuracy --quick)" } else { "all scenes (welkin-lab accuracy)" };
     let from = format!("{today}, welkin {}, {scenes}", env!("CARGO_PKG_VERSION"));
-    Front::measure_with(backend, Quality::ALL, size, &errors, &from)
+    ParetoFront::measure_with(backend, &presets(), size, &errors, &from)
 }
 
 /// One for each medium, so that what is made once for it is made once.

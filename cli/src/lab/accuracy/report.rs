@@ -43,7 +43,7 @@ fn front(findings: &Findings, backend: &str, medium: usize, against: Against) ->
     let front = findings.front(backend, medium, against);
     let points = front.iter().map(|e| {
         let c = &e.candidate;
-        format!("{} {}: {:.1} copies, {} %", c.method.name(), c.numbers(), e.ratio(), percent(e.mean(against)))
+        format!("{} {}: {:.1} copies, {} %", c.quality.method(), c.numbers(), e.ratio(), percent(e.mean(against)))
     });
     points.collect::<Vec<_>>().join("; ")
 }
@@ -101,14 +101,14 @@ pub fn markdown(f: &Findings) -> Result<String, std::fmt::Error> {
                 writeln!(t, "### {name}, {}\n", title(against))?;
                 t += HEAD;
                 f.compared(backend, medium, against)
-                    .try_for_each(|e| row(&mut t, &[e.candidate.method.name(), &e.candidate.numbers()], e, against))?;
+                    .try_for_each(|e| row(&mut t, &[e.candidate.quality.method(), &e.candidate.numbers()], e, against))?;
                 let points = front(f, backend, medium, against);
                 writeln!(t, "\nFront of all methods, by the worst channel's mean: {points}.\n")?;
             }
         }
         let one_by_one = |e: &&Entry| e.backend == backend && matches!(e.over, Over::Scene(_)) && e.candidate.by_scene;
         for method in f.methods() {
-            let of_method = || f.entries.iter().filter(one_by_one).filter(|e| e.candidate.method.name() == method);
+            let of_method = || f.entries.iter().filter(one_by_one).filter(|e| e.candidate.quality.method() == method);
             for against in Against::BOTH {
                 let mut scenes = of_method().filter(|e| e.candidate.is_compared_with(against)).peekable();
                 let Some(first) = scenes.peek() else { continue };
@@ -163,7 +163,7 @@ pub fn markdown(f: &Findings) -> Result<String, std::fmt::Error> {
 pub fn csv(f: &Findings, file: &mut dyn std::io::Write) -> anyhow::Result<()> {
     let mut writer = csv::Writer::from_writer(file);
     let mut header: Vec<String> =
-        ["backend", "method", "settings", "render_scale", "quality", "scene", "against"].map(str::to_owned).to_vec();
+        ["backend", "method", "settings", "quality", "scene", "against"].map(str::to_owned).to_vec();
     for channel in ["R", "G", "B", "delta_e"] {
         header.extend(["mean", "p95", "max"].map(|s| format!("{s}_{channel}")));
     }
@@ -175,9 +175,8 @@ pub fn csv(f: &Findings, file: &mut dyn std::io::Write) -> anyhow::Result<()> {
             let s = &e.errors[against as usize];
             let mut line = vec![
                 e.backend.to_owned(),
-                c.method.name().to_owned(),
-                c.method.numbers(),
-                c.render_scale.to_string(),
+                c.quality.method().to_owned(),
+                c.quality.numbers(),
                 c.preset.unwrap_or_default().to_owned(),
                 e.over.name().to_owned(),
                 against.name().to_owned(),

@@ -49,7 +49,7 @@ impl Frame {
     }
 }
 
-pub use welkin::settings::quality::MEDIA;
+pub use welkin::settings::front::MEDIA;
 
 /// A medium of [`MEDIA`], with a sun of irradiance 1.
 ///

@@ -13,13 +13,13 @@ use clap::{Args, ValueEnum};
 use rayon::prelude::*;
 use welkin::gpu::Format;
 use welkin::reference::multiple::{Orders, Settings};
-use welkin::render::sky::HAND_OVER;
+use welkin::frame::HAND_OVER;
 use welkin::{AtmosphereParams, PictureRenderer, PictureSettings, Scene, SkySettings, ToneMap};
 
 use crate::args::backend::{BackendArgs, BackendChoice};
 use crate::args::cache::CacheArgs;
 use crate::args::output::OutputArgs;
-use crate::args::quality::{PresetArgs, sky_by_name};
+use crate::args::quality::{PresetArgs};
 use crate::args::scene::PlanetArgs;
 use crate::args::usage::UsageError;
 use crate::args::values::{self, Length, degrees, number};
@@ -231,8 +231,8 @@ impl<'a> Film<'a> {
     fn new(args: &'a FilmArgs) -> anyhow::Result<Self> {
         let (sun_elevation, altitude) = args.fixed()?;
         let planet = args.planet.or("earth");
-        let mut sky = sky_by_name(args.preset.quality());
-        sky.sun_disk = false;
+        let mut sky = SkySettings::from(args.preset.quality());
+        sky.look.sun_disk = false;
         let params = AtmosphereParams::preset(planet)?;
         Ok(Self { args, planet, params, kind: args.kind, sun_elevation, altitude, sky })
     }
@@ -292,7 +292,7 @@ impl<'a> Film<'a> {
             let view = self.view(&frame.moment);
             let terrain = view.terrain();
             let mut sky = self.sky;
-            sky.sun_disk = true;
+            sky.look.sun_disk = true;
             let mut request = RenderRequest {
                 scene: view.scene(Place::DEFAULT, f64::from(width) / f64::from(height), Some(&terrain))?,
                 width,

@@ -2,7 +2,7 @@
 //! tests share it.
 
 use welkin::AtmosphereParams;
-use welkin::render::sky::HAND_OVER;
+use welkin::frame::HAND_OVER;
 
 /// Lowest and highest camera of a climb, metres.
 pub const CLIMB: [f64; 2] = [2.0, 1e9];

@@ -1,6 +1,5 @@
 //! What is measured of each frame of a flight.
 
-use welkin::EffectPlan;
 
 use crate::lab::film::path::Moment;
 
@@ -16,11 +15,11 @@ pub struct Cost {
 }
 
 /// One frame of the flight.
-pub struct Frame {
+pub struct FlightFrame {
     /// Where camera and sun are.
     pub moment: Moment,
     /// What is drawn, and why.
-    pub plan: EffectPlan,
+    pub plan: welkin::Frame,
     /// What that costs.
     pub planned: Cost,
     /// What it costs with every effect forced on.

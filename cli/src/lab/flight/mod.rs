@@ -10,13 +10,13 @@ use std::time::Instant;
 
 use anyhow::Context;
 use clap::Args;
-use welkin::frame::plan::Runs;
+use welkin::frame::graph::Runs;
 use welkin::gpu::{Backend, Format, Pass};
-use welkin::{AtmosphereParams, Bound, EffectPlan, PictureRenderer, PictureSettings, Scene, WarmUp};
+use welkin::{AtmosphereParams, Bound, Frame, PictureRenderer, PictureSettings, Scene, SkySettings, WarmUp};
 
 use crate::args::backend::{BackendArgs, BackendChoice};
 use crate::args::output::{self, OutputArgs};
-use crate::args::quality::{PresetArgs, sky_by_name};
+use crate::args::quality::{PresetArgs};
 use crate::args::scene::PlanetArgs;
 use crate::args::values;
 use crate::gpu::Gpu;
@@ -26,7 +26,7 @@ use crate::lab::{device, timing};
 use crate::output::Destination;
 use crate::progress::Progress;
 use crate::views::{self, Place, View};
-use frame::{Cost, Frame};
+use frame::{Cost, FlightFrame};
 
 /// Metres from the Earth's ground to the moon.
 const MOON: f64 = 3.84e8;
@@ -131,7 +131,7 @@ impl<'a> Flight<'a> {
         let backend = args.backend.gpu("what is timed are a GPU's passes")?;
         let planet = args.planet.or("earth");
         let terrain = (!args.no_terrain).then(|| View { planet, ..views::DEFAULT }.terrain());
-        let mut sky = sky_by_name(args.preset.quality());
+        let mut sky = SkySettings::from(args.preset.quality());
         sky.bound = Some(Bound::eight_bit(1.0));
         let settings = PictureSettings { sky, terrain, dither: false, ..PictureSettings::default() };
         Ok(Self { args, backend, planet, params: AtmosphereParams::preset(planet)?, settings })
@@ -182,7 +182,7 @@ impl<'a> Flight<'a> {
         Ok(view.scene(Place::DEFAULT, f64::from(width) / f64::from(height), self.settings.terrain.as_ref())?)
     }
 
-    fn fly(&self) -> anyhow::Result<(Vec<Frame>, String, f64)> {
+    fn fly(&self) -> anyhow::Result<(Vec<FlightFrame>, String, f64)> {
         let moments = self.moments();
         let steps = Progress::of("flying", 3 * moments.len());
         // Each with a device of its own: nothing is compiled yet.
@@ -209,7 +209,7 @@ impl<'a> Flight<'a> {
             let (everything, _) = cost(backend, whole, &self.everything())?;
             let change = self.change(backend, [small, small_whole], &moment)?;
             let clock = [clock.0, clock.1];
-            frames.push(Frame { moment, plan, planned: planned_cost, everything, clock, change });
+            frames.push(FlightFrame { moment, plan, planned: planned_cost, everything, clock, change });
             progress(1.0);
         }
         renderers.iter_mut().for_each(|r| r.destroy(backend));
@@ -241,10 +241,10 @@ impl<'a> Flight<'a> {
         renderer: &mut PictureRenderer,
         settings: &PictureSettings,
         scene: &Scene,
-    ) -> anyhow::Result<(Cost, EffectPlan)> {
+    ) -> anyhow::Result<(Cost, Frame)> {
         let passes = renderer.passes(backend, scene, settings, self.args.size)?.0.to_vec();
-        let plan = renderer.plan().context("a frame has a plan")?.clone();
-        let sun = plan.passes().iter().find(|p| p.label == "sun").map_or(0.0, |p| p.share);
+        let plan = renderer.last_frame().context("a frame has a plan")?.clone();
+        let sun = plan.planned_passes().iter().find(|p| p.label == "sun").map_or(0.0, |p| p.fraction);
         let sky: Vec<&Pass> = passes.iter().filter(|p| of_sky(p)).collect();
         let pixels = |p: &&Pass| {
             let texels = backend.texture(p.target.color).map_or(0, |desc| desc.texels()) as f64;
@@ -287,13 +287,13 @@ impl<'a> Flight<'a> {
     }
 }
 
-fn report(args: &FlightArgs, frames: &[Frame], ahead: f64) -> String {
+fn report(args: &FlightArgs, frames: &[FlightFrame], ahead: f64) -> String {
     let [width, height] = args.size;
     let mut text = format!(
         "{} frames of {width}×{height}, {}, {}\n\n",
         frames.len(),
         args.planet.or("earth"),
-        args.preset.quality().name
+        args.preset.quality()
     );
     text += "| frame | altitude | sun | passes | all on | megapixels | all on | GPU ms | all on | effects off |\n";
     text += "|---:|---:|---:|---:|---:|---:|---:|---:|---:|---|\n";
@@ -327,8 +327,8 @@ fn report(args: &FlightArgs, frames: &[Frame], ahead: f64) -> String {
             }
         }
     }
-    let sum = |of: fn(&Frame) -> f64| frames.iter().map(of).sum::<f64>();
-    let most = |of: fn(&Frame) -> f64| frames.iter().map(of).enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
+    let sum = |of: fn(&FlightFrame) -> f64| frames.iter().map(of).sum::<f64>();
+    let most = |of: fn(&FlightFrame) -> f64| frames.iter().map(of).enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
     let (planned, all) = (sum(|f| f.planned.time), sum(|f| f.everything.time));
     let _ = write!(
         text,
@@ -359,7 +359,7 @@ fn report(args: &FlightArgs, frames: &[Frame], ahead: f64) -> String {
     text
 }
 
-fn table(frames: &[Frame]) -> anyhow::Result<String> {
+fn table(frames: &[FlightFrame]) -> anyhow::Result<String> {
     let mut csv = csv::Writer::from_writer(Vec::new());
     csv.write_record([
         "frame",
@@ -380,7 +380,7 @@ fn table(frames: &[Frame]) -> anyhow::Result<String> {
     ])?;
     for (i, f) in frames.iter().enumerate() {
         let off: Vec<_> = f.plan.effects().iter().filter(|e| !e.on).map(|e| e.name).collect();
-        let steady = f.plan.passes().iter().filter(|p| p.runs == Runs::PerFrame).count();
+        let steady = f.plan.planned_passes().iter().filter(|p| p.runs == Runs::PerFrame).count();
         let numbers = [
             f.moment.altitude,
             f.moment.sun_elevation,

@@ -2,7 +2,7 @@
 
 use plotters::prelude::*;
 
-use crate::lab::flight::frame::{Cost, Frame};
+use crate::lab::flight::frame::{Cost, FlightFrame};
 use crate::lab::plot::{self, Area, COLORS, Drawn};
 use crate::views;
 
@@ -13,7 +13,7 @@ const EVERYTHING: RGBColor = COLORS[1];
 type Of = fn(&Cost) -> f64;
 
 /// Three diagrams above one another.
-pub fn svg(frames: &[Frame], [width, height]: [u32; 2], describe: &str) -> anyhow::Result<String> {
+pub fn svg(frames: &[FlightFrame], [width, height]: [u32; 2], describe: &str) -> anyhow::Result<String> {
     let driver = describe.split(',').next().unwrap_or(describe);
     let time = format!("GPU time of the sky, ms ({width}×{height}, {driver})");
     let diagrams: [(&str, Of); 3] =
@@ -21,7 +21,7 @@ pub fn svg(frames: &[Frame], [width, height]: [u32; 2], describe: &str) -> anyho
     plot::svg((1000, 760), (3, 1), diagrams, |area, (title, of)| diagram(area, frames, title, of))
 }
 
-fn diagram(area: &Area<'_>, frames: &[Frame], title: &str, of: Of) -> Drawn {
+fn diagram(area: &Area<'_>, frames: &[FlightFrame], title: &str, of: Of) -> Drawn {
     let last = frames.len() - 1;
     let top = frames.iter().flat_map(|f| [of(&f.planned), of(&f.everything)]).fold(0.0, f64::max);
     let mut chart = ChartBuilder::on(area)
