@@ -145,7 +145,7 @@ fn what_is_accepted_becomes_finite_blocks() {
         prop_assert!(view.altitude.is_finite() && (view.sun.length() - 1.0).abs() < 1e-9, "{view:?}");
         prop_assert!(view.sun.x >= -1e-9 && view.sun.y.abs() < 1e-8, "{view:?}");
         let rows = RowOrder::TopDown;
-        let options = FrameOptions { size, rows, view_samples: 1, light_samples: 1, sky_weight, low_resolution: false };
+        let options = FrameOptions { size, rows, view_samples: 1, light_samples: 1, sky_weight, reduced: false };
         finite(bytemuck::bytes_of(&FrameUniform::new(&scene, &view, &options)), "frame")?;
         let tables = TablesUniform::new(&scene.atmosphere, &LutSettings::default());
         finite(bytemuck::bytes_of(&tables), "tables")?;

@@ -25,7 +25,7 @@ use crate::shaders::aerial_lut_slices::numbers::AIR_KINDS;
 use crate::shaders::multi_scattering_lut::numbers::{AZIMUTHS, MOMENTS, ZENITHS};
 
 block! {
-    /// `struct Tables`: see the fields' comments in `tables.wgsl`.
+    /// `struct Luts`: see the fields' comments in `lib/luts.wgsl`.
     #[allow(missing_docs)]
     TablesUniform {
         mie_extinction: [f32; 3],
@@ -46,7 +46,7 @@ block! {
         steps: u32,
         shift: u32,
         slices: u32,
-        air_ground_rows: f32,
+        aerial_ground_rows: f32,
     }
 }
 
@@ -55,7 +55,7 @@ block! {
     #[allow(missing_docs)]
     MediumTables {
         medium: MediumUniform,
-        tables: TablesUniform,
+        luts: TablesUniform,
     }
 }
 
@@ -64,7 +64,7 @@ block! {
     #[allow(missing_docs)]
     FrameTables {
         frame: FrameUniform,
-        tables: TablesUniform,
+        luts: TablesUniform,
     }
 }
 
@@ -251,7 +251,7 @@ impl TablesUniform {
             sun_span: (last - first) as f32,
             ground_rows: sky,
             slices: settings.air[2],
-            air_ground_rows: air,
+            aerial_ground_rows: air,
             ..Self::default()
         }
     }
@@ -366,7 +366,7 @@ impl Luts {
         let tables = TablesUniform::new(params, &plan.settings);
         // Tables hold light per unit of irradiance.
         let medium = MediumUniform { irradiance: [0.0; 3], ..MediumUniform::new(params) };
-        let key = MediumTables { medium, tables };
+        let key = MediumTables { medium, luts: tables };
         let rounds = plan.rounds as usize;
         let fresh = self.medium.is_some_and(|(made_for, made)| made_for == key && (rounds == 0 || made == rounds));
         if !fresh {
@@ -397,7 +397,7 @@ impl Luts {
         let (diffuse, haze) = (scattered.is_some(), t.haze.filter(|_| plan.haze));
         let view =
             ([frame.altitude, frame.sun[0], frame.sun[1], frame.sun[2]], constituents, [diffuse, haze.is_some()]);
-        let block = |tables: TablesUniform| Uniform::new(&FrameTables { frame: *frame, tables });
+        let block = |luts: TablesUniform| Uniform::new(&FrameTables { frame: *frame, luts });
         if self.sky != Some(view) {
             let uniform = block(TablesUniform { size: settings.sky, steps: settings.sky_steps, ..tables });
             let even = (sky, false, moments);
@@ -458,7 +458,7 @@ impl Luts {
         passes: &mut Vec<Pass>,
     ) -> Result<()> {
         let uniform = |size: [u32; 2], steps: u32| {
-            Uniform::new(&MediumTables { tables: TablesUniform { size, steps, ..block.tables }, ..block })
+            Uniform::new(&MediumTables { luts: TablesUniform { size, steps, ..block.luts }, ..block })
         };
         let mut pass = |label, program: Option<Draw>, inputs, uniform, target| {
             let program = program.map(|p| backend.create_program(p.program())).transpose()?;
@@ -477,7 +477,7 @@ impl Luts {
             let block = uniform(settings.moments, settings.moment_steps);
             let inputs = [("transmittance_lut", Some(t.columns)), ("multi_scattering_lut", Some(from))];
             pass(moments_label, Some(Draw::Gather), Inputs::new(inputs), block, Target::color(radiance))?;
-            let inputs = Inputs::new([("radiance", Some(radiance))]);
+            let inputs = Inputs::new([("gathered", Some(radiance))]);
             pass(moments_label, Some(Draw::MultiScattering), inputs, block, Target::color(to))?;
         }
         Ok(())

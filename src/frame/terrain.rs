@@ -1,6 +1,6 @@
 //! The demonstration's terrain: a planet-scale height field, so that occlusion and depth are real.
 //!
-//! It stands in for a user's own scene. The mesh is made in the vertex shader (`terrain.wgsl`); the same
+//! It stands in for a user's own scene. The mesh is made in the vertex shader (`pass/terrain.wgsl`); the same
 //! height field is here in f64, for cameras that shall stand on it and for the CPU renderer.
 
 use glam::{DVec3, IVec3};
@@ -16,7 +16,7 @@ use crate::model::scene::Scene;
 use crate::render::sky::{GroundLight, texture};
 
 block! {
-    /// `struct Terrain` in `terrain.wgsl`.
+    /// `struct Terrain` in `pass/terrain.wgsl`.
     #[allow(missing_docs)]
     TerrainUniform {
         frame: FrameUniform,
@@ -36,10 +36,10 @@ block! {
         mountain_rate: f32,
         high_albedo: [f32; 3],
         snow_line: f32,
-        sky_share: [f32; 3],
+        sky_light: [f32; 3],
         pad: f32,
-        tables: TablesUniform,
-        eclipse: ShadowUniform,
+        luts: TablesUniform,
+        moon_shadow: ShadowUniform,
     }
 }
 
@@ -86,7 +86,7 @@ impl TerrainStyle {
     }
 }
 
-/// `lattice` in `noise.wgsl`.
+/// `lattice` in `lib/noise.wgsl`.
 fn lattice(p: IVec3) -> f64 {
     let mut h = (p.x as u32).wrapping_mul(0x8da6_b343)
         ^ (p.y as u32).wrapping_mul(0xd816_3841)
@@ -97,7 +97,7 @@ fn lattice(p: IVec3) -> f64 {
     f64::from(h >> 8) / 16_777_216.0
 }
 
-/// `noise` in `noise.wgsl`: value and gradient.
+/// `noise` in `lib/noise.wgsl`: value and gradient.
 fn noise(p: DVec3) -> (f64, DVec3) {
     let cell = p.floor();
     let i = cell.as_ivec3();
@@ -121,7 +121,7 @@ impl TerrainStyle {
     }
 
     /// Height above the surface (metres, ≥ 0) and its gradient (metres per radian) below a unit direction
-    /// in the planet's own axes. `height_field` in `terrain.wgsl`.
+    /// in the planet's own axes. `height_field` in `pass/terrain.wgsl`.
     pub fn height(&self, n: DVec3, planet_radius: f64) -> (f64, DVec3) {
         let mut land = (0.0, DVec3::ZERO);
         for (rate, shift, gain) in [(2.3, 11.0, 0.6), (5.1, 5.0, 0.3), (13.7, 3.0, 0.1)] {
@@ -174,7 +174,7 @@ impl TerrainStyle {
             view_samples: 1,
             light_samples: 1,
             sky_weight: 1.0,
-            low_resolution: false,
+            reduced: false,
         };
         let frame = FrameUniform::new(scene, &view, &options);
         let rows = view.world_to_zenith;
@@ -215,10 +215,10 @@ impl TerrainStyle {
             mountain_rate: self.mountain_rate(radius) as f32,
             high_albedo: color(self.high_albedo),
             snow_line: (self.snow_line / 1000.0).min(1e6) as f32,
-            sky_share: color(Self::sky_share(&scene.atmosphere)),
+            sky_light: color(Self::sky_share(&scene.atmosphere)),
             pad: 0.0,
-            tables: light.tables,
-            eclipse: light.shadow.map(|(block, _)| block).unwrap_or_default(),
+            luts: light.tables,
+            moon_shadow: light.shadow.map(|(block, _)| block).unwrap_or_default(),
         };
         let shadow = light.shadow.map(|(_, lut)| lut);
         let inputs = Inputs::new([("moon_shadow_lut", shadow), ("multi_scattering_lut", light.moments)]);

@@ -1,4 +1,4 @@
-//! The uniform block of the atmosphere's passes; its WGSL twin is `struct Frame` in `frame.wgsl`.
+//! The uniform block of the atmosphere's passes; its WGSL twin is `struct Frame` in `lib/frame.wgsl`.
 
 use glam::DVec3;
 
@@ -57,7 +57,7 @@ block! {
 }
 
 block! {
-    /// `struct Frame`: see the fields' comments in `frame.wgsl`.
+    /// `struct Frame`: see the fields' comments in `lib/frame.wgsl`.
     #[allow(missing_docs)]
     FrameUniform {
         medium: MediumUniform,
@@ -75,9 +75,9 @@ block! {
         depth: DepthUniform,
         view_samples: u32,
         light_samples: u32,
-        low_resolution: u32,
+        reduced: u32,
         camera_altitude: f32,
-        limb: [f32; 4],
+        sky_view_mapping: [f32; 4],
     }
 }
 
@@ -116,7 +116,7 @@ pub struct FrameOptions {
     /// Share of the background pass, 0 to 1; the depth-aware pass takes the rest.
     pub sky_weight: f64,
     /// Mark planet pixels instead of discarding them.
-    pub low_resolution: bool,
+    pub reduced: bool,
 }
 
 fn vec3(v: DVec3) -> [f32; 3] {
@@ -128,7 +128,7 @@ impl FrameUniform {
     /// pass the ground, how far that part is spaced as seen from outside (0 to 1), evenly in the altitude that a
     /// ray passes, and the share that it has near the ground, as many rows as crowding at the horizon alone would give
     /// it. Last: the horizon's cosine of the zenith angle with its sign changed.
-    pub(crate) fn limb(altitude: f64, p: &AtmosphereParams) -> [f32; 4] {
+    pub(crate) fn sky_view_mapping(altitude: f64, p: &AtmosphereParams) -> [f32; 4] {
         let radius = p.planet_radius;
         let horizon = (altitude * (2.0 * radius + altitude)).sqrt() / (radius + altitude);
         let s_max = (0.5 + 0.5 * horizon).sqrt();
@@ -165,9 +165,9 @@ impl FrameUniform {
             },
             view_samples: options.view_samples,
             light_samples: options.light_samples,
-            low_resolution: options.low_resolution.into(),
+            reduced: options.reduced.into(),
             camera_altitude: (view.altitude / KM) as f32,
-            limb: Self::limb(view.altitude.max(0.0), p),
+            sky_view_mapping: Self::sky_view_mapping(view.altitude.max(0.0), p),
         }
     }
 }

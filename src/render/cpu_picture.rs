@@ -188,7 +188,7 @@ impl<'a> Painter<'a> {
         floor
     }
 
-    /// Sunlight and a share of sky light on the ground; the formulas of `terrain.wgsl`.
+    /// Sunlight and a share of sky light on the ground; the formulas of `pass/terrain.wgsl`.
     fn shade(&self, style: &TerrainStyle, point: DVec3) -> Result<[f64; 3]> {
         let p = &self.scene.atmosphere;
         let n = point.normalize();

@@ -283,7 +283,7 @@ impl SkyRenderer {
             view_samples,
             light_samples,
             sky_weight: plan.sky_weight,
-            low_resolution: false,
+            reduced: false,
         }
     }
 
@@ -311,7 +311,7 @@ impl SkyRenderer {
         if let Some(program) = plan.background {
             let label = "background sky";
             options.size = small;
-            options.low_resolution = !full;
+            options.reduced = !full;
             let drawn = FrameUniform::new(scene, &view, &options);
             // Nothing but black is behind the sky: no need to clear it first, nor to blend.
             let only = full && target.clear == Some([0.0, 0.0, 0.0, 1.0]);
@@ -328,7 +328,7 @@ impl SkyRenderer {
                     if only {
                         target.clear = None;
                     }
-                    (Draw::SkyLut { phase, only }, inputs, Uniform::new(&FrameTables { frame: drawn, tables }))
+                    (Draw::SkyLut { phase, only }, inputs, Uniform::new(&FrameTables { frame: drawn, luts: tables }))
                 }
                 _ => (program, Inputs::NONE, Uniform::new(&drawn)),
             };
@@ -343,7 +343,7 @@ impl SkyRenderer {
                 self.passes.push(Pass {
                     label: "upsample sky",
                     program: Some(backend.create_program(Draw::Upsample.program())?),
-                    inputs: Inputs::new([("sky", Some(low))]),
+                    inputs: Inputs::new([("reduced_sky", Some(low))]),
                     uniform: Uniform::new(&frame),
                     target,
                     depth,
@@ -450,7 +450,7 @@ impl SkyRenderer {
                         ("transmittance_lut", Some(t.columns)),
                         ("mie_single_lut", t.haze),
                     ]);
-                    (inputs, Uniform::new(&FrameTables { frame, tables }))
+                    (inputs, Uniform::new(&FrameTables { frame, luts: tables }))
                 }
                 _ => (Inputs::new(scene_inputs), Uniform::new(&frame)),
             };
@@ -482,7 +482,7 @@ impl SkyRenderer {
         }
         let inputs =
             [("moon_shadow_lut", Some(shade)), ("transmittance_lut", columns), ("multi_scattering_lut", moments)];
-        Ok((Uniform::new(&EclipseUniform { frame, tables, eclipse }), Inputs::new(inputs)))
+        Ok((Uniform::new(&EclipseUniform { frame, luts: tables, moon_shadow: eclipse }), Inputs::new(inputs)))
     }
 
     /// The moon's shadow as passes are told of it, and its shade.

@@ -7,7 +7,7 @@
 //! * by physics: [`sunlight`] is what the air leaves of the sun's light, and a [`SkyLight`] the light of the simulated sky,
 //!   as irradiance and as spherical harmonics, from the tables that draw it.
 //!
-//! [`LightingContextUniform`] is the block that `lighting.wgsl` ([`crate::shaders::LIGHTING_WGSL`]) reads.
+//! [`LightingContextUniform`] is the block that `lib/lighting.wgsl` ([`crate::shaders::LIGHTING_WGSL`]) reads.
 
 use glam::{DVec3, Vec3};
 
@@ -110,7 +110,7 @@ pub fn modulate_ambient_by_sun(base_ambient: Vec3, sun_elevation: f32) -> Vec3 {
 }
 
 block! {
-    /// `struct LightingContext` in `lighting.wgsl`: 32 bytes.
+    /// `struct LightingContext` in `lib/lighting.wgsl`: 32 bytes.
     LightingContextUniform {
         /// Ambient colour times intensity; last the light in the darkest shadow.
         ambient_shadow: [f32; 4],
@@ -232,9 +232,9 @@ pub struct SkyLight {
 const ROWS: usize = 6;
 
 impl SkyLight {
-    /// Where altitude and sun are among the nodes: `tables.wgsl`'s `altitude_share` and `sun_share`, in f64.
+    /// Where altitude and sun are among the nodes: `altitude_to_v` and `mu_sun_to_u` of `lib/multi_scattering_lut.wgsl`, in f64.
     fn at(&self, altitude: f64, sun_sine: f64) -> [(usize, f64); 2] {
-        let t = &self.made_for.tables;
+        let t = &self.made_for.luts;
         let h = (altitude / self.params.thickness()).clamp(0.0, 1.0);
         let row = ((h * f64::from(t.altitude_growth)).ln_1p() / f64::from(t.altitude_steepness)).sqrt();
         let y = (sun_sine - f64::from(t.sun_middle)) / f64::from(t.sun_width);
@@ -270,7 +270,7 @@ impl SkyLight {
     /// Sunlight with what the aerosol turns by small angles only, which the tables count as not scattered.
     fn forward(&self, altitude: f64, sun_sine: f64) -> Result<[f64; 3]> {
         let mut straight = self.params.clone();
-        let kept: [f64; 3] = std::array::from_fn(|c| f64::from(self.made_for.tables.mie_extinction[c]) / 1e3);
+        let kept: [f64; 3] = std::array::from_fn(|c| f64::from(self.made_for.luts.mie_extinction[c]) / 1e3);
         straight.mie_absorption = [0.0; 3];
         straight.mie_scattering = kept;
         sunlight(&straight, altitude, sun_sine)
