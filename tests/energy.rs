@@ -1,6 +1,6 @@
 //! No energy comes or goes: white ground under air that absorbs nothing, black ground, and an absorber.
 
-use welkin::frame::luts::TablesUniform;
+use welkin::frame::luts::LutsUniform;
 use welkin::gpu::{Backend, Target};
 use welkin::reference::single::{RayQuery, Tolerance, transmittance};
 use welkin::{AtmosphereParams, LutSettings, Quality, PictureRenderer, SkyRenderer, SkySettings};
@@ -27,7 +27,7 @@ fn diffuse_flux(b: &mut dyn Backend, params: &AtmosphereParams, lut: LutSettings
     b.run(&passes).unwrap();
     let last = passes.iter().rfind(|p| p.label == "multi-scattering LUT").unwrap();
     let texels = b.read(last.target.color).unwrap();
-    let t = TablesUniform::new(params, &lut);
+    let t = LutsUniform::new(params, &lut);
     sky.destroy(b);
     b.destroy_texture(target);
     let [suns, altitudes] = lut.multi_scattering.map(|n| n as usize);
@@ -56,7 +56,7 @@ fn diffuse_flux(b: &mut dyn Backend, params: &AtmosphereParams, lut: LutSettings
 
 /// Altitudes of the table's rows.
 fn rows(params: &AtmosphereParams, lut: LutSettings) -> Vec<f64> {
-    let t = TablesUniform::new(params, &lut);
+    let t = LutsUniform::new(params, &lut);
     let share = |row: u32| f64::from(row) / f64::from(lut.multi_scattering[1] - 1);
     let grown =
         |row| (share(row).powi(2) * f64::from(t.altitude_steepness)).exp_m1() / f64::from(t.altitude_growth);

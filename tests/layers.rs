@@ -253,7 +253,7 @@ fn layers_import_in_one_direction() {
 
 #[test]
 fn the_reader_of_imports_reads() {
-    let code = "use crate::{error::{Error, Result}, frame::lut::X, Scene};\n\
+    let code = "use crate::{error::{Error, Result}, frame::luts::X, Scene};\n\
                 // crate::probe\nlet s = \"crate::web\";\n\
                 fn f(c: &'static str) -> crate::gpu::Pass { g('\"', super::super::render::h) }\n\
                 /* crate::x /* y */ */ let r = r#\"crate::z\"#; $crate::model::m;\n\

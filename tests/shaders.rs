@@ -1,9 +1,11 @@
 //! Shaders: the committed GLSL is fresh, and every uniform block's Rust twin has naga's layout.
+#![cfg(feature = "translate")]
 
 use std::path::Path;
 
-use welkin::frame::eclipse::ShadowUniform;
-use welkin::frame::luts::TablesUniform;
+use welkin::frame::disks::DiskUniform;
+use welkin::frame::eclipse::{EclipseUniform, ShadowUniform};
+use welkin::frame::luts::{FrameLuts, MediumLuts, LutsUniform};
 use welkin::frame::terrain::TerrainUniform;
 use welkin::frame::tone_map::ToneUniform;
 use welkin::frame::uniforms::{DepthUniform, FrameUniform, MediumUniform};
@@ -17,7 +19,7 @@ fn committed_glsl_is_fresh() {
     assert!(files.len() > 25, "only {} files were generated", files.len());
     for (path, text) in &files {
         let found = std::fs::read_to_string(root.join(path)).unwrap_or_default();
-        assert!(found == *text, "{path} is stale: run `cargo lab shaders`");
+        assert!(found == *text, "{path} is stale: run `cargo run -- shaders`");
     }
     for entry in std::fs::read_dir(root.join("shaders/glsl")).unwrap() {
         let path = format!("shaders/glsl/{}", entry.unwrap().file_name().into_string().unwrap());
@@ -86,8 +88,7 @@ fn own_name(field: &str) -> &str {
 
 /// A struct's fields in Rust, nested ones flattened as naga's are.
 fn rust_layout(name: &str) -> (Vec<(String, u32)>, u32) {
-    let own =
-        |fields: Vec<(&str, u32)>| fields.into_iter().map(|(n, o)| (n.to_owned(), o)).collect::<Vec<_>>();
+    let own = |fields: Vec<(&str, u32)>| fields.into_iter().map(|(n, o)| (n.to_owned(), o)).collect::<Vec<_>>();
     let nest = |fields: Vec<(String, u32)>, field: &str, inner: Vec<(String, u32)>| {
         let mut out = Vec::new();
         for (n, offset) in fields {
@@ -104,25 +105,62 @@ fn rust_layout(name: &str) -> (Vec<(String, u32)>, u32) {
     let frame = nest(frame, "depth", own(DepthUniform::offsets()));
     match name {
         "Frame" => (frame, size_of::<FrameUniform>() as u32),
-        "Tables" => (own(TablesUniform::offsets()), size_of::<TablesUniform>() as u32),
+        "Luts" => (own(LutsUniform::offsets()), size_of::<LutsUniform>() as u32),
         "MoonShadow" => (own(ShadowUniform::offsets()), size_of::<ShadowUniform>() as u32),
         "Terrain" => {
             let terrain = nest(own(TerrainUniform::offsets()), "frame", frame);
-            let terrain = nest(terrain, "tables", own(TablesUniform::offsets()));
-            (nest(terrain, "eclipse", own(ShadowUniform::offsets())), size_of::<TerrainUniform>() as u32)
+            let terrain = nest(terrain, "luts", own(LutsUniform::offsets()));
+            (nest(terrain, "moon_shadow", own(ShadowUniform::offsets())), size_of::<TerrainUniform>() as u32)
         }
         _ => (own(ToneUniform::offsets()), size_of::<ToneUniform>() as u32),
     }
+}
+
+/// Blocks that are called `Uniforms` in every program that has one.
+fn whole_blocks() -> [(Vec<(String, u32)>, u32); 4] {
+    let whole = |fields: Vec<(&str, u32)>, size: usize| {
+        let mut out = Vec::new();
+        for (name, offset) in fields {
+            let inner = match name {
+                "frame" => rust_layout("Frame").0,
+                "luts" => rust_layout("Luts").0,
+                "moon_shadow" => rust_layout("MoonShadow").0,
+                "medium" => MediumUniform::offsets().into_iter().map(|(n, o)| (n.to_owned(), o)).collect(),
+                _ => {
+                    out.push((name.to_owned(), offset));
+                    continue;
+                }
+            };
+            out.extend(inner.iter().map(|(i, o)| (format!("{name}.{i}"), offset + o)));
+        }
+        (out, size as u32)
+    };
+    [
+        whole(FrameLuts::offsets(), size_of::<FrameLuts>()),
+        whole(MediumLuts::offsets(), size_of::<MediumLuts>()),
+        whole(EclipseUniform::offsets(), size_of::<EclipseUniform>()),
+        whole(DiskUniform::offsets(), size_of::<DiskUniform>()),
+    ]
+}
+
+#[test]
+fn whole_blocks_have_the_layout_that_naga_gives_them() {
+    let mut found = [0; 4];
+    for info in programs() {
+        let Some(layout) = translate::struct_layout(info, "Uniforms").unwrap() else { continue };
+        assert_eq!(layout.1, info.uniform_size, "{}", info.name);
+        let block = whole_blocks().iter().position(|ours| *ours == layout);
+        found[block.unwrap_or_else(|| panic!("{}: no Rust block is like {layout:?}", info.name))] += 1;
+    }
+    assert!(found.iter().all(|&n| n > 0), "{found:?}");
 }
 
 #[test]
 fn uniform_blocks_have_the_layout_that_naga_gives_them() {
     let mut checked = 0;
     for program in programs() {
-        for name in ["Frame", "Tables", "MoonShadow", "Terrain", "Tone"] {
-            let Some((mut members, size)) = translate::struct_layout(program, name).unwrap() else {
-                continue;
-            };
+        for name in ["Frame", "Luts", "MoonShadow", "Terrain", "Tone"] {
+            let Some((mut members, size)) = translate::struct_layout(program, name).unwrap() else { continue };
             let (mut ours, our_size) = rust_layout(name);
             // Padding is one array in Rust and three scalars in WGSL.
             members.retain(|(n, _)| !own_name(n).starts_with("pad"));

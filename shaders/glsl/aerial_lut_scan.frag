@@ -3,6 +3,27 @@
 precision highp float;
 precision highp int;
 
+struct Luts {
+    vec3 mie_extinction;
+    float altitude_steepness;
+    vec3 mie_moment0_;
+    float altitude_growth;
+    vec3 mie_moment1_;
+    float sun_middle;
+    vec3 mie_moment2_;
+    float sun_width;
+    vec3 mie_asymmetry;
+    float pad;
+    vec3 albedo;
+    float sun_first;
+    float sun_span;
+    float ground_rows;
+    uvec2 size;
+    uint steps;
+    uint shift;
+    uint slices;
+    float aerial_ground_rows;
+};
 struct Medium {
     vec3 rayleigh;
     float rayleigh_inv_height;
@@ -39,32 +60,11 @@ struct Frame {
     DepthCode depth;
     uint view_samples;
     uint light_samples;
-    uint low_resolution;
+    uint reduced;
     float camera_altitude;
-    vec4 limb;
+    vec4 sky_view_mapping;
 };
-struct Tables {
-    vec3 mie_extinction;
-    float altitude_steepness;
-    vec3 mie_moment0_;
-    float altitude_growth;
-    vec3 mie_moment1_;
-    float sun_middle;
-    vec3 mie_moment2_;
-    float sun_width;
-    vec3 mie_asymmetry;
-    float pad;
-    vec3 albedo;
-    float sun_first;
-    float sun_span;
-    float ground_rows;
-    uvec2 size;
-    uint steps;
-    uint shift;
-    uint slices;
-    float air_ground_rows;
-};
-struct AirTexel {
+struct AerialTexel {
     int kind;
     int row;
     int column;
@@ -74,23 +74,18 @@ struct AirTexel {
 };
 struct Uniforms {
     Frame frame;
-    Tables tables;
+    Luts luts;
 };
+const float LOG_FLOOR = -100.0;
+const float PI = 3.1415927;
+const float SQRT_HALF = 0.70710677;
 const bool RAYLEIGH = true;
 const bool MIE = true;
 const bool OZONE = true;
-const float LOG_FLOOR = -100.0;
-const int MOMENTS = 6;
-const float SH0_ = 0.2820948;
-const float SH1_ = 0.48860252;
-const float SH20_ = 0.31539157;
-const float SH21_ = 1.0925485;
-const float SH22_ = 0.54627424;
-const float SQRT_HALF = 0.70710677;
 const int AIR_SMOOTH = 0;
-const int AIR_AEROSOL = 1;
+const int AIR_MIE = 1;
 const int AIR_BEAM = 2;
-const int AIR_THROUGH = 3;
+const int AIR_TRANSMITTANCE = 3;
 const int AIR_KINDS = 4;
 const bool FINISH = true;
 
@@ -100,51 +95,47 @@ uniform highp sampler2D _group_0_binding_1_fs;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
-AirTexel air_texel(vec2 position_1, Tables t) {
-    ivec2 at = ivec2(position_1);
-    int columns = int((t.size.x / t.slices));
-    int rows = (int(t.size.y) / AIR_KINDS);
-    return AirTexel((at.y / rows), (at.y % rows), (at.x % columns), (at.x / columns), rows, columns);
+AerialTexel aerial_texel(vec2 position_1, Luts luts) {
+    ivec2 texel = ivec2(position_1);
+    int columns = int((luts.size.x / luts.slices));
+    int rows = (int(luts.size.y) / AIR_KINDS);
+    return AerialTexel((texel.y / rows), (texel.y % rows), (texel.x % columns), (texel.x / columns), rows, columns);
 }
 
-vec3 air_load(highp sampler2D table, AirTexel a, int kind, int slice) {
-    vec4 _e14 = texelFetch(table, ivec2(((slice * a.columns) + a.column), ((kind * a.rows) + a.row)), 0);
-    return _e14.xyz;
-}
-
-float air_end(highp sampler2D table_1, AirTexel a_1) {
-    vec4 _e14 = texelFetch(table_1, ivec2(((a_1.slice * a_1.columns) + a_1.column), ((a_1.kind * a_1.rows) + a_1.row)), 0);
-    return _e14.w;
+vec4 aerial_load(highp sampler2D lut, AerialTexel a, int kind, int slice) {
+    vec4 _e14 = texelFetch(lut, ivec2(((slice * a.columns) + a.column), ((kind * a.rows) + a.row)), 0);
+    return _e14;
 }
 
 void main() {
     vec4 position = gl_FragCoord;
-    Tables t_1 = _group_0_binding_0_fs.tables;
-    AirTexel _e5 = air_texel(position.xy, t_1);
-    vec3 _e9 = air_load(_group_0_binding_1_fs, _e5, _e5.kind, _e5.slice);
-    float _e11 = air_end(_group_0_binding_1_fs, _e5);
+    Luts luts_1 = _group_0_binding_0_fs.luts;
+    AerialTexel _e5 = aerial_texel(position.xy, luts_1);
+    vec4 _e9 = aerial_load(_group_0_binding_1_fs, _e5, _e5.kind, _e5.slice);
     if (FINISH) {
         if ((_e5.kind >= AIR_BEAM)) {
-            _fs2p_location0 = vec4(_e9, _e11);
+            _fs2p_location0 = _e9;
             return;
         }
-        vec3 _e23 = air_load(_group_0_binding_1_fs, _e5, _e5.kind, (int(t_1.slices) - 1));
-        float even = (float((_e5.slice + 1)) / float(t_1.slices));
-        _fs2p_location0 = vec4(mix(vec3(even), (_e9 / max(_e23, vec3(1e-37))), greaterThan(_e23, vec3(1e-30))), _e11);
+        vec4 _e20 = aerial_load(_group_0_binding_1_fs, _e5, _e5.kind, (int(luts_1.slices) - 1));
+        vec3 whole = _e20.xyz;
+        float even = (float((_e5.slice + 1)) / float(luts_1.slices));
+        _fs2p_location0 = vec4(mix(vec3(even), (_e9.xyz / max(whole, vec3(1e-37))), greaterThan(whole, vec3(1e-30))), _e9.w);
         return;
     } else {
-        int nearer = (_e5.slice - int(t_1.shift));
+        int nearer = (_e5.slice - int(luts_1.shift));
         if ((nearer < 0)) {
-            _fs2p_location0 = vec4(_e9, _e11);
+            _fs2p_location0 = _e9;
             return;
         }
-        vec3 _e50 = air_load(_group_0_binding_1_fs, _e5, _e5.kind, nearer);
+        vec4 _e49 = aerial_load(_group_0_binding_1_fs, _e5, _e5.kind, nearer);
+        vec3 before = _e49.xyz;
         if ((_e5.kind >= AIR_BEAM)) {
-            _fs2p_location0 = vec4((_e50 * _e9), _e11);
+            _fs2p_location0 = vec4((before * _e9.xyz), _e9.w);
             return;
         }
-        vec3 _e58 = air_load(_group_0_binding_1_fs, _e5, AIR_BEAM, nearer);
-        _fs2p_location0 = vec4((_e50 + (_e58 * _e9)), _e11);
+        vec4 _e60 = aerial_load(_group_0_binding_1_fs, _e5, AIR_BEAM, nearer);
+        _fs2p_location0 = vec4((before + (_e60.xyz * _e9.xyz)), _e9.w);
         return;
     }
 }

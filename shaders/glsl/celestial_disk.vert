@@ -39,33 +39,38 @@ struct Frame {
     DepthCode depth;
     uint view_samples;
     uint light_samples;
-    uint low_resolution;
+    uint reduced;
     float camera_altitude;
-    vec4 limb;
+    vec4 sky_view_mapping;
 };
 struct Uniforms {
     Frame frame;
-    vec4 rect;
-    vec4 moon;
-    vec4 shine;
+    vec4 rectangle;
+    vec3 moon_direction;
+    float moon_sine;
+    float moon_chord;
+    float albedo_over_pi;
+    float earthshine;
+    float sun_visibility;
 };
 const float HALF_MAX = 32000.0;
 const bool RAYLEIGH = true;
 const bool MIE = true;
 const bool OZONE = true;
-const uint STEPS = 128u;
 const bool AIR = true;
+const uint DISK_STEPS = 128u;
+const uint VERTICES = 4u;
 
 layout(std140) uniform Uniforms_block_0Vertex { Uniforms _group_0_binding_0_vs; };
 
 
 void main() {
     uint index = uint(gl_VertexID);
-    float _e4 = _group_0_binding_0_vs.rect.x;
-    float _e8 = _group_0_binding_0_vs.rect.z;
+    float _e4 = _group_0_binding_0_vs.rectangle.x;
+    float _e8 = _group_0_binding_0_vs.rectangle.z;
     float x = (((index & 1u) != 0u) ? _e8 : _e4);
-    float _e17 = _group_0_binding_0_vs.rect.y;
-    float _e21 = _group_0_binding_0_vs.rect.w;
+    float _e17 = _group_0_binding_0_vs.rectangle.y;
+    float _e21 = _group_0_binding_0_vs.rectangle.w;
     float y = (((index & 2u) != 0u) ? _e21 : _e17);
     gl_Position = vec4(x, y, 0.0, 1.0);
     gl_Position.yz = vec2(-gl_Position.y, gl_Position.z * 2.0 - gl_Position.w);

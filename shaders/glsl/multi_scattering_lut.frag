@@ -17,7 +17,7 @@ struct Medium {
     vec3 irradiance;
     float thickness;
 };
-struct Tables {
+struct Luts {
     vec3 mie_extinction;
     float altitude_steepness;
     vec3 mie_moment0_;
@@ -36,7 +36,7 @@ struct Tables {
     uint steps;
     uint shift;
     uint slices;
-    float air_ground_rows;
+    float aerial_ground_rows;
 };
 struct Direction {
     float mu;
@@ -46,7 +46,7 @@ struct Direction {
 };
 struct Uniforms {
     Medium medium;
-    Tables tables;
+    Luts luts;
 };
 const bool RAYLEIGH = true;
 const bool MIE = true;
@@ -58,6 +58,8 @@ const float SH1_ = 0.48860252;
 const float SH20_ = 0.31539157;
 const float SH21_ = 1.0925485;
 const float SH22_ = 0.54627424;
+const float PI = 3.1415927;
+const float SQRT_HALF = 0.70710677;
 const int ZENITHS = 16;
 const int AZIMUTHS = 8;
 
@@ -67,14 +69,10 @@ uniform highp sampler2D _group_0_binding_1_fs;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
-float excess_of(float h, float radius) {
-    return (h * ((2.0 * radius) + h));
-}
-
-float share_altitude(Tables t, float share, float thickness) {
-    float s = ((t.altitude_steepness * share) * share);
+float v_to_altitude(Luts luts, float v, float thickness) {
+    float s = ((luts.altitude_steepness * v) * v);
     float grown = ((s < 0.05) ? (s * (1.0 + (s * (0.5 + (s * (0.16666667 + (s * 0.041666668))))))) : (exp(s) - 1.0));
-    return (thickness * min((grown / t.altitude_growth), 1.0));
+    return (thickness * min((grown / luts.altitude_growth), 1.0));
 }
 
 float harmonic(int index, float mu, float along) {
@@ -98,6 +96,10 @@ float harmonic(int index, float mu, float along) {
             return (SH22_ * ((((2.0 * along) * along) + (mu * mu)) - 1.0));
         }
     }
+}
+
+float excess_of(float h, float radius) {
+    return (h * ((2.0 * radius) + h));
 }
 
 vec2 gauss8_(int i) {
@@ -176,11 +178,12 @@ vec3 moment(ivec2 node, float h_2, float radius_2, int index_1) {
                     float along_1 = (sqrt(max(((1.0 - _e19.mu) * (1.0 + _e19.mu)), 0.0)) * cos(_e19.azimuth));
                     float _e34 = harmonic(index_1, _e19.mu, along_1);
                     float y = ((index_1 == MOMENTS) ? max(_e19.mu, 0.0) : _e34);
-                    vec3 _e41 = sum;
-                    int _e47 = a;
-                    int _e48 = z;
-                    vec4 _e52 = texelFetch(_group_0_binding_1_fs, ((node * ivec2(8, 16)) + ivec2(_e47, _e48)), 0);
-                    sum = (_e41 + (_e52.xyz * (y * _e19.weight)));
+                    int _e45 = a;
+                    int _e46 = z;
+                    ivec2 texel = ((node * ivec2(8, 16)) + ivec2(_e45, _e46));
+                    vec3 _e49 = sum;
+                    vec4 _e52 = texelFetch(_group_0_binding_1_fs, texel, 0);
+                    sum = (_e49 + (_e52.xyz * (y * _e19.weight)));
                 }
             }
         }
@@ -192,12 +195,12 @@ vec3 moment(ivec2 node, float h_2, float radius_2, int index_1) {
 void main() {
     vec4 position = gl_FragCoord;
     Medium m = _group_0_binding_0_fs.medium;
-    Tables t_1 = _group_0_binding_0_fs.tables;
-    ivec2 at = ivec2(position.xy);
+    ivec2 texel_1 = ivec2(position.xy);
     int altitudes = (ivec2(uvec2(textureSize(_group_0_binding_1_fs, 0).xy)).y / ZENITHS);
-    bool ground = (at.y == (altitudes * MOMENTS));
-    ivec2 node_1 = ivec2(at.x, (ground ? 0 : (at.y / MOMENTS)));
-    float _e33 = share_altitude(t_1, (float(node_1.y) / float((altitudes - 1))), m.thickness);
+    bool ground = (texel_1.y == (altitudes * MOMENTS));
+    ivec2 node_1 = ivec2(texel_1.x, (ground ? 0 : (texel_1.y / MOMENTS)));
+    Luts _e25 = _group_0_binding_0_fs.luts;
+    float _e33 = v_to_altitude(_e25, (float(node_1.y) / float((altitudes - 1))), m.thickness);
     vec3 tiny = vec3(7.888609e-31);
     if (ground) {
         vec3 _e38 = moment(node_1, _e33, m.radius, MOMENTS);
@@ -206,7 +209,7 @@ void main() {
     }
     vec3 _e45 = moment(node_1, _e33, m.radius, 0);
     vec3 mean = max(_e45, tiny);
-    int index_2 = (at.y % MOMENTS);
+    int index_2 = (texel_1.y % MOMENTS);
     if ((index_2 == 0)) {
         _fs2p_location0 = vec4(log2(mean), 0.0);
         return;

@@ -17,18 +17,45 @@ struct Medium {
     vec3 irradiance;
     float thickness;
 };
+struct Case {
+    Medium medium;
+    vec4 view;
+    vec4 light;
+    vec4 path;
+    vec4 angle;
+    vec4 uv;
+    vec4 scale;
+    vec4 mapping;
+};
+const int CASE_TEXELS = 13;
 const bool RAYLEIGH = true;
 const bool MIE = true;
 const bool OZONE = true;
 const float INV_4PI = 0.07957747;
 const bool CORNETTE_SHANKS = true;
-const bool SUNLIGHT = true;
-const int CASE_TEXELS = 13;
 const int ANSWERS = 5;
 
 uniform highp sampler2D _group_0_binding_1_fs;
 
 layout(location = 0) out vec4 _fs2p_location0;
+
+Case case_of(ivec2 pixel, int answers) {
+    ivec2 first = ivec2(((pixel.x / answers) * CASE_TEXELS), pixel.y);
+    vec4 a = texelFetch(_group_0_binding_1_fs, first, 0);
+    vec4 b = texelFetch(_group_0_binding_1_fs, (first + ivec2(1, 0)), 0);
+    vec4 c = texelFetch(_group_0_binding_1_fs, (first + ivec2(2, 0)), 0);
+    vec4 d_2 = texelFetch(_group_0_binding_1_fs, (first + ivec2(3, 0)), 0);
+    vec4 e = texelFetch(_group_0_binding_1_fs, (first + ivec2(4, 0)), 0);
+    vec4 f = texelFetch(_group_0_binding_1_fs, (first + ivec2(5, 0)), 0);
+    vec4 _e65 = texelFetch(_group_0_binding_1_fs, (first + ivec2(6, 0)), 0);
+    vec4 _e72 = texelFetch(_group_0_binding_1_fs, (first + ivec2(7, 0)), 0);
+    vec4 _e79 = texelFetch(_group_0_binding_1_fs, (first + ivec2(8, 0)), 0);
+    vec4 _e86 = texelFetch(_group_0_binding_1_fs, (first + ivec2(9, 0)), 0);
+    vec4 _e93 = texelFetch(_group_0_binding_1_fs, (first + ivec2(10, 0)), 0);
+    vec4 _e100 = texelFetch(_group_0_binding_1_fs, (first + ivec2(11, 0)), 0);
+    vec4 _e107 = texelFetch(_group_0_binding_1_fs, (first + ivec2(12, 0)), 0);
+    return Case(Medium(a.xyz, a.w, b.xyz, b.w, c.xyz, c.w, d_2.xyz, d_2.w, e.xyz, e.w, f.xyz, f.w), _e65, _e72, _e79, _e86, _e93, _e100, _e107);
+}
 
 vec4 layers_of(Medium m) {
     return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
@@ -92,56 +119,41 @@ vec3 cornette_shanks_phase(float away_1, float toward_1, vec3 g_1) {
     return ((vec3((1.5 * (1.0 + (mu_1 * mu_1)))) / (vec3(2.0) + (g_1 * g_1))) * _e16);
 }
 
-Medium medium_of(ivec2 first) {
-    vec4 a = texelFetch(_group_0_binding_1_fs, first, 0);
-    vec4 b = texelFetch(_group_0_binding_1_fs, (first + ivec2(1, 0)), 0);
-    vec4 c = texelFetch(_group_0_binding_1_fs, (first + ivec2(2, 0)), 0);
-    vec4 d_2 = texelFetch(_group_0_binding_1_fs, (first + ivec2(3, 0)), 0);
-    vec4 e = texelFetch(_group_0_binding_1_fs, (first + ivec2(4, 0)), 0);
-    vec4 f = texelFetch(_group_0_binding_1_fs, (first + ivec2(5, 0)), 0);
-    return Medium(a.xyz, a.w, b.xyz, b.w, c.xyz, c.w, d_2.xyz, d_2.w, e.xyz, e.w, f.xyz, f.w);
-}
-
 void main() {
     vec4 position = gl_FragCoord;
-    ivec2 pixel = ivec2(position.xy);
-    int number = (pixel.x / ANSWERS);
-    int answer = (pixel.x - (number * ANSWERS));
-    ivec2 first_1 = ivec2((number * CASE_TEXELS), pixel.y);
-    Medium _e14 = medium_of(first_1);
-    vec4 view = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(6, 0)), 0);
-    vec4 light = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(7, 0)), 0);
-    vec4 path = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(8, 0)), 0);
-    vec4 angle = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(9, 0)), 0);
-    vec4 share = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(10, 0)), 0);
-    vec4 scale = texelFetch(_group_0_binding_1_fs, (first_1 + ivec2(11, 0)), 0);
-    vec4 _e57 = layers_of(_e14);
-    vec3 _e59 = densities(_e57, view.w);
-    if ((answer == 0)) {
-        float _e65 = rayleigh_phase((1.0 - angle.x));
-        _fs2p_location0 = vec4(_e59, _e65);
-        return;
+    ivec2 pixel_1 = ivec2(position.xy);
+    Case _e4 = case_of(pixel_1, ANSWERS);
+    Medium m_2 = _e4.medium;
+    float away_2 = _e4.angle.x;
+    vec4 _e8 = layers_of(m_2);
+    vec3 _e11 = densities(_e8, _e4.view.w);
+    mat3x3 _e12 = coefficients_of(m_2);
+    vec3 _e13 = extinction(_e12, _e11);
+    switch((pixel_1.x % ANSWERS)) {
+        case 0: {
+            float _e19 = rayleigh_phase((1.0 - away_2));
+            _fs2p_location0 = vec4(_e11, _e19);
+            return;
+        }
+        case 1: {
+            _fs2p_location0 = vec4(_e13, 0.0);
+            return;
+        }
+        case 2: {
+            vec3 _e26 = henyey_greenstein_phase(away_2, (2.0 - away_2), m_2.mie_asymmetry);
+            _fs2p_location0 = vec4(_e26, 0.0);
+            return;
+        }
+        case 3: {
+            vec3 _e32 = cornette_shanks_phase(away_2, (2.0 - away_2), m_2.mie_asymmetry);
+            _fs2p_location0 = vec4(_e32, 0.0);
+            return;
+        }
+        default: {
+            vec3 _e38 = mean_transmittance((_e13 * _e4.path.z));
+            _fs2p_location0 = vec4(_e38, 0.0);
+            return;
+        }
     }
-    if ((answer == 1)) {
-        mat3x3 _e69 = coefficients_of(_e14);
-        vec3 _e70 = extinction(_e69, _e59);
-        _fs2p_location0 = vec4(_e70, 0.0);
-        return;
-    }
-    if ((answer == 2)) {
-        vec3 _e80 = henyey_greenstein_phase(angle.x, (2.0 - angle.x), _e14.mie_asymmetry);
-        _fs2p_location0 = vec4(_e80, 0.0);
-        return;
-    }
-    if ((answer == 3)) {
-        vec3 _e90 = cornette_shanks_phase(angle.x, (2.0 - angle.x), _e14.mie_asymmetry);
-        _fs2p_location0 = vec4(_e90, 0.0);
-        return;
-    }
-    mat3x3 _e93 = coefficients_of(_e14);
-    vec3 _e94 = extinction(_e93, _e59);
-    vec3 _e97 = mean_transmittance((_e94 * path.z));
-    _fs2p_location0 = vec4(_e97, 0.0);
-    return;
 }
 

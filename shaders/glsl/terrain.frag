@@ -39,11 +39,11 @@ struct Frame {
     DepthCode depth;
     uint view_samples;
     uint light_samples;
-    uint low_resolution;
+    uint reduced;
     float camera_altitude;
-    vec4 limb;
+    vec4 sky_view_mapping;
 };
-struct Tables {
+struct Luts {
     vec3 mie_extinction;
     float altitude_steepness;
     vec3 mie_moment0_;
@@ -62,20 +62,20 @@ struct Tables {
     uint steps;
     uint shift;
     uint slices;
-    float air_ground_rows;
+    float aerial_ground_rows;
 };
 struct Corner {
-    ivec2 low;
-    ivec2 high;
-    vec2 part;
+    ivec2 first;
+    ivec2 last;
+    vec2 between;
 };
 struct MoonShadow {
     vec3 across;
     float along;
     float radius;
-    float tangent;
-    float least;
-    float rate;
+    float tan_sun_radius;
+    float min_visibility;
+    float inv_extent;
 };
 struct Terrain {
     Frame frame;
@@ -95,10 +95,10 @@ struct Terrain {
     float mountain_rate;
     vec3 high_albedo;
     float snow_line;
-    vec3 sky_share;
+    vec3 sky_light;
     float pad;
-    Tables tables;
-    MoonShadow eclipse;
+    Luts luts;
+    MoonShadow moon_shadow;
 };
 struct Varyings {
     vec4 clip;
@@ -124,10 +124,10 @@ const float SH1_ = 0.48860252;
 const float SH20_ = 0.31539157;
 const float SH21_ = 1.0925485;
 const float SH22_ = 0.54627424;
-const float HALF_TURN = 3.1415927;
+const float PI = 3.1415927;
+const float SQRT_HALF = 0.70710677;
 const uint RINGS = 256u;
 const uint SEGMENTS = 384u;
-const float TAU = 6.2831855;
 const bool SKY_LIGHT = true;
 const bool MOON = true;
 const uint VERTICES = 197632u;
@@ -150,40 +150,40 @@ float depth_of(DepthCode c, float z) {
     return (((1.0 / z) - c.bias) / c.scale);
 }
 
-Corner corner(vec2 at, ivec2 size) {
-    vec2 inside = clamp(at, vec2(0.0), vec2((size - ivec2(1))));
-    ivec2 low = min(ivec2(inside), (size - ivec2(1)));
-    return Corner(low, min((low + ivec2(1)), (size - ivec2(1))), (inside - vec2(low)));
+Corner corner(vec2 position, ivec2 size) {
+    vec2 inside = clamp(position, vec2(0.0), vec2((size - ivec2(1))));
+    ivec2 first = min(ivec2(inside), (size - ivec2(1)));
+    return Corner(first, min((first + ivec2(1)), (size - ivec2(1))), (inside - vec2(first)));
 }
 
-vec4 bilinear(highp sampler2D table, Corner c_1, ivec2 origin) {
-    ivec2 low_1 = (c_1.low + origin);
-    ivec2 high = (c_1.high + origin);
-    vec4 _e8 = texelFetch(table, low_1, 0);
-    vec4 _e13 = texelFetch(table, ivec2(high.x, low_1.y), 0);
-    vec4 bottom = mix(_e8, _e13, c_1.part.x);
-    vec4 _e21 = texelFetch(table, ivec2(low_1.x, high.y), 0);
-    vec4 _e23 = texelFetch(table, high, 0);
-    vec4 top = mix(_e21, _e23, c_1.part.x);
-    return mix(bottom, top, c_1.part.y);
+vec4 bilinear(highp sampler2D lut, Corner c_1, ivec2 origin) {
+    ivec2 first_1 = (c_1.first + origin);
+    ivec2 last = (c_1.last + origin);
+    vec4 _e8 = texelFetch(lut, first_1, 0);
+    vec4 _e13 = texelFetch(lut, ivec2(last.x, first_1.y), 0);
+    vec4 bottom = mix(_e8, _e13, c_1.between.x);
+    vec4 _e21 = texelFetch(lut, ivec2(first_1.x, last.y), 0);
+    vec4 _e23 = texelFetch(lut, last, 0);
+    vec4 top = mix(_e21, _e23, c_1.between.x);
+    return mix(bottom, top, c_1.between.y);
 }
 
-vec4 sun_axis(Tables t) {
-    return vec4(t.sun_middle, t.sun_width, t.sun_first, t.sun_span);
+vec4 sun_axis(Luts luts) {
+    return vec4(luts.sun_middle, luts.sun_width, luts.sun_first, luts.sun_span);
 }
 
-float sun_share(vec4 axis, float mu) {
-    float y_1 = ((mu - axis.x) / axis.y);
+float mu_sun_to_u(vec4 axis, float mu_sun) {
+    float y_1 = ((mu_sun - axis.x) / axis.y);
     return (((sign(y_1) * log((abs(y_1) + sqrt(((y_1 * y_1) + 1.0))))) - axis.z) / axis.w);
 }
 
-vec3 ground_irradiance(highp sampler2D table_1, Tables t_1, float mu_sun) {
-    ivec2 dims = ivec2(uvec2(textureSize(table_1, 0).xy));
-    vec4 _e5 = sun_axis(t_1);
-    float _e6 = sun_share(_e5, mu_sun);
-    vec2 at_1 = vec2((_e6 * float((dims.x - 1))), 0.0);
-    Corner _e17 = corner(at_1, ivec2(dims.x, 1));
-    vec4 _e23 = bilinear(table_1, _e17, ivec2(0, (dims.y - 1)));
+vec3 ground_irradiance(highp sampler2D lut_1, Luts luts_1, float mu_sun_1) {
+    ivec2 dims = ivec2(uvec2(textureSize(lut_1, 0).xy));
+    vec4 _e5 = sun_axis(luts_1);
+    float _e6 = mu_sun_to_u(_e5, mu_sun_1);
+    vec2 position_3 = vec2((_e6 * float((dims.x - 1))), 0.0);
+    Corner _e17 = corner(position_3, ivec2(dims.x, 1));
+    vec4 _e23 = bilinear(lut_1, _e17, ivec2(0, (dims.y - 1)));
     return exp2(_e23.xyz);
 }
 
@@ -206,13 +206,14 @@ float segment(vec2 half_) {
     float a = (2.0 * _e3);
     if ((a < 0.5)) {
         float y2_ = ((4.0 * a) * a);
-        return (((a * y2_) * 0.16666667) * (1.0 - ((y2_ * 0.05) * (1.0 - ((y2_ * 0.023809524) * (1.0 - (y2_ * 0.013888889)))))));
+        float series = (1.0 - ((y2_ * 0.05) * (1.0 - ((y2_ * 0.023809524) * (1.0 - (y2_ * 0.013888889))))));
+        return (((a * y2_) * 0.16666667) * series);
     }
     float sum = dot(half_, half_);
     return (a - ((((2.0 * half_.x) * half_.y) * ((half_.y * half_.y) - (half_.x * half_.x))) / (sum * sum)));
 }
 
-float visible_share(float moon, float apart_1) {
+float visible_fraction(float moon, float apart_1) {
     if ((apart_1 >= (1.0 + moon))) {
         return 1.0;
     }
@@ -228,27 +229,27 @@ float visible_share(float moon, float apart_1) {
     float of_moon = ((moon * moon) * _e23);
     if ((_e19.y < _e19.x)) {
         float _e29 = segment(_e19.yx);
-        return clamp(((_e29 - of_moon) / HALF_TURN), 0.0, 1.0);
+        return clamp(((_e29 - of_moon) / PI), 0.0, 1.0);
     }
     float _e36 = segment(_e19);
-    return clamp((1.0 - ((_e36 + of_moon) / HALF_TURN)), 0.0, 1.0);
+    return clamp((1.0 - ((_e36 + of_moon) / PI)), 0.0, 1.0);
 }
 
-vec2 moon_before_sun(float apart_2, float along, float radius, float tangent) {
-    float scale = (1.0 / (max(along, (0.001 * radius)) * tangent));
+vec2 moon_before_sun(float apart_2, float along, float radius, float tan_sun_radius) {
+    float scale = (1.0 / (max(along, (0.001 * radius)) * tan_sun_radius));
     return ((along > 0.0) ? (vec2(radius, apart_2) * scale) : vec2(0.0, 1000.0));
 }
 
-vec3 shade_at(highp sampler2D shade, float share, int row) {
-    int last = (int(uvec2(textureSize(shade, 0).xy).x) - 1);
-    float at_2 = (clamp(share, 0.0, 1.0) * float(last));
-    int low_2 = min(int(at_2), last);
-    vec4 _e17 = texelFetch(shade, ivec2(low_2, row), 0);
-    vec4 _e24 = texelFetch(shade, ivec2(min((low_2 + 1), last), row), 0);
-    return mix(_e17.xyz, _e24.xyz, (at_2 - float(low_2)));
+vec3 moon_shadow_lut_row(highp sampler2D lut_2, float u, int row) {
+    int last_1 = (int(uvec2(textureSize(lut_2, 0).xy).x) - 1);
+    float position_4 = (clamp(u, 0.0, 1.0) * float(last_1));
+    int texel = min(int(position_4), last_1);
+    vec4 _e17 = texelFetch(lut_2, ivec2(texel, row), 0);
+    vec4 _e24 = texelFetch(lut_2, ivec2(min((texel + 1), last_1), row), 0);
+    return mix(_e17.xyz, _e24.xyz, (position_4 - float(texel)));
 }
 
-float limb_place(float moon_1, float apart_3) {
+float moon_distance_to_u(float moon_1, float apart_3) {
     float inner = abs((moon_1 - 1.0));
     if ((apart_3 < inner)) {
         return ((0.25 * apart_3) / inner);
@@ -256,94 +257,93 @@ float limb_place(float moon_1, float apart_3) {
     return (0.25 + (0.75 * sqrt(((apart_3 - inner) / (2.0 * min(moon_1, 1.0))))));
 }
 
-vec3 sun_left(highp sampler2D shade_1, MoonShadow s, vec3 position, vec3 sun) {
-    vec3 share_1 = vec3(0.0);
+vec3 moon_shadow_visibility(highp sampler2D lut_3, MoonShadow s, vec3 position_1, vec3 sun) {
+    vec3 visible = vec3(0.0);
     bool local = false;
-    float beside = dot(position, sun);
-    float apart_4 = length((s.across - (position - (sun * beside))));
-    vec2 _e14 = moon_before_sun(apart_4, (s.along - beside), s.radius, s.tangent);
-    float _e17 = visible_share(_e14.x, _e14.y);
-    share_1 = vec3(_e17);
-    float _e21 = share_1.x;
+    float beside = dot(position_1, sun);
+    float apart_4 = length((s.across - (position_1 - (sun * beside))));
+    vec2 _e14 = moon_before_sun(apart_4, (s.along - beside), s.radius, s.tan_sun_radius);
+    float _e17 = visible_fraction(_e14.x, _e14.y);
+    visible = vec3(_e17);
+    float _e21 = visible.x;
     if ((_e21 > 0.0)) {
-        float _e27 = share_1.x;
+        float _e27 = visible.x;
         local = (_e27 < 1.0);
     } else {
         local = false;
     }
     bool _e31 = local;
     if (_e31) {
-        vec3 _e32 = share_1;
-        float _e35 = limb_place(_e14.x, _e14.y);
-        vec3 _e37 = shade_at(shade_1, _e35, 1);
-        share_1 = (_e32 * _e37);
+        vec3 _e32 = visible;
+        float _e35 = moon_distance_to_u(_e14.x, _e14.y);
+        vec3 _e37 = moon_shadow_lut_row(lut_3, _e35, 1);
+        visible = (_e32 * _e37);
     }
-    vec3 _e39 = share_1;
-    return max(_e39, vec3(s.least));
+    vec3 _e39 = visible;
+    return max(_e39, vec3(s.min_visibility));
 }
 
-vec3 sun_left_around(highp sampler2D shade_2, MoonShadow s_1, vec3 position_1, vec3 sun_1) {
-    float apart_5 = length((s_1.across - (position_1 - (sun_1 * dot(position_1, sun_1)))));
-    vec3 _e13 = shade_at(shade_2, (apart_5 * s_1.rate), 0);
-    return max(_e13, vec3(s_1.least));
+vec3 moon_shadow_visibility_around(highp sampler2D lut_4, MoonShadow s_1, vec3 position_2, vec3 sun_1) {
+    float apart_5 = length((s_1.across - (position_2 - (sun_1 * dot(position_2, sun_1)))));
+    vec3 _e13 = moon_shadow_lut_row(lut_4, (apart_5 * s_1.inv_extent), 0);
+    return max(_e13, vec3(s_1.min_visibility));
+}
+
+vec3 ground_albedo(float h, float slope) {
+    vec3 albedo = vec3(0.0);
+    float _e4 = _group_0_binding_0_fs.amplitude;
+    float mountain = smoothstep(0.05, 0.6, (h / _e4));
+    vec3 _e11 = _group_0_binding_0_fs.low_albedo;
+    vec3 _e14 = _group_0_binding_0_fs.high_albedo;
+    albedo = mix(_e11, _e14, mountain);
+    vec3 _e19 = _group_0_binding_0_fs.high_albedo;
+    vec3 _e20 = albedo;
+    albedo = mix(_e19, _e20, smoothstep(0.8, 0.95, slope));
+    vec3 _e25 = albedo;
+    float _e30 = _group_0_binding_0_fs.snow_line;
+    float _e33 = _group_0_binding_0_fs.snow_line;
+    albedo = mix(_e25, vec3(0.8), smoothstep(_e30, (_e33 * 1.15), h));
+    vec3 _e38 = albedo;
+    float _e45 = _group_0_binding_0_fs.sea;
+    return mix(_e38, vec3(0.02, 0.04, 0.06), (_e45 * (1.0 - smoothstep(0.0, 0.004, h))));
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, _vs2fs_location0, _vs2fs_location1, _vs2fs_location2);
-    vec3 albedo = vec3(0.0);
     vec3 light = vec3(0.0);
     vec3 sky = vec3(0.0);
-    Shaded out_ = Shaded(vec4(0.0), 0.0);
-    float h = in_.surface.x;
-    vec3 _e5 = _group_0_binding_0_fs.low_albedo;
-    vec3 _e8 = _group_0_binding_0_fs.high_albedo;
-    float _e11 = _group_0_binding_0_fs.amplitude;
-    albedo = mix(_e5, _e8, smoothstep(0.05, 0.6, (h / _e11)));
-    vec3 _e20 = _group_0_binding_0_fs.high_albedo;
-    vec3 _e21 = albedo;
-    albedo = mix(_e20, _e21, smoothstep(0.8, 0.95, in_.surface.y));
-    vec3 _e28 = albedo;
-    float _e33 = _group_0_binding_0_fs.snow_line;
-    float _e36 = _group_0_binding_0_fs.snow_line;
-    albedo = mix(_e28, vec3(0.8), smoothstep(_e33, (_e36 * 1.15), h));
-    vec3 _e41 = albedo;
-    float _e48 = _group_0_binding_0_fs.sea;
-    albedo = mix(_e41, vec3(0.02, 0.04, 0.06), (_e48 * (1.0 - smoothstep(0.0, 0.004, h))));
+    Frame f = _group_0_binding_0_fs.frame;
     light = in_.light;
     if (MOON) {
-        vec3 _e59 = light;
-        MoonShadow _e63 = _group_0_binding_0_fs.eclipse;
-        vec3 _e68 = _group_0_binding_0_fs.frame.sun;
-        vec3 _e69 = sun_left(_group_0_binding_1_fs, _e63, in_.position, _e68);
-        light = (_e59 * _e69);
+        vec3 _e7 = light;
+        MoonShadow _e11 = _group_0_binding_0_fs.moon_shadow;
+        vec3 _e14 = moon_shadow_visibility(_group_0_binding_1_fs, _e11, in_.position, f.sun);
+        light = (_e7 * _e14);
     }
     if (SKY_LIGHT) {
-        Tables _e75 = _group_0_binding_0_fs.tables;
-        vec3 _e78 = ground_irradiance(_group_0_binding_2_fs, _e75, in_.surface.z);
-        sky = (_e78 * (0.5 + (0.5 * in_.surface.y)));
+        Luts _e20 = _group_0_binding_0_fs.luts;
+        vec3 _e23 = ground_irradiance(_group_0_binding_2_fs, _e20, in_.surface.z);
+        sky = _e23;
+        vec3 _e25 = sky;
+        sky = (_e25 * (0.5 + (0.5 * in_.surface.y)));
         if (MOON) {
-            vec3 _e88 = sky;
-            MoonShadow _e92 = _group_0_binding_0_fs.eclipse;
-            vec3 _e97 = _group_0_binding_0_fs.frame.sun;
-            vec3 _e98 = sun_left_around(_group_0_binding_1_fs, _e92, in_.position, _e97);
-            sky = (_e88 * _e98);
+            vec3 _e34 = sky;
+            MoonShadow _e38 = _group_0_binding_0_fs.moon_shadow;
+            vec3 _e41 = moon_shadow_visibility_around(_group_0_binding_1_fs, _e38, in_.position, f.sun);
+            sky = (_e34 * _e41);
         }
-        vec3 _e100 = light;
-        vec3 _e101 = sky;
-        light = (_e100 + _e101);
+        vec3 _e43 = light;
+        vec3 _e44 = sky;
+        light = (_e43 + _e44);
     }
-    vec3 _e104 = albedo;
-    vec3 _e105 = light;
-    vec3 _e111 = _group_0_binding_0_fs.frame.medium.irradiance;
-    vec3 reflected = (((_e104 * _e105) * _e111) * 0.31830987);
-    out_.color = vec4(min(reflected, vec3(32000.0)), 1.0);
-    DepthCode _e125 = _group_0_binding_0_fs.frame.depth;
-    vec3 _e129 = _group_0_binding_0_fs.axis;
-    float _e133 = depth_of(_e125, max(dot(in_.position, _e129), 1e-9));
-    out_.depth = clamp(_e133, 0.0, 1.0);
-    Shaded _e137 = out_;
-    _fs2p_location0 = _e137.color;
-    gl_FragDepth = _e137.depth;
+    vec3 _e50 = ground_albedo(in_.surface.x, in_.surface.y);
+    vec3 _e51 = light;
+    vec3 reflected = (((_e50 * _e51) * f.medium.irradiance) * 0.31830987);
+    vec3 _e62 = _group_0_binding_0_fs.axis;
+    float _e66 = depth_of(f.depth, max(dot(in_.position, _e62), 1e-9));
+    Shaded _tmp_return = Shaded(vec4(min(reflected, vec3(32000.0)), 1.0), clamp(_e66, 0.0, 1.0));
+    _fs2p_location0 = _tmp_return.color;
+    gl_FragDepth = _tmp_return.depth;
     return;
 }
 

@@ -39,11 +39,11 @@ struct Frame {
     DepthCode depth;
     uint view_samples;
     uint light_samples;
-    uint low_resolution;
+    uint reduced;
     float camera_altitude;
-    vec4 limb;
+    vec4 sky_view_mapping;
 };
-struct Tables {
+struct Luts {
     vec3 mie_extinction;
     float altitude_steepness;
     vec3 mie_moment0_;
@@ -62,15 +62,15 @@ struct Tables {
     uint steps;
     uint shift;
     uint slices;
-    float air_ground_rows;
+    float aerial_ground_rows;
 };
 struct MoonShadow {
     vec3 across;
     float along;
     float radius;
-    float tangent;
-    float least;
-    float rate;
+    float tan_sun_radius;
+    float min_visibility;
+    float inv_extent;
 };
 struct Terrain {
     Frame frame;
@@ -90,16 +90,22 @@ struct Terrain {
     float mountain_rate;
     vec3 high_albedo;
     float snow_line;
-    vec3 sky_share;
+    vec3 sky_light;
     float pad;
-    Tables tables;
-    MoonShadow eclipse;
+    Luts luts;
+    MoonShadow moon_shadow;
 };
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 light;
     vec3 surface;
+};
+struct GridPoint {
+    vec3 flat_;
+    float sin_arc;
+    float drop;
+    float spacing;
 };
 const float HALF_MAX = 32000.0;
 const bool RAYLEIGH = true;
@@ -115,10 +121,10 @@ const float SH1_ = 0.48860252;
 const float SH20_ = 0.31539157;
 const float SH21_ = 1.0925485;
 const float SH22_ = 0.54627424;
-const float HALF_TURN = 3.1415927;
+const float PI = 3.1415927;
+const float SQRT_HALF = 0.70710677;
 const uint RINGS = 256u;
 const uint SEGMENTS = 384u;
-const float TAU = 6.2831855;
 const bool SKY_LIGHT = true;
 const bool MOON = true;
 const uint VERTICES = 197632u;
@@ -129,26 +135,26 @@ smooth out vec3 _vs2fs_location0;
 smooth out vec3 _vs2fs_location1;
 smooth out vec3 _vs2fs_location2;
 
-float altitude_of(float x, float radius) {
-    return (x / (radius + sqrt(max(((radius * radius) + x), 0.0))));
+float altitude_of(float excess, float radius) {
+    return (excess / (radius + sqrt(max(((radius * radius) + excess), 0.0))));
 }
 
 float excess_of(float h, float radius_1) {
     return (h * ((2.0 * radius_1) + h));
 }
 
-float altitude_after(float x_1, float b, float t, float radius_2) {
-    float _e9 = altitude_of((x_1 + (t * ((2.0 * b) + t))), radius_2);
+float altitude_after(float excess_1, float r_mu, float t, float radius_2) {
+    float _e9 = altitude_of((excess_1 + (t * ((2.0 * r_mu) + t))), radius_2);
     return max(_e9, 0.0);
 }
 
-float distance_to_top(float x_2, float b_1, float x_top) {
-    float c = max((x_top - x_2), 0.0);
-    float root = sqrt(((b_1 * b_1) + c));
-    if ((b_1 > 0.0)) {
-        return (c / (b_1 + root));
+float distance_to_top(float excess_2, float r_mu_1, float top_excess) {
+    float c = max((top_excess - excess_2), 0.0);
+    float root = sqrt(((r_mu_1 * r_mu_1) + c));
+    if ((r_mu_1 > 0.0)) {
+        return (c / (r_mu_1 + root));
     }
-    return (root - b_1);
+    return (root - r_mu_1);
 }
 
 vec4 layers_of(Medium m_1) {
@@ -192,17 +198,17 @@ vec3 extinction(mat3x3 coefficients, vec3 d_1) {
     return _e23;
 }
 
-float warp(float low, float u) {
-    return (low + (u * abs(u)));
+float u_to_distance(float perigee, float u) {
+    return (perigee + (u * abs(u)));
 }
 
-vec3 path_densities(vec4 layers_1, float radius_3, float x_3, float b_2, float distance_, uint samples) {
+vec3 path_densities(vec4 layers_1, float radius_3, float excess_3, float r_mu_2, float distance_, uint samples) {
     vec3 sum_1 = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
-    float low_1 = clamp(-(b_2), 0.0, distance_);
-    float u0_ = -(sqrt(low_1));
-    float du = ((sqrt((distance_ - low_1)) - u0_) / float(samples));
+    float perigee_1 = clamp(-(r_mu_2), 0.0, distance_);
+    float u0_ = -(sqrt(perigee_1));
+    float du = ((sqrt((distance_ - perigee_1)) - u0_) / float(samples));
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
@@ -218,9 +224,9 @@ vec3 path_densities(vec4 layers_1, float radius_3, float x_3, float b_2, float d
         {
             uint _e25 = i;
             float u_1 = (u0_ + (du * float(_e25)));
-            float _e32 = warp(low_1, (u_1 + (0.5 * du)));
-            float _e34 = warp(low_1, (u_1 + du));
-            float _e35 = altitude_after(x_3, b_2, _e32, radius_3);
+            float _e32 = u_to_distance(perigee_1, (u_1 + (0.5 * du)));
+            float _e34 = u_to_distance(perigee_1, (u_1 + du));
+            float _e35 = altitude_after(excess_3, r_mu_2, _e32, radius_3);
             vec3 _e36 = sum_1;
             vec3 _e37 = densities(layers_1, _e35);
             float _e38 = t0_;
@@ -232,10 +238,10 @@ vec3 path_densities(vec4 layers_1, float radius_3, float x_3, float b_2, float d
     return _e45;
 }
 
-vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_4, float thickness, float x_4, float sun_b, uint samples_1) {
+vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_4, float thickness, float excess_4, float sun_r_mu, uint samples_1) {
     float _e7 = excess_of(thickness, radius_4);
-    float _e8 = distance_to_top(x_4, sun_b, _e7);
-    vec3 _e9 = path_densities(layers_2, radius_4, x_4, sun_b, _e8, samples_1);
+    float _e8 = distance_to_top(excess_4, sun_r_mu, _e7);
+    vec3 _e9 = path_densities(layers_2, radius_4, excess_4, sun_r_mu, _e8, samples_1);
     vec3 _e10 = extinction(coefficients_1, _e9);
     return exp(-(_e10));
 }
@@ -354,95 +360,104 @@ vec4 height_field(vec3 n, float amplitude, float rate, float sea, float spacing)
     return (vec4(d_2, w_1) * amplitude);
 }
 
+GridPoint grid_point(uint index_1) {
+    uint k = min((max((index_1 % 772u), 1u) - 1u), (772u - 3u));
+    uint ring = ((index_1 / 772u) + (k & 1u));
+    float azimuth = ((6.2831855 * float(((k / 2u) % SEGMENTS))) / 384.0);
+    float _e25 = _group_0_binding_0_vs.arc_rate;
+    float s_1 = (_e25 * float(ring));
+    float _e30 = _group_0_binding_0_vs.arc_scale;
+    float t_2 = ((_e30 * 0.5) * (exp(s_1) - exp(-(s_1))));
+    vec3 _e40 = _group_0_binding_0_vs.grid_x;
+    vec3 _e45 = _group_0_binding_0_vs.grid_y;
+    vec3 flat_ = normalize(((_e40 * cos(azimuth)) + (_e45 * sin(azimuth))));
+    float sin_arc = ((2.0 * t_2) / (1.0 + (t_2 * t_2)));
+    float drop = (((2.0 * t_2) * t_2) / (1.0 + (t_2 * t_2)));
+    float _e65 = _group_0_binding_0_vs.arc_rate;
+    float _e70 = _group_0_binding_0_vs.arc_scale;
+    float _e73 = _group_0_binding_0_vs.arc_scale;
+    float along = (((2.0 * _e65) * sqrt(((_e70 * _e73) + (t_2 * t_2)))) / (1.0 + (t_2 * t_2)));
+    return GridPoint(flat_, sin_arc, drop, max(along, (sin_arc * 0.016362462)));
+}
+
+vec3 ground_light(Medium m_3, float h_3, vec3 n_1, vec3 normal) {
+    vec3 light = vec3(0.0);
+    Frame f_1 = _group_0_binding_0_vs.frame;
+    float mu_sun = dot(n_1, f_1.sun);
+    float _e10 = excess_of(h_3, m_3.radius);
+    float sun_r_mu_1 = ((m_3.radius + h_3) * mu_sun);
+    float dip = (sqrt(_e10) / (m_3.radius + h_3));
+    float visible = smoothstep(-1.0, 1.0, ((mu_sun + dip) / f_1.sun_chord));
+    if (SKY_LIGHT) {
+    } else {
+        vec3 _e30 = _group_0_binding_0_vs.sky_light;
+        light = ((_e30 * clamp(((mu_sun + 0.1) / 1.1), 0.0, 1.0)) * (0.5 + (0.5 * dot(normal, n_1))));
+    }
+    if ((visible > 0.0)) {
+        mat3x3 _e47 = coefficients_of(m_3);
+        vec4 _e48 = layers_of(m_3);
+        vec3 _e52 = sun_transmittance(_e47, _e48, m_3.radius, m_3.thickness, _e10, sun_r_mu_1, 8u);
+        vec3 _e53 = light;
+        light = (_e53 + (_e52 * (visible * max(dot(normal, f_1.sun), 0.0))));
+    }
+    vec3 _e61 = light;
+    return _e61;
+}
+
+vec4 clip_position(vec3 position) {
+    Frame f_2 = _group_0_binding_0_vs.frame;
+    vec3 _e6 = _group_0_binding_0_vs.axis;
+    float z = dot(position, _e6);
+    float _e16 = _group_0_binding_0_vs.offset_x;
+    float right = ((dot(position, f_2.ray_right) / dot(f_2.ray_right, f_2.ray_right)) - (_e16 * z));
+    float _e27 = _group_0_binding_0_vs.offset_y;
+    float top = ((dot(position, f_2.ray_up) / dot(f_2.ray_up, f_2.ray_up)) - (_e27 * z));
+    return vec4(right, top, (0.5 * z), z);
+}
+
 void main() {
     uint index = uint(gl_VertexID);
     Medium m = Medium(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
-    vec3 light = vec3(0.0);
     Varyings out_ = Varyings(vec4(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
-    Frame f_1 = _group_0_binding_0_vs.frame;
-    m = f_1.medium;
+    Frame f_3 = _group_0_binding_0_vs.frame;
+    m = f_3.medium;
     if (SKY_LIGHT) {
-        vec3 _e11 = _group_0_binding_0_vs.tables.mie_extinction;
+        vec3 _e11 = _group_0_binding_0_vs.luts.mie_extinction;
         m.mie_extinction = _e11;
     }
-    uint k = min((max((index % 772u), 1u) - 1u), (772u - 3u));
-    uint ring = ((index / 772u) + (k & 1u));
-    float azimuth = ((TAU * float(((k / 2u) % SEGMENTS))) / 384.0);
-    float _e36 = _group_0_binding_0_vs.arc_rate;
-    float s_1 = (_e36 * float(ring));
-    float _e41 = _group_0_binding_0_vs.arc_scale;
-    float t_2 = ((_e41 * 0.5) * (exp(s_1) - exp(-(s_1))));
-    vec3 _e51 = _group_0_binding_0_vs.grid_x;
-    vec3 _e56 = _group_0_binding_0_vs.grid_y;
-    vec3 flat_ = normalize(((_e51 * cos(azimuth)) + (_e56 * sin(azimuth))));
     vec3 up = vec3(0.0, 0.0, 1.0);
-    float sin_arc = ((2.0 * t_2) / (1.0 + (t_2 * t_2)));
-    float drop = (((2.0 * t_2) * t_2) / (1.0 + (t_2 * t_2)));
-    vec3 n_1 = ((flat_ * sin_arc) + (up * (1.0 - drop)));
-    vec3 _e85 = _group_0_binding_0_vs.planet_x;
-    vec3 _e89 = _group_0_binding_0_vs.planet_y;
-    vec3 _e93 = _group_0_binding_0_vs.planet_z;
-    vec3 planet_n = vec3(dot(_e85, n_1), dot(_e89, n_1), dot(_e93, n_1));
-    float _e98 = _group_0_binding_0_vs.arc_rate;
-    float _e103 = _group_0_binding_0_vs.arc_scale;
-    float _e106 = _group_0_binding_0_vs.arc_scale;
-    float along = (((2.0 * _e98) * sqrt(((_e103 * _e106) + (t_2 * t_2)))) / (1.0 + (t_2 * t_2)));
-    float spacing_1 = max(along, (sin_arc * 0.016362462));
-    float _e121 = _group_0_binding_0_vs.amplitude;
-    float _e124 = _group_0_binding_0_vs.mountain_rate;
-    float _e127 = _group_0_binding_0_vs.sea;
-    vec4 _e128 = height_field(planet_n, _e121, _e124, _e127, spacing_1);
-    float h_3 = _e128.w;
-    float _e131 = m.radius;
-    float _e138 = m.radius;
-    vec3 position = ((flat_ * ((_e131 + h_3) * sin_arc)) + (up * ((h_3 - f_1.camera_altitude) - ((_e138 + h_3) * drop))));
-    vec3 _e146 = _group_0_binding_0_vs.planet_x;
-    vec3 _e151 = _group_0_binding_0_vs.planet_y;
-    vec3 _e157 = _group_0_binding_0_vs.planet_z;
-    vec3 g = (((_e146 * _e128.x) + (_e151 * _e128.y)) + (_e157 * _e128.z));
-    float _e165 = m.radius;
-    vec3 tangential = ((g - (n_1 * dot(g, n_1))) / vec3(_e165));
-    vec3 normal = normalize((n_1 - tangential));
-    float _e171 = m.radius;
-    float _e172 = excess_of(h_3, _e171);
-    float _e174 = m.radius;
-    float sun_b_1 = ((_e174 + h_3) * dot(n_1, f_1.sun));
-    float _e181 = m.radius;
-    float dip = (sqrt(_e172) / (_e181 + h_3));
-    float above_1 = ((dot(n_1, f_1.sun) + dip) / f_1.sun_chord);
-    float visible = smoothstep(-1.0, 1.0, above_1);
-    if (SKY_LIGHT) {
-    } else {
-        vec3 _e198 = _group_0_binding_0_vs.sky_share;
-        light = ((_e198 * clamp(((dot(n_1, f_1.sun) + 0.1) / 1.1), 0.0, 1.0)) * (0.5 + (0.5 * dot(normal, n_1))));
-    }
-    if ((visible > 0.0)) {
-        vec3 _e217 = light;
-        Medium _e218 = m;
-        mat3x3 _e219 = coefficients_of(_e218);
-        Medium _e220 = m;
-        vec4 _e221 = layers_of(_e220);
-        float _e223 = m.radius;
-        float _e225 = m.thickness;
-        vec3 _e227 = sun_transmittance(_e219, _e221, _e223, _e225, _e172, sun_b_1, 8u);
-        light = (_e217 + (_e227 * (visible * max(dot(normal, f_1.sun), 0.0))));
-    }
-    vec3 _e238 = _group_0_binding_0_vs.axis;
-    float z = dot(position, _e238);
-    float _e248 = _group_0_binding_0_vs.offset_x;
-    float right = ((dot(position, f_1.ray_right) / dot(f_1.ray_right, f_1.ray_right)) - (_e248 * z));
-    float _e259 = _group_0_binding_0_vs.offset_y;
-    float top = ((dot(position, f_1.ray_up) / dot(f_1.ray_up, f_1.ray_up)) - (_e259 * z));
-    out_.clip = vec4(right, top, (0.5 * z), z);
-    out_.position = position;
-    vec3 _e268 = light;
-    out_.light = _e268;
-    out_.surface = vec3(h_3, dot(normal, n_1), dot(n_1, f_1.sun));
-    Varyings _e274 = out_;
-    gl_Position = _e274.clip;
-    _vs2fs_location0 = _e274.position;
-    _vs2fs_location1 = _e274.light;
-    _vs2fs_location2 = _e274.surface;
+    GridPoint _e16 = grid_point(index);
+    vec3 n_2 = ((_e16.flat_ * _e16.sin_arc) + (up * (1.0 - _e16.drop)));
+    vec3 _e27 = _group_0_binding_0_vs.planet_x;
+    vec3 _e31 = _group_0_binding_0_vs.planet_y;
+    vec3 _e35 = _group_0_binding_0_vs.planet_z;
+    vec3 planet_n = vec3(dot(_e27, n_2), dot(_e31, n_2), dot(_e35, n_2));
+    float _e40 = _group_0_binding_0_vs.amplitude;
+    float _e43 = _group_0_binding_0_vs.mountain_rate;
+    float _e46 = _group_0_binding_0_vs.sea;
+    vec4 _e48 = height_field(planet_n, _e40, _e43, _e46, _e16.spacing);
+    float h_4 = _e48.w;
+    float _e51 = m.radius;
+    float r = (_e51 + h_4);
+    vec3 position_1 = ((_e16.flat_ * (r * _e16.sin_arc)) + (up * ((h_4 - f_3.camera_altitude) - (r * _e16.drop))));
+    vec3 _e66 = _group_0_binding_0_vs.planet_x;
+    vec3 _e71 = _group_0_binding_0_vs.planet_y;
+    vec3 _e77 = _group_0_binding_0_vs.planet_z;
+    vec3 g = (((_e66 * _e48.x) + (_e71 * _e48.y)) + (_e77 * _e48.z));
+    float _e85 = m.radius;
+    vec3 normal_1 = normalize((n_2 - ((g - (n_2 * dot(g, n_2))) / vec3(_e85))));
+    vec4 _e92 = clip_position(position_1);
+    out_.clip = _e92;
+    out_.position = position_1;
+    Medium _e95 = m;
+    vec3 _e96 = ground_light(_e95, h_4, n_2, normal_1);
+    out_.light = _e96;
+    out_.surface = vec3(h_4, dot(normal_1, n_2), dot(n_2, f_3.sun));
+    Varyings _e102 = out_;
+    gl_Position = _e102.clip;
+    _vs2fs_location0 = _e102.position;
+    _vs2fs_location1 = _e102.light;
+    _vs2fs_location2 = _e102.surface;
     gl_Position.yz = vec2(-gl_Position.y, gl_Position.z * 2.0 - gl_Position.w);
     return;
 }

@@ -56,15 +56,13 @@ vec3 tone_curve(vec3 color_3) {
     if (ACES) {
         vec3 _e2 = aces(color_3);
         return _e2;
-    } else {
-        if (AGX) {
-            vec3 _e4 = agx(color_3);
-            return _e4;
-        } else {
-            vec3 _e5 = neutral(color_3);
-            return _e5;
-        }
     }
+    if (AGX) {
+        vec3 _e4 = agx(color_3);
+        return _e4;
+    }
+    vec3 _e5 = neutral(color_3);
+    return _e5;
 }
 
 vec3 srgb_encode(vec3 linear) {
@@ -75,8 +73,8 @@ vec3 srgb_encode(vec3 linear) {
     return mix(min(high, vec3(1.0)), (c * 12.92), lessThanEqual(c, vec3(0.0031308)));
 }
 
-vec3 dither(uvec2 pixel) {
-    uint n = ((pixel.x * 3242174889u) + (pixel.y * 2447445413u));
+vec3 dither(uvec2 pixel_1) {
+    uint n = ((pixel_1.x * 3242174889u) + (pixel_1.y * 2447445413u));
     uvec3 v_1 = uvec3(n, (n + 1431655765u), (n + 2863311530u));
     uvec3 folded = ((v_1 << uvec3(1u)) ^ (uvec3(0u) - (v_1 >> uvec3(31u))));
     return (((vec3((folded >> uvec3(24u))) + vec3(0.5)) / vec3(256.0)) - vec3(0.5));
@@ -84,20 +82,20 @@ vec3 dither(uvec2 pixel) {
 
 void main() {
     vec4 position = gl_FragCoord;
-    ivec2 at = ivec2(0);
-    at = ivec2(position.xy);
-    int _e6 = at.y;
-    int _e14 = at.y;
+    ivec2 pixel = ivec2(0);
+    pixel = ivec2(position.xy);
+    int _e6 = pixel.y;
+    int _e14 = pixel.y;
     uint _e18 = _group_0_binding_0_fs.flipped;
-    at.y = ((_e18 != 0u) ? ((int(uvec2(textureSize(_group_0_binding_1_fs, 0).xy).y) - 1) - _e14) : _e6);
-    ivec2 _e23 = at;
+    pixel.y = ((_e18 != 0u) ? ((int(uvec2(textureSize(_group_0_binding_1_fs, 0).xy).y) - 1) - _e14) : _e6);
+    ivec2 _e23 = pixel;
     vec4 _e25 = texelFetch(_group_0_binding_1_fs, _e23, 0);
     float _e29 = _group_0_binding_0_fs.exposure;
     vec3 color_4 = (_e25.xyz * _e29);
     vec3 _e34 = tone_curve(max(color_4, vec3(0.0)));
     vec3 _e35 = srgb_encode(_e34);
     if (DITHER) {
-        ivec2 _e37 = at;
+        ivec2 _e37 = pixel;
         vec3 _e39 = dither(uvec2(_e37));
         _fs2p_location0 = vec4((_e35 + (_e39 / vec3(255.0))), 1.0);
         return;

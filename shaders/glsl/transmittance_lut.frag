@@ -17,7 +17,7 @@ struct Medium {
     vec3 irradiance;
     float thickness;
 };
-struct Tables {
+struct Luts {
     vec3 mie_extinction;
     float altitude_steepness;
     vec3 mie_moment0_;
@@ -36,42 +36,49 @@ struct Tables {
     uint steps;
     uint shift;
     uint slices;
-    float air_ground_rows;
+    float aerial_ground_rows;
 };
 struct Uniforms {
     Medium medium;
-    Tables tables;
+    Luts luts;
 };
+const float LOG_FLOOR = -100.0;
 const bool RAYLEIGH = true;
 const bool MIE = true;
 const bool OZONE = true;
-const float LOG_FLOOR = -100.0;
-const int MOMENTS = 6;
-const float SH0_ = 0.2820948;
-const float SH1_ = 0.48860252;
-const float SH20_ = 0.31539157;
-const float SH21_ = 1.0925485;
-const float SH22_ = 0.54627424;
 
 layout(std140) uniform Uniforms_block_0Fragment { Uniforms _group_0_binding_0_fs; };
 
 layout(location = 0) out vec4 _fs2p_location0;
 
-float altitude_of(float x, float radius) {
-    return (x / (radius + sqrt(max(((radius * radius) + x), 0.0))));
+float altitude_of(float excess, float radius) {
+    return (excess / (radius + sqrt(max(((radius * radius) + excess), 0.0))));
 }
 
 float excess_of(float h, float radius_1) {
     return (h * ((2.0 * radius_1) + h));
 }
 
-float altitude_after(float x_1, float b, float t, float radius_2) {
-    float _e9 = altitude_of((x_1 + (t * ((2.0 * b) + t))), radius_2);
+float altitude_after(float excess_1, float r_mu, float t, float radius_2) {
+    float _e9 = altitude_of((excess_1 + (t * ((2.0 * r_mu) + t))), radius_2);
     return max(_e9, 0.0);
 }
 
-vec4 layers_of(Medium m) {
-    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+vec3 transmittance_texel_ray(vec2 position_1, vec2 size, Medium m) {
+    vec2 uv = (position_1 / (size - vec2(1.0)));
+    float _e9 = excess_of(m.thickness, m.radius);
+    float rho_top = sqrt(_e9);
+    float rho = (uv.y * rho_top);
+    float _e15 = altitude_of((rho * rho), m.radius);
+    float h_2 = min(_e15, m.thickness);
+    float shortest = (m.thickness - h_2);
+    float d_1 = (shortest + (uv.x * ((rho + rho_top) - shortest)));
+    float r_mu_2 = ((d_1 > 0.0) ? (((((rho_top - rho) * (rho_top + rho)) / d_1) - d_1) * 0.5) : (m.radius + h_2));
+    return vec3((rho * rho), max(r_mu_2, -(rho)), d_1);
+}
+
+vec4 layers_of(Medium m_1) {
+    return vec4(m_1.rayleigh_inv_height, m_1.mie_inv_height, m_1.ozone_center, m_1.ozone_inv_half_width);
 }
 
 vec3 densities(vec4 layers, float h_1) {
@@ -89,30 +96,17 @@ vec3 densities(vec4 layers, float h_1) {
     return _e28;
 }
 
-vec3 columns_ray(vec2 at, vec2 size, Medium m_1) {
-    vec2 share = (at / (size - vec2(1.0)));
-    float _e9 = excess_of(m_1.thickness, m_1.radius);
-    float rho_top = sqrt(_e9);
-    float rho = (share.y * rho_top);
-    float _e15 = altitude_of((rho * rho), m_1.radius);
-    float h_2 = min(_e15, m_1.thickness);
-    float shortest = (m_1.thickness - h_2);
-    float d_1 = (shortest + (share.x * ((rho + rho_top) - shortest)));
-    float b_2 = ((d_1 > 0.0) ? (((((rho_top - rho) * (rho_top + rho)) / d_1) - d_1) * 0.5) : (m_1.radius + h_2));
-    return vec3((rho * rho), max(b_2, -(rho)), d_1);
+float u_to_distance(float perigee, float u) {
+    return (perigee + (u * abs(u)));
 }
 
-float warp(float low, float u) {
-    return (low + (u * abs(u)));
-}
-
-vec3 path_densities(vec4 layers_1, float radius_3, float x_2, float b_1, float distance_, uint samples) {
+vec3 path_densities(vec4 layers_1, float radius_3, float excess_2, float r_mu_1, float distance_, uint samples) {
     vec3 sum = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
-    float low_1 = clamp(-(b_1), 0.0, distance_);
-    float u0_ = -(sqrt(low_1));
-    float du = ((sqrt((distance_ - low_1)) - u0_) / float(samples));
+    float perigee_1 = clamp(-(r_mu_1), 0.0, distance_);
+    float u0_ = -(sqrt(perigee_1));
+    float du = ((sqrt((distance_ - perigee_1)) - u0_) / float(samples));
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
@@ -128,9 +122,9 @@ vec3 path_densities(vec4 layers_1, float radius_3, float x_2, float b_1, float d
         {
             uint _e25 = i;
             float u_1 = (u0_ + (du * float(_e25)));
-            float _e32 = warp(low_1, (u_1 + (0.5 * du)));
-            float _e34 = warp(low_1, (u_1 + du));
-            float _e35 = altitude_after(x_2, b_1, _e32, radius_3);
+            float _e32 = u_to_distance(perigee_1, (u_1 + (0.5 * du)));
+            float _e34 = u_to_distance(perigee_1, (u_1 + du));
+            float _e35 = altitude_after(excess_2, r_mu_1, _e32, radius_3);
             vec3 _e36 = sum;
             vec3 _e37 = densities(layers_1, _e35);
             float _e38 = t0_;
@@ -145,11 +139,10 @@ vec3 path_densities(vec4 layers_1, float radius_3, float x_2, float b_1, float d
 void main() {
     vec4 position = gl_FragCoord;
     Medium m_2 = _group_0_binding_0_fs.medium;
-    uvec2 _e7 = _group_0_binding_0_fs.tables.size;
-    vec2 size_1 = vec2(_e7);
-    vec3 _e11 = columns_ray(floor(position.xy), size_1, m_2);
+    uvec2 _e9 = _group_0_binding_0_fs.luts.size;
+    vec3 _e11 = transmittance_texel_ray(floor(position.xy), vec2(_e9), m_2);
     vec4 _e12 = layers_of(m_2);
-    uint _e20 = _group_0_binding_0_fs.tables.steps;
+    uint _e20 = _group_0_binding_0_fs.luts.steps;
     vec3 _e21 = path_densities(_e12, m_2.radius, _e11.x, _e11.y, _e11.z, _e20);
     _fs2p_location0 = vec4(max(log2(max(_e21, vec3(1e-37))), vec3(-100.0)), 0.0);
     return;

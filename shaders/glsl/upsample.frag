@@ -39,14 +39,14 @@ struct Frame {
     DepthCode depth;
     uint view_samples;
     uint light_samples;
-    uint low_resolution;
+    uint reduced;
     float camera_altitude;
-    vec4 limb;
+    vec4 sky_view_mapping;
 };
 struct Line {
-    float b;
-    float p;
-    float x_closest;
+    float r_mu;
+    float perigee;
+    float perigee_excess;
     bool ground;
 };
 const float HALF_MAX = 32000.0;
@@ -66,10 +66,10 @@ float excess_of(float h, float radius) {
     return (h * ((2.0 * radius) + h));
 }
 
-float half_chord2_(float b, float above, float depth, float p) {
+float half_chord2_(float r_mu, float above, float depth, float p) {
     float sphere = (depth + p);
-    if ((abs(b) < sphere)) {
-        return ((b * b) - above);
+    if ((abs(r_mu) < sphere)) {
+        return ((r_mu * r_mu) - above);
     }
     return (depth * (sphere + p));
 }
@@ -77,17 +77,17 @@ float half_chord2_(float b, float above, float depth, float p) {
 Line line_past(vec3 dir, float h_1, float radius_1) {
     bool local = false;
     float r = (radius_1 + h_1);
-    float b_1 = (r * dir.z);
+    float r_mu_1 = (r * dir.z);
     float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
     float _e11 = excess_of(h_1, radius_1);
-    float _e13 = half_chord2_(b_1, _e11, (radius_1 - p_1), p_1);
-    if ((b_1 < 0.0)) {
+    float _e13 = half_chord2_(r_mu_1, _e11, (radius_1 - p_1), p_1);
+    if ((r_mu_1 < 0.0)) {
         local = (_e13 >= 0.0);
     } else {
         local = false;
     }
     bool _e22 = local;
-    return Line(b_1, p_1, -(_e13), _e22);
+    return Line(r_mu_1, p_1, -(_e13), _e22);
 }
 
 bool hits_planet(vec3 dir_1, float h_2, float radius_2) {
@@ -115,9 +115,9 @@ void main() {
     }
     ivec2 size_1 = ivec2(uvec2(textureSize(_group_0_binding_1_fs, 0).xy));
     vec2 _e30 = _group_0_binding_0_fs.size;
-    vec2 at = (((position.xy / _e30) * vec2(size_1)) - vec2(0.5));
-    ivec2 base = ivec2(floor(at));
-    vec2 part = (at - floor(at));
+    vec2 center = (((position.xy / _e30) * vec2(size_1)) - vec2(0.5));
+    ivec2 base = ivec2(floor(center));
+    vec2 part = (center - floor(center));
     bool loop_init = true;
     while(true) {
         if (!loop_init) {

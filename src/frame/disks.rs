@@ -11,13 +11,17 @@ use crate::model::moon::{Disks, MOON_ALBEDO, Phase};
 use crate::shaders::{moon_disk, sun_disk};
 
 block! {
-    /// `struct Uniforms` in `rectangle.wgsl`.
+    /// `struct Uniforms` in `lib/celestial_disk.wgsl`.
     #[allow(missing_docs)]
     DiskUniform {
         frame: FrameUniform,
-        rect: [f32; 4],
-        moon: [f32; 4],
-        shine: [f32; 4],
+        rectangle: [f32; 4],
+        moon_direction: [f32; 3],
+        moon_sine: f32,
+        moon_chord: f32,
+        albedo_over_pi: f32,
+        earthshine: f32,
+        sun_visibility: f32,
     }
 }
 
@@ -139,18 +143,24 @@ fn push_disk(frame: &Frame, label: &'static str, program: Program, disk: &SkyDis
     // The frame's up points to the target's first row.
     let flipped = glam::Vec3::from(frame.uniform.ray_up).as_dvec3().dot(view.basis.up) < 0.0;
     let rect = if flipped { [left, -top, right, -bottom] } else { [left, bottom, right, top] };
-    let (mut moon, mut shine) = ([0.0; 4], [0.0; 4]);
+    let rectangle = rect.map(|v| v as f32);
+    let mut uniform = DiskUniform { frame: frame.uniform, rectangle, ..DiskUniform::default() };
     if let Some(m) = &view.moon {
         let (towards, sine) = (m.position.normalize_or_zero(), m.radius / m.position.length());
-        moon = [towards.x, towards.y, towards.z, sine];
         // 2 sin(a / 2) of sin a, without a difference of cosines.
         let chord = (2.0 * sine * sine / (1.0 + (1.0 - sine * sine).max(0.0).sqrt())).sqrt();
-        let visible = both(frame).map_or(1.0, |d| d.visible());
-        shine = [chord, MOON_ALBEDO / std::f64::consts::PI, m.earthshine, visible];
+        uniform = DiskUniform {
+            moon_direction: towards.as_vec3().to_array(),
+            moon_sine: sine as f32,
+            moon_chord: chord as f32,
+            albedo_over_pi: (MOON_ALBEDO / std::f64::consts::PI) as f32,
+            earthshine: m.earthshine as f32,
+            sun_visibility: both(frame).map_or(1.0, |d| d.visible()) as f32,
+            ..uniform
+        };
     }
-    let [rect, moon, shine] = [rect, moon, shine].map(|v| v.map(|v| v as f32));
     nodes.push(Node {
-        uniform: Uniform::new(&DiskUniform { frame: frame.uniform, rect, moon, shine }),
+        uniform: Uniform::new(&uniform),
         fraction,
         ..Node::draw(label, Stage::Background, program.blended(), Resource::Background)
     });

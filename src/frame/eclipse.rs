@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use super::Frame;
 use super::effect::{Decision, Effect, Reason};
 use super::graph::{Extent, Node, Resource, Runs, Texel, Work};
-use super::luts::TablesUniform;
+use super::luts::LutsUniform;
 use super::medium::{NO_AIR, Sunlight};
 use super::uniforms::{FrameUniform, block};
 use crate::gpu::Uniform;
@@ -14,25 +14,25 @@ use crate::model::moon::{Disks, Moon};
 use crate::model::scene::ZenithView;
 
 block! {
-    /// `struct MoonShadow` in `moon_block.wgsl`.
+    /// `struct MoonShadow` in `lib/moon_shadow.wgsl`.
     #[allow(missing_docs)]
     ShadowUniform {
         across: [f32; 3],
         along: f32,
         radius: f32,
-        tangent: f32,
-        least: f32,
-        rate: f32,
+        tan_sun_radius: f32,
+        min_visibility: f32,
+        inv_extent: f32,
     }
 }
 
 block! {
-    /// `struct Uniforms` in `sky.wgsl` and `aerial.wgsl` under a moon's shadow.
+    /// `struct Uniforms` in `lib/eclipsed_sun.wgsl`, of passes under a moon's shadow.
     #[allow(missing_docs)]
     EclipseUniform {
         frame: FrameUniform,
-        tables: TablesUniform,
-        eclipse: ShadowUniform,
+        luts: LutsUniform,
+        moon_shadow: ShadowUniform,
     }
 }
 
@@ -106,9 +106,9 @@ impl Frame {
             // Half of what a texel of the LUTs gets: here it is for each pixel.
             (luts.sky_view_steps / 2).max(4)
         });
-        let eclipse = self.moon_shadow_block().unwrap_or_default();
-        let tables = if steps > 0 { TablesUniform { steps, ..self.tables } } else { TablesUniform::default() };
-        Uniform::new(&EclipseUniform { frame, tables, eclipse })
+        let moon_shadow = self.moon_shadow_block().unwrap_or_default();
+        let luts = if steps > 0 { LutsUniform { steps, ..self.luts_block } } else { LutsUniform::default() };
+        Uniform::new(&EclipseUniform { frame, luts, moon_shadow })
     }
 }
 
@@ -193,7 +193,8 @@ impl MoonShadow {
 
     /// Share of sunlight by the distance from the shadow's axis, as a mean over points all around whose distances are
     /// distributed like `exp(-x / length)`. In a second row what a darker edge of the sun makes of the share: over
-    /// that of a uniform disk, at the places of `limb_place` in `moon_shadow.wgsl`. Red, green, blue, unused; per texel.
+    /// that of a uniform disk, at the positions of
+    /// `moon_distance_to_u` in `lib/moon_shadow.wgsl`. Red, green, blue, unused; per texel.
     pub fn texels(&self) -> [f32; 8 * TEXELS] {
         let step = self.reach() / (TEXELS - 1) as f64;
         // Of the point itself.
@@ -238,7 +239,7 @@ impl MoonShadow {
         texels
     }
 
-    /// `limb_place` the other way: the angle at a share of the second row.
+    /// `moon_distance_to_u` the other way: the angle at a share of the second row.
     fn apart_at(&self, share: f64) -> f64 {
         let Disks { sun, moon, .. } = self.disks(0.0);
         let inner = (sun - moon).abs();
@@ -252,9 +253,9 @@ fn shadow_block(view: &ZenithView, p: &AtmosphereParams, moon: &Moon, shadow: &M
         across: (across * 1e-3).as_vec3().to_array(),
         along: (along * 1e-3) as f32,
         radius: (moon.radius * 1e-3) as f32,
-        tangent: p.sun_angular_radius.tan() as f32,
-        least: moon.floor as f32,
-        rate: (1e3 / shadow.reach()) as f32,
+        tan_sun_radius: p.sun_angular_radius.tan() as f32,
+        min_visibility: moon.floor as f32,
+        inv_extent: (1e3 / shadow.reach()) as f32,
     }
 }
 

@@ -27,9 +27,9 @@ use crate::shaders::{
 };
 
 block! {
-    /// `struct Tables`: see the fields' comments in `tables.wgsl`.
+    /// `struct Luts`: see the fields' comments in `lib/luts.wgsl`.
     #[allow(missing_docs)]
-    TablesUniform {
+    LutsUniform {
         mie_extinction: [f32; 3],
         altitude_steepness: f32,
         mie_moment0: [f32; 3],
@@ -48,25 +48,25 @@ block! {
         steps: u32,
         shift: u32,
         slices: u32,
-        air_ground_rows: f32,
+        aerial_ground_rows: f32,
     }
 }
 
 block! {
     /// `struct Uniforms` of the passes whose tables depend on the medium alone.
     #[allow(missing_docs)]
-    MediumTables {
+    MediumLuts {
         medium: MediumUniform,
-        tables: TablesUniform,
+        luts: LutsUniform,
     }
 }
 
 block! {
     /// `struct Uniforms` of the passes that know the camera.
     #[allow(missing_docs)]
-    FrameTables {
+    FrameLuts {
         frame: FrameUniform,
-        tables: TablesUniform,
+        luts: LutsUniform,
     }
 }
 
@@ -138,7 +138,7 @@ fn forward_fractions(p: &AtmosphereParams) -> [f64; 3] {
     p.mie_asymmetry.map(|g| g.max(0.0).powf(power))
 }
 
-impl TablesUniform {
+impl LutsUniform {
     /// For a medium that [`AtmosphereParams::validate`] accepts; a pass fills in the size and the steps of its table.
     pub fn new(p: &AtmosphereParams, settings: &LutSettings) -> Self {
         let moments: [[f64; 4]; 3] = std::array::from_fn(|c| phase_moments(p.mie_phase, p.mie_asymmetry[c]));
@@ -175,7 +175,7 @@ impl TablesUniform {
             sun_span: (last - first) as f32,
             ground_rows: sky,
             slices: settings.aerial[2],
-            air_ground_rows: aerial,
+            aerial_ground_rows: aerial,
             ..Self::default()
         }
     }
@@ -214,7 +214,7 @@ impl Frame {
 
     /// The blocks of frame and LUTs together.
     pub(crate) fn with_luts(&self, frame: FrameUniform) -> Uniform {
-        Uniform::new(&FrameTables { frame, tables: self.tables })
+        Uniform::new(&FrameLuts { frame, luts: self.luts_block })
     }
 }
 
@@ -279,7 +279,7 @@ impl Effect for MultiScattering {
                 ..Node::fill(label, Runs::PerMedium, gather, GATHERED, gathered, block)
             });
             nodes.push(Node {
-                reads: reads([("radiance", Some(GATHERED))]),
+                reads: reads([("gathered", Some(GATHERED))]),
                 ..Node::fill(label, Runs::PerMedium, moments, multi_scattering(round + 1), full, block)
             });
         }
@@ -290,9 +290,9 @@ impl Effect for MultiScattering {
 const LOG_OF_DARKNESS: f32 = -100.0;
 
 fn medium_block(frame: &Frame, size: [u32; 2], steps: u32) -> Uniform {
-    let tables = TablesUniform { size, steps, ..frame.tables };
+    let tables = LutsUniform { size, steps, ..frame.luts_block };
     // LUTs hold light per unit of irradiance.
-    Uniform::new(&MediumTables { medium: MediumUniform { irradiance: [0.0; 3], ..frame.uniform.medium }, tables })
+    Uniform::new(&MediumLuts { medium: MediumUniform { irradiance: [0.0; 3], ..frame.uniform.medium }, luts: tables })
 }
 
 /// How much of the air a ray passes, for every altitude and direction: read by everything that has LUTs.
@@ -347,8 +347,8 @@ impl Effect for SkyViewLut {
 
     fn push_nodes(&self, frame: &Frame, nodes: &mut Vec<Node>) {
         let Some(luts) = frame.luts() else { return };
-        let tables = TablesUniform { size: luts.sky_view, steps: luts.sky_view_steps, ..frame.tables };
-        let block = Uniform::new(&FrameTables { frame: frame.uniform.of_view_luts(), tables });
+        let tables = LutsUniform { size: luts.sky_view, steps: luts.sky_view_steps, ..frame.luts_block };
+        let block = Uniform::new(&FrameLuts { frame: frame.uniform.of_view_luts(), luts: tables });
         let extent = Extent { size: luts.sky_view, texel: Texel::Filtered };
         let mut fill = |writes, mie_single: bool, light: Option<Resource>| {
             let constants = [("MIE_SINGLE", mie_single), ("MULTI_SCATTERING", light.is_some())];
@@ -393,15 +393,15 @@ impl Effect for AerialLut {
         let [azimuths, zeniths, slices] = luts.aerial;
         let size = [azimuths * slices, zeniths * AERIAL_KINDS];
         let [_, ground_rows] = luts.ground_rows();
-        let own = TablesUniform {
+        let own = LutsUniform {
             size,
             steps: luts.aerial_steps,
             ground_rows: ground_rows as f32,
-            ..frame.tables
+            ..frame.luts_block
         };
         let extent = Extent { size, texel: Texel::Filtered };
         let frame_block = frame.uniform.of_view_luts();
-        let block = |tables| Uniform::new(&FrameTables { frame: frame_block, tables });
+        let block = |tables| Uniform::new(&FrameLuts { frame: frame_block, luts: tables });
         let light = frame.multi_scattering();
         let air = frame.omission.air;
         let slices = Work::Draw(air.program(&aerial_lut_slices::INFO, [("MULTI_SCATTERING", light.is_some())]));
@@ -413,7 +413,7 @@ impl Effect for AerialLut {
         for step in 0..=steps {
             let finish = step == steps;
             let scan = Work::Draw(Air::ALL.program(&aerial_lut_scan::INFO, [("FINISH", finish)]));
-            let block = block(TablesUniform { shift: 1 << step, ..own });
+            let block = block(LutsUniform { shift: 1 << step, ..own });
             nodes.push(Node {
                 reads: reads([("aerial_lut", Some(aerial_after(step)))]),
                 ..Node::fill(AERIAL_LABEL, Runs::PerAltitude, scan, aerial_after(step + 1), extent, block)

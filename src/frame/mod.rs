@@ -58,7 +58,7 @@ pub use medium::Air;
 use disks::SkyDisk;
 use effect::{EFFECT_COUNT, EFFECTS, Effect};
 use graph::{Graph, Node, Runs};
-use luts::TablesUniform;
+use luts::LutsUniform;
 use medium::Omission;
 use uniforms::FrameUniform;
 use visibility::Visibility;
@@ -82,7 +82,7 @@ pub struct Frame {
     /// The block of every pass of the atmosphere, for the whole picture.
     pub(crate) uniform: FrameUniform,
     /// The LUTs' part of the blocks that have one; zeros where the light is marched.
-    pub(crate) tables: TablesUniform,
+    pub(crate) luts_block: LutsUniform,
     effects: [EffectReport; EFFECT_COUNT],
 }
 
@@ -148,9 +148,9 @@ impl Frame {
         let mut frame = Self {
             visibility: Visibility::new(&scene.atmosphere, &view),
             uniform: FrameUniform::new(scene, &view, size, rows, samples, background_weight),
-            tables: match &settings.quality {
-                Quality::Luts(luts) => TablesUniform::new(&scene.atmosphere, luts),
-                Quality::March { .. } => TablesUniform::default(),
+            luts_block: match &settings.quality {
+                Quality::Luts(luts) => LutsUniform::new(&scene.atmosphere, luts),
+                Quality::March { .. } => LutsUniform::default(),
             },
             scene: scene.clone(),
             view,

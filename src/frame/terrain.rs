@@ -1,24 +1,24 @@
 //! The demonstration's terrain: a planet-scale height field, so that occlusion and depth are real.
 //!
-//! It stands in for a user's own scene. The mesh is made in the vertex shader (`terrain.wgsl`); the same
+//! It stands in for a user's own scene. The mesh is made in the vertex shader (`pass/terrain.wgsl`); the same
 //! height field is here in f64, for cameras that shall stand on it and for the CPU renderer.
 
 use glam::{DVec3, IVec3};
 
 use super::eclipse::{MOON_SHADOW, ShadowUniform};
 use super::graph::{Node, Resource, Stage, reads};
-use super::luts::TablesUniform;
+use super::luts::LutsUniform;
 use super::uniforms::{FrameUniform, block};
 use super::{Air, Frame};
 use crate::gpu::{DepthUse, Uniform};
 use crate::model::atmosphere::AtmosphereParams;
 use crate::shaders::terrain;
 
-/// Rings of the mesh; `RINGS` in `terrain.wgsl`.
+/// Rings of the mesh; `RINGS` in `pass/terrain.wgsl`.
 const RINGS: u32 = 256;
 
 block! {
-    /// `struct Terrain` in `terrain.wgsl`.
+    /// `struct Terrain` in `pass/terrain.wgsl`.
     #[allow(missing_docs)]
     TerrainUniform {
         frame: FrameUniform,
@@ -38,10 +38,10 @@ block! {
         mountain_rate: f32,
         high_albedo: [f32; 3],
         snow_line: f32,
-        sky_share: [f32; 3],
+        sky_light: [f32; 3],
         pad: f32,
-        tables: TablesUniform,
-        eclipse: ShadowUniform,
+        luts: LutsUniform,
+        moon_shadow: ShadowUniform,
     }
 }
 
@@ -88,7 +88,7 @@ impl TerrainStyle {
     }
 }
 
-/// `lattice` in `noise.wgsl`.
+/// `lattice` in `lib/noise.wgsl`.
 fn lattice(p: IVec3) -> f64 {
     let mut h = (p.x as u32).wrapping_mul(0x8da6_b343)
         ^ (p.y as u32).wrapping_mul(0xd816_3841)
@@ -99,7 +99,7 @@ fn lattice(p: IVec3) -> f64 {
     f64::from(h >> 8) / 16_777_216.0
 }
 
-/// `noise` in `noise.wgsl`: value and gradient.
+/// `noise` in `lib/noise.wgsl`: value and gradient.
 fn noise(p: DVec3) -> (f64, DVec3) {
     let cell = p.floor();
     let i = cell.as_ivec3();
@@ -123,7 +123,7 @@ impl TerrainStyle {
     }
 
     /// Height above the surface (metres, ≥ 0) and its gradient (metres per radian) below a unit direction
-    /// in the planet's own axes. `height_field` in `terrain.wgsl`.
+    /// in the planet's own axes. `height_field` in `pass/terrain.wgsl`.
     pub fn height(&self, n: DVec3, planet_radius: f64) -> (f64, DVec3) {
         let mut land = (0.0, DVec3::ZERO);
         for (rate, shift, gain) in [(2.3, 11.0, 0.6), (5.1, 5.0, 0.3), (13.7, 3.0, 0.1)] {
@@ -157,7 +157,7 @@ impl TerrainStyle {
 
     /// Sky light on level ground per unit of the sun's irradiance, sun in the zenith: half of what a
     /// vertical beam loses to scattering. A rough stand-in where no table holds the sky's irradiance.
-    pub fn sky_share(params: &AtmosphereParams) -> [f64; 3] {
+    pub fn sky_light(params: &AtmosphereParams) -> [f64; 3] {
         std::array::from_fn(|c| {
             let tau = params.rayleigh_scattering[c] * params.rayleigh_scale_height
                 + params.mie_scattering[c] * params.mie_scale_height;
@@ -206,10 +206,10 @@ impl TerrainStyle {
             mountain_rate: self.mountain_rate(radius) as f32,
             high_albedo: color(self.high_albedo),
             snow_line: (self.snow_line / 1000.0).min(1e6) as f32,
-            sky_share: color(Self::sky_share(&scene.atmosphere)),
+            sky_light: color(Self::sky_light(&scene.atmosphere)),
             pad: 0.0,
-            tables: if of.rounds() > 0 { of.tables } else { TablesUniform::default() },
-            eclipse: of.moon_shadow_block().unwrap_or_default(),
+            luts: if of.rounds() > 0 { of.luts_block } else { LutsUniform::default() },
+            moon_shadow: of.moon_shadow_block().unwrap_or_default(),
         };
         let light = of.multi_scattering();
         let shadow = of.moon_shadow().map(|_| MOON_SHADOW);

@@ -1,4 +1,4 @@
-//! The uniform block of the atmosphere's passes; its WGSL twin is `struct Frame` in `frame.wgsl`.
+//! The uniform block of the atmosphere's passes; its WGSL twin is `struct Frame` in `lib/frame.wgsl`.
 
 use glam::DVec3;
 
@@ -58,7 +58,7 @@ block! {
 }
 
 block! {
-    /// `struct Frame`: see the fields' comments in `frame.wgsl`.
+    /// `struct Frame`: see the fields' comments in `lib/frame.wgsl`.
     #[allow(missing_docs)]
     FrameUniform {
         medium: MediumUniform,
@@ -76,9 +76,9 @@ block! {
         depth: DepthUniform,
         view_samples: u32,
         light_samples: u32,
-        low_resolution: u32,
+        reduced: u32,
         camera_altitude: f32,
-        limb: [f32; 4],
+        sky_view_mapping: [f32; 4],
     }
 }
 
@@ -112,7 +112,7 @@ impl FrameUniform {
     /// pass the ground, how far that part is spaced as seen from outside (0 to 1), evenly in the altitude that a
     /// ray passes, and the share that it has near the ground, as many rows as crowding at the horizon alone would give
     /// it. Last: the horizon's cosine of the zenith angle with its sign changed.
-    pub(crate) fn limb(altitude: f64, p: &AtmosphereParams) -> [f32; 4] {
+    pub(crate) fn sky_view_mapping(altitude: f64, p: &AtmosphereParams) -> [f32; 4] {
         let radius = p.planet_radius;
         let horizon = (altitude * (2.0 * radius + altitude)).sqrt() / (radius + altitude);
         let s_max = (0.5 + 0.5 * horizon).sqrt();
@@ -158,16 +158,16 @@ impl FrameUniform {
             },
             view_samples,
             light_samples,
-            low_resolution: 0,
+            reduced: 0,
             camera_altitude: (view.altitude / KM) as f32,
-            limb: Self::limb(view.altitude.max(0.0), p),
+            sky_view_mapping: Self::sky_view_mapping(view.altitude.max(0.0), p),
         }
     }
 
     /// The same block for a smaller picture of the same view, whose planet pixels are marked instead of discarded.
     pub(crate) fn reduced(self, view: &ZenithView, size: [u32; 2]) -> Self {
         let pixel_angle = pixel_angle(view, size);
-        Self { size: size.map(|s| s as f32), pixel_angle, low_resolution: 1, ..self }
+        Self { size: size.map(|s| s as f32), pixel_angle, reduced: 1, ..self }
     }
 
     /// What of the block the LUTs of a view depend on: medium, altitude and sun; the rest is 0, so that turning the
@@ -177,7 +177,7 @@ impl FrameUniform {
             medium: MediumUniform { irradiance: [0.0; 3], ..self.medium },
             altitude: self.altitude,
             sun: self.sun,
-            limb: self.limb,
+            sky_view_mapping: self.sky_view_mapping,
             ..Self::default()
         }
     }

@@ -115,7 +115,7 @@ impl Moon {
     }
 
     /// Radiance of its disk per unit of the sun's irradiance, 1/sr, where a ray from `camera` meets it, and `None` where it
-    /// does not. direction, sun: unit. After Lommel and Seeliger (see `moon.wgsl`), with [`MOON_ALBEDO`].
+    /// does not. direction, sun: unit. After Lommel and Seeliger (see `pass/moon_disk.wgsl`), with [`MOON_ALBEDO`].
     pub fn radiance(&self, camera: DVec3, direction: DVec3, sun: DVec3) -> Option<f64> {
         let (near, _) = ray_sphere_intersect(camera, direction, self.position, self.radius)?;
         if near < 0.0 {

@@ -310,8 +310,8 @@ fn build(p: &AtmosphereParams, h: f64, sun_number: usize, direction: usize, rng:
         altitude,
         sun: sun.as_vec3().to_array(),
         fraction,
-        path_x: x,
-        path_b: b,
+        path_excess: x,
+        path_r_mu: b,
         path_distance: (length * f64::from(fraction)) as f32,
         samples: [1.0, 2.0, 4.0, 7.0][rng.usize(0..4)],
         away: match rng.u8(0..6) {
@@ -323,7 +323,7 @@ fn build(p: &AtmosphereParams, h: f64, sun_number: usize, direction: usize, rng:
         light_samples: [1.0, 2.0, 3.0][rng.usize(0..3)],
         // Rays to the ground and others; outside, the planet is all that there is without air.
         to_ground: f32::from(rng.bool()),
-        share: [(); 2].map(|()| match rng.u8(0..8) {
+        uv: [(); 2].map(|()| match rng.u8(0..8) {
             0 => 0.0,
             1 => 1.0,
             2 => log(rng, 1e-9, 1.0) as f32,
@@ -361,13 +361,13 @@ pub fn describe(case: &Case) -> String {
         case.direction,
         case.sun,
         case.fraction,
-        case.path_x,
-        case.path_b,
+        case.path_excess,
+        case.path_r_mu,
         case.path_distance,
         case.samples,
         case.light_samples,
         case.away,
-        case.share,
+        case.uv,
         if case.to_ground > 0.5 { "to the ground" } else { "to the sky" },
         case.node,
     )

@@ -360,7 +360,7 @@ fn geometry(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
     let relative = Promise { relative: 1e-5, absolute: 0.0 };
     note(among(Quantity::Excess, excess, relative, std::iter::once(h * (2.0 * radius + h))));
     note(among(Quantity::AltitudeOf, back, promise, std::iter::once(h)));
-    let (x, b) = (f64::from(case.path_x), f64::from(case.path_b));
+    let (x, b) = (f64::from(case.path_excess), f64::from(case.path_r_mu));
     let air = Air64(case, LAYERS[0]);
     let near = moves(x, b).map(|(x, b)| air.to_top(x, b, 1.0));
     note(Check { least: 0.0, ..among(Quantity::ToTop, to_top, promise, near.into_iter()) });
@@ -412,7 +412,7 @@ type PathInput<'a> = ((f64, f64), Air64<'a>);
 
 fn path(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
     let n = case.samples as u32;
-    let (x, b) = (f64::from(case.path_x), f64::from(case.path_b));
+    let (x, b) = (f64::from(case.path_excess), f64::from(case.path_r_mu));
     let near: Vec<_> = moves(x, b)
         .map(|at| (at, LAYERS[0]))
         .into_iter()
@@ -476,7 +476,7 @@ fn tables(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
         dir[1] = dir[1].abs();
         // Just below the top of the air rays that go up share few rows, next to nothing being above them, and those that
         // go down are spaced by the altitude that they pass: what a rounded row changes, see `zenith_share`.
-        let [limb, bend, ..] = case.limb.map(f64::from);
+        let [limb, bend, ..] = case.sky_view_mapping.map(f64::from);
         let h = f64::from(case.altitude);
         let horizon = (h * (2.0 * radius + h)).sqrt() / r;
         let v = f64::from(-dir[2]) / horizon;
@@ -500,7 +500,7 @@ fn tables(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
         [dir.as_slice(), &answers[3], &answers[4], &answers[5]].iter().all(|v| v.iter().all(|v| v.is_finite()));
     // Back at the same share, or at a ray that f32 cannot tell from it.
     let same_ray = apart(&dir, &answers[5]) <= angle.absolute;
-    for (got, want) in [(azimuth, case.share[0]), (row, case.share[1])] {
+    for (got, want) in [(azimuth, case.uv[0]), (row, case.uv[1])] {
         let want = f64::from(want);
         let back = if same_ray && finite { want } else { got.into() };
         let check = share(Quantity::TableReturn, back as f32, want, texel);
@@ -539,9 +539,9 @@ fn tables(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
     let [h, row, mu, column] = answers[6];
     let within = |check: Check, most: f32| Check { least: 0.0, most, ..check };
     note(within(among(Quantity::AltitudeRow, h, geometry, once(h.into())), case.medium.thickness));
-    note(share(Quantity::RowAltitude, row, case.share[1].into(), texel));
+    note(share(Quantity::RowAltitude, row, case.uv[1].into(), texel));
     note(Check { least: -1.0, most: 1.0, ..among(Quantity::SunRow, mu, texel, once(mu.into())) });
-    note(share(Quantity::RowSun, column, case.share[0].into(), texel));
+    note(share(Quantity::RowSun, column, case.uv[0].into(), texel));
     let [row, h, column, mu] = answers[7];
     note(place(Quantity::RowAltitude, row));
     note(among(Quantity::AltitudeRow, h, geometry, once(f64::from(case.altitude).min(thickness))));
@@ -564,7 +564,7 @@ fn tables(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
         let b = if d > 0.0 { ((excess - rho2) / d - d) * 0.5 } else { radius + h };
         [d.max(0.0), b.max(-rho2.sqrt()), rho2]
     };
-    let [along, up] = case.share.map(f64::from);
+    let [along, up] = case.uv.map(f64::from);
     let near = |v: f64| [v, v + RESOLUTION, (v - RESOLUTION).max(0.0)];
     let columns: Vec<_> = near(along).iter().flat_map(|&a| near(up).map(|u| column(a, u.min(1.0)))).collect();
     let of = |i: usize| columns.iter().map(move |c| c[i]).collect::<Vec<_>>().into_iter();
@@ -581,7 +581,7 @@ fn tables(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
     };
     for (quantity, x, b, got) in [
         (Quantity::ColumnsReturn, x, b, &answers[9][..2]),
-        (Quantity::ColumnsPlace, case.path_x, case.path_b, &answers[9][2..]),
+        (Quantity::ColumnsPlace, case.path_excess, case.path_r_mu, &answers[9][2..]),
     ] {
         let (x, b) = (f64::from(x), f64::from(b));
         if b > (radius * radius + x).sqrt() * (1.0 + RESOLUTION) {

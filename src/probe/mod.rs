@@ -28,7 +28,7 @@ pub use shrink::{Shrink, shrink};
 pub use truth::{Promise, RESOLUTION};
 
 use crate::error::Result;
-use crate::frame::luts::TablesUniform;
+use crate::frame::luts::LutsUniform;
 use crate::frame::uniforms::{FrameUniform, MediumUniform};
 use crate::gpu::{Backend, Format, Inputs, Pass, Program, ReadId, Target, TextureDesc, TextureId};
 use crate::model::atmosphere::{AtmosphereParams, MiePhase};
@@ -88,7 +88,7 @@ impl Probe {
             Self::Medium => &generated::probe_medium::INFO,
             Self::Path => &generated::probe_path::INFO,
             Self::Eclipse => &generated::probe_eclipse::INFO,
-            Self::Tables => &generated::probe_tables::INFO,
+            Self::Tables => &generated::probe_luts::INFO,
             Self::Scatter(_) => &generated::probe_scatter::INFO,
         };
         let off = match self {
@@ -106,7 +106,7 @@ impl Probe {
             Self::Path => generated::probe_path::numbers::ANSWERS,
             Self::Scatter(_) => generated::probe_scatter::numbers::ANSWERS,
             Self::Eclipse => generated::probe_eclipse::numbers::ANSWERS,
-            Self::Tables => generated::probe_tables::numbers::ANSWERS,
+            Self::Tables => generated::probe_luts::numbers::ANSWERS,
         };
         answers as usize
     }
@@ -127,10 +127,10 @@ pub struct Case {
     pub sun: [f32; 3],
     /// Share of the ray's way through the air that is asked about, 0 to 1.
     pub fraction: f32,
-    /// r² − R² where a path begins.
-    pub path_x: f32,
+    /// Excess, r² − R², where a path begins.
+    pub path_excess: f32,
     /// r μ where a path begins.
-    pub path_b: f32,
+    pub path_r_mu: f32,
     /// Length of the path.
     pub path_distance: f32,
     /// Steps along it.
@@ -139,35 +139,35 @@ pub struct Case {
     pub away: f32,
     /// Steps towards the sun.
     pub light_samples: f32,
-    /// Of the tables' uniform block: `sun_first`.
+    /// Of the LUTs' uniform block: `sun_first`.
     pub sun_first: f32,
     /// `sun_span`.
     pub sun_span: f32,
-    /// A place in a table, 0 to 1 each.
-    pub share: [f32; 2],
-    /// 1 where that place is among the rays that end on the ground.
+    /// u and v of a LUT, 0 to 1 each.
+    pub uv: [f32; 2],
+    /// 1 where u and v are among the rays that end on the ground.
     pub to_ground: f32,
     /// Number of a direction in which light is gathered.
     pub node: f32,
     /// `altitude_steepness`, `altitude_growth`, `sun_middle` and `sun_width`.
     pub scales: [f32; 4],
-    /// Of the frame's uniform block, for this altitude: `limb`.
-    pub limb: [f32; 4],
+    /// Of the frame's uniform block, for this altitude: `sky_view_mapping`.
+    pub sky_view_mapping: [f32; 4],
 }
 
 impl Case {
     /// The tables' numbers for this medium.
     fn with_tables(self, params: &AtmosphereParams) -> Self {
-        let t = TablesUniform::new(params, &LutSettings::default());
+        let t = LutsUniform::new(params, &LutSettings::default());
         let scales = [t.altitude_steepness, t.altitude_growth, t.sun_middle, t.sun_width];
-        let limb = FrameUniform::limb(f64::from(self.altitude) * 1000.0, params);
-        Self { sun_first: t.sun_first, sun_span: t.sun_span, scales, limb, ..self }
+        let sky_view_mapping = FrameUniform::sky_view_mapping(f64::from(self.altitude) * 1000.0, params);
+        Self { sun_first: t.sun_first, sun_span: t.sun_span, scales, sky_view_mapping, ..self }
     }
 }
 
 /// Texels of a case.
 const CASE_TEXELS: usize = size_of::<Case>() / 16;
-const _: () = assert!(CASE_TEXELS == generated::probe_tables::numbers::CASE_TEXELS as usize);
+const _: () = assert!(CASE_TEXELS == generated::probe_luts::numbers::CASE_TEXELS as usize);
 /// Cases in a row of the texture: it is then no wider than the 2048 texels that WebGL2 promises.
 const ROW: usize = 156;
 

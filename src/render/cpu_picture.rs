@@ -188,7 +188,7 @@ impl<'a> Painter<'a> {
         floor
     }
 
-    /// Sunlight and a share of sky light on the ground; the formulas of `terrain.wgsl`.
+    /// Sunlight and a share of sky light on the ground; the formulas of `pass/terrain.wgsl`.
     fn shade(&self, style: &TerrainStyle, point: DVec3) -> Result<[f64; 3]> {
         let p = &self.scene.atmosphere;
         let n = point.normalize();
@@ -209,7 +209,7 @@ impl<'a> Painter<'a> {
         }
         let up = n.dot(self.sun);
         let share =
-            TerrainStyle::sky_share(p).map(|s| s * ((up + 0.1) / 1.1).clamp(0.0, 1.0) * (0.5 + 0.5 * normal.dot(n)));
+            TerrainStyle::sky_light(p).map(|s| s * ((up + 0.1) / 1.1).clamp(0.0, 1.0) * (0.5 + 0.5 * normal.dot(n)));
         let dip = (h * (2.0 * p.planet_radius + h)).sqrt() / (p.planet_radius + h);
         let chord = 2.0 * (0.5 * p.sun_angular_radius).sin();
         let visible = smooth(-1.0, 1.0, (up + dip) / chord) * normal.dot(self.sun).max(0.0);

@@ -1,13 +1,13 @@
 //! The light of the simulated sky for a scene of one's own: as irradiance and as spherical harmonics, from the LUTs that
 //! draw it.
 //!
-//! [`LightingContextUniform`] is the block that `lighting.wgsl` ([`crate::shaders::LIGHTING_WGSL`]) reads.
+//! [`LightingContextUniform`] is the block that `lib/lighting.wgsl` ([`crate::shaders::LIGHTING_WGSL`]) reads.
 
 use glam::DVec3;
 
 use crate::error::{Error, Result};
 use crate::frame::Frame;
-use crate::frame::luts::TablesUniform;
+use crate::frame::luts::LutsUniform;
 use crate::frame::uniforms::block;
 use crate::gpu::{Backend, ReadId, TextureId};
 use crate::model::atmosphere::AtmosphereParams;
@@ -16,7 +16,7 @@ use crate::model::sunlight::sunlight;
 use crate::settings::{LutSettings, Quality};
 
 block! {
-    /// `struct LightingContext` in `lighting.wgsl`: 32 bytes.
+    /// `struct LightingContext` in `lib/lighting.wgsl`: 32 bytes.
     LightingContextUniform {
         /// Ambient colour times intensity; last the light in the darkest shadow.
         ambient_shadow: [f32; 4],
@@ -82,7 +82,7 @@ impl SkyHarmonics {
 pub struct SkyLightRead {
     read: ReadId,
     params: AtmosphereParams,
-    tables: TablesUniform,
+    tables: LutsUniform,
     nodes: [u32; 2],
 }
 
@@ -93,7 +93,7 @@ impl SkyLightRead {
             return Err(Error::invalid("quality", frame.settings().quality, "one with LUTs"));
         };
         let read = backend.begin_read(lut)?;
-        Ok(Self { read, params: frame.scene().atmosphere.clone(), tables: frame.tables, nodes })
+        Ok(Self { read, params: frame.scene().atmosphere.clone(), tables: frame.luts_block, nodes })
     }
 
     /// The light once it is there; `None` until then. In a browser nothing waits for it; natively this call does, as
@@ -117,7 +117,7 @@ impl SkyLightRead {
 #[derive(Clone, Debug)]
 pub struct SkyLight {
     params: AtmosphereParams,
-    tables: TablesUniform,
+    tables: LutsUniform,
     nodes: [usize; 2],
     texels: Vec<f32>,
 }
@@ -126,7 +126,8 @@ pub struct SkyLight {
 const ROWS: usize = 6;
 
 impl SkyLight {
-    /// Where altitude and sun are among the nodes: `tables.wgsl`'s `altitude_share` and `sun_share`, in f64.
+    /// Where altitude and sun are among the nodes: `altitude_to_v` and `mu_sun_to_u` of
+    /// `lib/multi_scattering_lut.wgsl`, in f64.
     fn at(&self, altitude: f64, sun_sine: f64) -> [(usize, f64); 2] {
         let t = &self.tables;
         let h = (altitude / self.params.thickness()).clamp(0.0, 1.0);

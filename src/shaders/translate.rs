@@ -18,6 +18,9 @@ use crate::gpu::{Program, ProgramInfo, SAMPLER_BINDING, TEXTURES_MAX};
 /// The number of vertices of a program that draws a triangle strip, in its WGSL.
 const VERTICES: &str = "VERTICES";
 
+/// The module of the vertex shader for programs that have none of their own.
+const FULLSCREEN: &str = "fullscreen";
+
 /// The folders of programs below `shaders/wgsl/pass/`, and the Rust file that tells of each, below `src/`.
 const TABLES: [(&str, &str); 2] = [("", "src/shaders/generated.rs"), ("probe", "src/probe/generated.rs")];
 
@@ -92,7 +95,7 @@ impl Source {
         link(wgsl, &module, &mut modules)?;
         if !modules.iter().any(|(_, text)| text.contains("fn vertex_main(")) {
             let mut first = Vec::new();
-            link(wgsl, "lib/fullscreen", &mut first)?;
+            link(wgsl, &format!("lib/{FULLSCREEN}"), &mut first)?;
             modules.splice(0..0, first);
         }
         let text: String = modules.iter().map(|(_, text)| text.as_str()).collect();
@@ -140,7 +143,11 @@ impl Source {
             naga::Expression::Literal(naga::Literal::I32(value)) => Some(i64::from(value)),
             _ => None,
         };
-        let numbers = module.constants.iter().filter_map(|(_, c)| Some((c.name.clone()?, number(c)?))).collect();
+        let numbers: Vec<_> =
+            module.constants.iter().filter_map(|(_, c)| Some((c.name.clone()?, number(c)?))).collect();
+        if (vertex.module == FULLSCREEN) == numbers.iter().any(|(name, _)| name == VERTICES) {
+            return Err(driver_error("reflect", name, "a vertex shader of its own and VERTICES go together"));
+        }
         Ok(Self { name: name.to_owned(), modules, constants, vertex, fragment, uniform_size, textures, numbers })
     }
 

@@ -1,6 +1,8 @@
+//#include constants
 //#include geometry
-// The directions in which light is gathered at the nodes of `moments`: Gauss's rule in zenith angle on each side of
-// the horizon, the midpoint rule in azimuth over half a turn (the other half is its mirror image).
+// The directions in which light is gathered at the nodes of the multi-scattering LUT: Gauss's rule in
+// zenith angle on each side of the horizon, the midpoint rule in azimuth over half a turn (the other half
+// is its mirror image).
 
 const ZENITHS: i32 = 16;  // half of them above the horizon
 const AZIMUTHS: i32 = 8;
@@ -26,7 +28,8 @@ struct Direction {
     weight: f32,   // solid angle, both halves of the turn, sr
 }
 
-// Zenith angles crowd at the horizon: mu = horizon +- (..) u^2.
+// The direction of a number on both axes. Zenith angles crowd at the horizon, where the light changes most:
+// mu = horizon + span x^2, dmu = 2 span x dx with the abscissa x. h: altitude of the node, km.
 fn node_direction(zenith: i32, azimuth: i32, h: f32, radius: f32) -> Direction {
     let half = ZENITHS / 2;
     let above = zenith < half;
@@ -34,6 +37,6 @@ fn node_direction(zenith: i32, azimuth: i32, h: f32, radius: f32) -> Direction {
     let horizon = -sqrt(excess_of(h, radius)) / (radius + h);
     let span = select(-1.0 - horizon, 1.0 - horizon, above);
     let mu = clamp(horizon + span * node.x * node.x, -1.0, 1.0);
-    let step = 3.141592653589793 / f32(AZIMUTHS);
+    let step = PI / f32(AZIMUTHS);
     return Direction(mu, (f32(azimuth) + 0.5) * step, above, abs(span) * 2.0 * node.x * node.y * 2.0 * step);
 }

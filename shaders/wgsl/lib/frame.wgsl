@@ -1,7 +1,9 @@
-// The one uniform block of the atmosphere's passes. Lengths in km, coefficients in 1/km, angles as
-// vectors in the zenith frame: z from the planet's centre to the camera, the sun in the x-z plane.
-// Rust twin: `FrameUniform` in src/passes/frame.rs, checked against naga's layout by a test.
+// The uniform block of the passes that know the camera. Lengths in km, coefficients in 1/km, angles as
+// vectors in the zenith frame: z from the planet's centre to the camera, the sun in the x-z plane. Rust
+// twins: `MediumUniform`, `DepthUniform`, `FrameUniform` in src/frame/uniforms.rs; a test compares the
+// layouts.
 
+// The planet and its air.
 struct Medium {
     rayleigh: vec3f,            // Rayleigh scattering at altitude 0, 1/km
     rayleigh_inv_height: f32,   // 1 / scale height, 1/km
@@ -30,9 +32,9 @@ struct Frame {
     ray_forward: vec3f,         // ray through the middle of the picture, axial part 1
     altitude: f32,              // camera above the surface, km, never negative
     ray_right: vec3f,           // added from the middle to the right edge
-    sky_weight: f32,            // share of the background pass in the sky's light, 0 to 1
+    sky_weight: f32,            // the background pass's part of the sky's light, 0 to 1
     ray_up: vec3f,              // added from the middle to the top edge
-    shell_weight: f32,          // share of the depth-aware pass, 1 - sky_weight
+    shell_weight: f32,          // the depth-aware pass's part, 1 - sky_weight
     sun: vec3f,                 // towards the sun, unit
     sun_chord: f32,             // chord of the disk's angular radius, 2 sin(radius / 2)
     size: vec2f,                // of the target, pixels
@@ -41,7 +43,7 @@ struct Frame {
     depth: DepthCode,
     view_samples: u32,          // steps along the view ray
     light_samples: u32,         // steps towards the sun
-    low_resolution: u32,        // 1: mark planet pixels with alpha -1 instead of discarding them
+    reduced: u32,               // 1: smaller than the picture; planet pixels get alpha -1
     camera_altitude: f32,       // camera above the surface, km, may be negative (terrain only)
-    limb: vec4f,                // of the sky table's rows, see `zenith_share`
+    sky_view_mapping: vec4f,    // of the sky-view LUT's rows, see `zenith_to_v`
 }

@@ -1,4 +1,4 @@
-// One triangle that covers the target; no vertex buffer.
+// One triangle that covers the target, without a vertex buffer: (-1, -1), (3, -1), (-1, 3).
 @vertex
 fn vertex_main(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
     let corner = vec2f(f32((index << 1u) & 2u), f32(index & 2u));

@@ -1,10 +1,10 @@
 //#include frame
-// What the air holds at an altitude. Constituents that are off are not compiled. Loops call these: they take a few
-// numbers instead of the block, which some software renderers copy at every call.
+// What the air holds at an altitude. A constituent that is off is not compiled. Loops call these functions:
+// they take a few numbers and not the block, which some software renderers copy at every call.
 
-const RAYLEIGH: bool = true; // gas that scatters
-const MIE: bool = true;      // aerosol
-const OZONE: bool = true;    // absorber
+const RAYLEIGH: bool = true; // The air holds gas that scatters light like Rayleigh's molecules.
+const MIE: bool = true;      // The air holds an aerosol.
+const OZONE: bool = true;    // The air holds an absorber.
 
 // Where the constituents are: 1 / scale height of gas and of aerosol (1/km), the absorber's altitude (km) and
 // 1 / half width (1/km).
@@ -17,7 +17,9 @@ fn coefficients_of(m: Medium) -> mat3x3f {
     return mat3x3f(m.rayleigh, m.mie_extinction, m.ozone);
 }
 
-// Densities of gas, aerosol and absorber at altitude h (km), relative to their coefficients.
+// Densities of gas, aerosol and absorber at altitude h (km), relative to those that their coefficients are
+// for: exp(-h / H) for gas and aerosol, for ozone a tent that is 1 at its centre and 0 at half_width from
+// it (Bruneton 2017, section 2.4 of "A Qualitative and Quantitative Evaluation of 8 Clear Sky Models").
 fn densities(layers: vec4f, h: f32) -> vec3f {
     var d = vec3f(0.0);
     if RAYLEIGH {
@@ -27,13 +29,13 @@ fn densities(layers: vec4f, h: f32) -> vec3f {
         d.y = exp(-h * layers.y);
     }
     if OZONE {
-        // Tent: 1 at the centre, 0 at half_width from it (Bruneton 2017, section 2.4).
         d.z = max(0.0, 1.0 - abs(h - layers.z) * layers.w);
     }
     return d;
 }
 
-// Extinction (1/km) for densities, or optical depth for densities integrated over a path (km).
+// Extinction (1/km) of densities, sum of coefficient times density; or the optical depth of densities that
+// were integrated along a path (km).
 fn extinction(coefficients: mat3x3f, d: vec3f) -> vec3f {
     var sum = vec3f(0.0);
     if RAYLEIGH {

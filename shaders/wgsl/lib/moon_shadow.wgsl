@@ -1,28 +1,31 @@
 //#include disk_overlap
-// The moon's shadow in the air and on the ground.
+// The moon's shadow in the air and on the ground. Its LUT has two rows: see `MoonShadowLut` in
+// src/frame/eclipse.rs. Rust twin of the block: `ShadowUniform` there.
 
-// What passes are told of it. Rust twin: `ShadowUniform` in src/frame/eclipse.rs.
 struct MoonShadow {
-    across: vec3f,   // from the camera to the moon, across the sun's direction, km
-    along: f32,      // ... along it, km
-    radius: f32,     // of the moon, km
-    tangent: f32,    // of the sun's angular radius
-    least: f32,      // least share of sunlight, 0 to 1
-    rate: f32,       // share of the shade's first row per km from the shadow's axis
+    across: vec3f,         // from the camera to the moon, across the sun's direction, km
+    along: f32,            // ... along it, km
+    radius: f32,           // of the moon, km
+    tan_sun_radius: f32,   // tangent of the sun's angular radius
+    min_visibility: f32,   // fraction of sunlight that is left everywhere, 0 to 1
+    inv_extent: f32,       // 1 / (distance from the shadow's axis at the end of the LUT's first row), 1/km
 }
 
-// A row of the shade at a share of its length, 0 to 1.
-fn shade_at(shade: texture_2d<f32>, share: f32, row: i32) -> vec3f {
-    let last = i32(textureDimensions(shade).x) - 1;
-    let at = clamp(share, 0.0, 1.0) * f32(last);
-    let low = min(i32(at), last);
+// A row of the LUT at u, 0 to 1.
+fn moon_shadow_lut_row(lut: texture_2d<f32>, u: f32, row: i32) -> vec3f {
+    let last = i32(textureDimensions(lut).x) - 1;
+    let position = clamp(u, 0.0, 1.0) * f32(last);
+    let texel = min(i32(position), last);
     return mix(
-        textureLoad(shade, vec2i(low, row), 0).xyz, textureLoad(shade, vec2i(min(low + 1, last), row), 0).xyz, at - f32(low));
+        textureLoad(lut, vec2i(texel, row), 0).xyz,
+        textureLoad(lut, vec2i(min(texel + 1, last), row), 0).xyz,
+        position - f32(texel),
+    );
 }
 
-// Where the second row has a moon, 0 to 1: a quarter of it for one within the sun's disk, the rest for one across its edge,
-// dense where the last of the sun goes. Arguments as of `visible_share`.
-fn limb_place(moon: f32, apart: f32) -> f32 {
+// u of a moon in the second row: a quarter of it for one within the sun's disk, the rest for one across its
+// edge, dense where the last of the sun goes. Arguments as of `visible_fraction`.
+fn moon_distance_to_u(moon: f32, apart: f32) -> f32 {
     let inner = abs(moon - 1.0);
     if apart < inner {
         return 0.25 * apart / inner;
@@ -30,21 +33,23 @@ fn limb_place(moon: f32, apart: f32) -> f32 {
     return 0.25 + 0.75 * sqrt((apart - inner) / (2.0 * min(moon, 1.0)));
 }
 
-// Share of sunlight at a point: the disks' exact overlap, for a sun with a darker edge times a factor that the second row
-// of the shade holds. position: from the camera, km; sun: unit, both in the zenith frame.
-fn sun_left(shade: texture_2d<f32>, s: MoonShadow, position: vec3f, sun: vec3f) -> vec3f {
+// Visible fraction of sunlight at a point, per channel: the disks' exact overlap, for a sun with a darker
+// edge times a factor that the LUT's second row holds. position: from the camera, km; sun: unit, both in
+// the zenith frame.
+fn moon_shadow_visibility(lut: texture_2d<f32>, s: MoonShadow, position: vec3f, sun: vec3f) -> vec3f {
     let beside = dot(position, sun);
     let apart = length(s.across - (position - sun * beside));
-    let seen = moon_before_sun(apart, s.along - beside, s.radius, s.tangent);
-    var share = vec3f(visible_share(seen.x, seen.y));
-    if share.x > 0.0 && share.x < 1.0 {
-        share *= shade_at(shade, limb_place(seen.x, seen.y), 1);
+    let seen = moon_before_sun(apart, s.along - beside, s.radius, s.tan_sun_radius);
+    var visible = vec3f(visible_fraction(seen.x, seen.y));
+    if visible.x > 0.0 && visible.x < 1.0 {
+        visible *= moon_shadow_lut_row(lut, moon_distance_to_u(seen.x, seen.y), 1);
     }
-    return max(share, vec3f(s.least));
+    return max(visible, vec3f(s.min_visibility));
 }
 
-// The same around a point, as far as light comes from that is scattered there again: see `shade` in src/passes/shadow.rs.
-fn sun_left_around(shade: texture_2d<f32>, s: MoonShadow, position: vec3f, sun: vec3f) -> vec3f {
+// The same as a mean over the air around a point, as far as light comes from that is scattered there again:
+// the LUT's first row, by the distance from the shadow's axis.
+fn moon_shadow_visibility_around(lut: texture_2d<f32>, s: MoonShadow, position: vec3f, sun: vec3f) -> vec3f {
     let apart = length(s.across - (position - sun * dot(position, sun)));
-    return max(shade_at(shade, apart * s.rate, 0), vec3f(s.least));
+    return max(moon_shadow_lut_row(lut, apart * s.inv_extent, 0), vec3f(s.min_visibility));
 }

@@ -1,4 +1,4 @@
-// Value noise with its gradient, for the demonstration's terrain. Rust twin: src/passes/terrain.rs.
+// Value noise with its gradient, for the demonstration's terrain. Rust twin: src/frame/terrain.rs.
 
 // A lattice point's value in 0..1 (integer mixing after Ward & Teschner's primes and MurmurHash2).
 fn lattice(p: vec3i) -> f32 {

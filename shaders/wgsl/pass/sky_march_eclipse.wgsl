@@ -1,9 +1,7 @@
 //#include view
-//#include single_scattering
 //#include all_orders
 //#include eclipsed_sun
-// The background sky under a moon's shadow, as `sky_march`. MULTI_SCATTERING: light of all orders from the medium's
-// tables; off: light scattered once.
+// The background sky under a moon's shadow, as `sky_march`: of all orders, or scattered once.
 
 @group(0) @binding(1) var moon_shadow_lut: texture_2d<f32>;
 @group(0) @binding(2) var transmittance_lut: texture_2d<f32>;
@@ -11,31 +9,21 @@
 
 @fragment
 fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
-    let frame = uniforms.frame;
-    let dir = normalize(pixel_ray(position.xy, frame.size, frame.ray_forward, frame.ray_right, frame.ray_up));
-    let m = frame.medium;
-    if hits_planet(dir, frame.altitude, m.radius) {
-        if frame.low_resolution == 0u {
+    let f = uniforms.frame;
+    let m = f.medium;
+    let dir = normalize(pixel_ray(position.xy, f.size, f.ray_forward, f.ray_right, f.ray_up));
+    if hits_planet(dir, f.altitude, m.radius) {
+        if f.reduced == 0u {
             discard;
         }
         return vec4f(0.0, 0.0, 0.0, -1.0);
     }
-    let offset = dir - frame.sun;
-    var light = vec3f(0.0);
-    var through = vec3f(1.0);
-    let ray = air_ray(dir, frame.altitude, m.radius, m.thickness, frame.sun);
-    if ray.length > 0.0 {
-        if MULTI_SCATTERING {
-            let g = all_orders(
-                transmittance_lut, multi_scattering_lut, m, uniforms.tables, ray, dir, frame.sun, ray.length);
-            light = g.radiance * frame.sky_weight;
-            through = exp(-extinction(coefficients_of(m), g.columns));
-        } else {
-            let s = single_scattering(
-                m, ray, dir, ray.length, 0.5 * dot(offset, offset), frame.view_samples, frame.light_samples);
-            light = s.radiance * frame.sky_weight;
-            through = s.transmittance;
-        }
+    let ray = air_ray(dir, f.altitude, m.radius, m.thickness, f.sun);
+    if ray.length <= 0.0 {
+        return vec4f(0.0);
     }
-    return vec4f(min(light * m.irradiance, vec3f(HALF_MAX)), 1.0 - dot(through, vec3f(1.0 / 3.0)));
+    let s = eclipsed_light(
+        transmittance_lut, multi_scattering_lut, m, uniforms.luts, ray, dir, f.sun, ray.length,
+        f.view_samples, f.light_samples);
+    return veil(s.radiance * f.sky_weight * m.irradiance, s.transmittance);
 }

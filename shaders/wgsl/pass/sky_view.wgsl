@@ -1,14 +1,13 @@
 //#include view
-//#include disk
-//#include sky_view_mapping
-//#include sky_view_read
+//#include sky_view_lut
+//#include luts
 //#include phase
-// The background sky from its tables: as `sky`, with all orders of scattering.
-// OVER: laid over what is in the target; ONLY: nothing is in it.
+// The background sky from the sky-view LUT: what a ray sees that meets no ground, with all orders of
+// scattering. Drawn first, depth ALWAYS, no depth write.
 
 struct Uniforms {
     frame: Frame,
-    tables: Tables,
+    luts: Luts,
 }
 
 @group(0) @binding(0) var<uniform> uniforms: Uniforms;
@@ -16,20 +15,18 @@ struct Uniforms {
 @group(0) @binding(2) var mie_single_lut: texture_2d<f32>;
 @group(0) @binding(7) var linear: sampler;
 
-const MIE_SINGLE: bool = true; // with sunlight scattered once by the aerosol
-const BLEND: bool = true;      // laid over what is in the target; off: the target holds nothing
+const MIE_SINGLE: bool = true; // With sunlight scattered once by the aerosol, which has a LUT of its own.
+const BLEND: bool = true;      // Laid over what is in the target; off: the target holds nothing.
 
 @fragment
 fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
-    let dir = normalize(pixel_ray(
-        position.xy, uniforms.frame.size, uniforms.frame.ray_forward, uniforms.frame.ray_right, uniforms.frame.ray_up));
-    let h = uniforms.frame.altitude;
-    let radius = uniforms.frame.medium.radius;
-    let thickness = uniforms.frame.medium.thickness;
-    let line = line_past(dir, h, radius);
+    let f = uniforms.frame;
+    let m = f.medium;
+    let dir = normalize(pixel_ray(position.xy, f.size, f.ray_forward, f.ray_right, f.ray_up));
+    let line = line_past(dir, f.altitude, m.radius);
     if line.ground {
         if BLEND {
-            if uniforms.frame.low_resolution == 0u {
+            if f.reduced == 0u {
                 discard;
             }
             return vec4f(0.0, 0.0, 0.0, -1.0);
@@ -38,17 +35,17 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
         }
     }
     let size = vec2f(textureDimensions(sky_view_lut));
-    let share = zenith_share(line, dir.z, h, radius, thickness, uniforms.frame.limb);
-    let at = table_uv(azimuth_share(dir), sky_row(share, false, size.y, uniforms.tables.ground_rows), size);
+    let v = zenith_to_v(line, dir.z, f.altitude, m.radius, m.thickness, f.sky_view_mapping);
+    let row = v_to_row(v, false, size.y, uniforms.luts.ground_rows);
+    let uv = sky_view_uv(azimuth_to_u(dir), row, size);
     // Rays that miss the air fall on the last row, which is empty.
-    let texel = textureSampleLevel(sky_view_lut, linear, at, 0.0);
-    var light = fourth(texel.rgb);
+    let texel = textureSampleLevel(sky_view_lut, linear, uv, 0.0);
+    var light = decode_light(texel.rgb);
     if MIE_SINGLE {
-        light += fourth(textureSampleLevel(mie_single_lut, linear, at, 0.0).rgb)
-            * aerosol_phase(dir, uniforms.frame.sun, uniforms.frame.medium.mie_asymmetry);
+        light += decode_light(textureSampleLevel(mie_single_lut, linear, uv, 0.0).rgb)
+            * mie_phase_between(dir, f.sun, m.mie_asymmetry);
     }
-    light *= uniforms.frame.sky_weight;
-    light = min(light * uniforms.frame.medium.irradiance, vec3f(HALF_MAX));
+    light = min(light * f.sky_weight * m.irradiance, vec3f(HALF_MAX));
     if BLEND {
         return vec4f(light, 1.0 - texel.a);
     } else {

@@ -1,5 +1,5 @@
 // Scene-linear radiance to a display: exposure, one of three operators, sRGB encoding, dither.
-// Rust twin for the CPU renderer: src/passes/tone.rs; a test holds the two together.
+// Rust twin for the CPU renderer: src/frame/tone_map.rs; a test holds the two together.
 
 struct Tone {
     exposure: f32, // display units per unit of radiance
@@ -11,10 +11,9 @@ struct Tone {
 @group(0) @binding(0) var<uniform> tone: Tone;
 @group(0) @binding(1) var scene_color: texture_2d<f32>;
 
-// The curve; Khronos PBR Neutral where both are off.
-const ACES: bool = true;
-const AGX: bool = true;
-const DITHER: bool = true; // with the noise of one 8-bit step
+const ACES: bool = true;   // The curve is ACES.
+const AGX: bool = true;    // The curve is AgX where it is not ACES; off: Khronos PBR Neutral.
+const DITHER: bool = true; // With the noise of one 8-bit step.
 
 // Academy Color Encoding System: Stephen Hill's fit of RRT + sRGB ODT (BakingLab, 2016), sRGB primaries.
 fn aces(color: vec3f) -> vec3f {
@@ -51,7 +50,8 @@ fn agx(color: vec3f) -> vec3f {
     let x = (stops + 12.47393) / 16.499999;
     let x2 = x * x;
     let x4 = x2 * x2;
-    let y = 15.5 * x4 * x2 - 40.14 * x4 * x + 31.96 * x4 - 6.868 * x2 * x + 0.4298 * x2 + 0.1191 * x - 0.00232;
+    let y = 15.5 * x4 * x2 - 40.14 * x4 * x + 31.96 * x4
+        - 6.868 * x2 * x + 0.4298 * x2 + 0.1191 * x - 0.00232;
     return pow(max(outset * y, vec3f(0.0)), vec3f(2.2));
 }
 
@@ -70,16 +70,15 @@ fn neutral(color: vec3f) -> vec3f {
     return mix(shifted * (compressed / peak), vec3f(compressed), g);
 }
 
+// Display values (linear, 0 to 1 once clamped) of exposed radiance, by the chosen curve.
 fn tone_curve(color: vec3f) -> vec3f {
     if ACES {
         return aces(color);
-    } else {
-        if AGX {
-            return agx(color);
-        } else {
-            return neutral(color);
-        }
     }
+    if AGX {
+        return agx(color);
+    }
+    return neutral(color);
 }
 
 // IEC 61966-2-1. Of 1.055 c^(1/2.4) - 0.055 a fit by roots, off by 4.5e-5 (0.012 of an 8-bit step) at most:
@@ -92,10 +91,11 @@ fn srgb_encode(linear: vec3f) -> vec3f {
     return select(min(high, vec3f(1.0)), c * 12.92, c <= vec3f(0.0031308));
 }
 
-// Noise of one step of an 8-bit target, -1/2 to 1/2: rounding then gives a value's two neighbours in shares whose mean is
-// the value. It stays 1/512 short of both ends, so that exact black and white stay what they are. R2 sequence (Martin
-// Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018) along both axes in 32-bit fixed point,
-// folded to a triangle wave; the channels are a third of its period apart. Integers: the same on every device.
+// Noise of one step of an 8-bit target, -1/2 to 1/2: rounding then gives a value's two neighbours so often
+// that their mean is the value. It stays 1/512 short of both ends, so that exact black and white stay what
+// they are. R2 sequence (Martin Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018)
+// along both axes in 32-bit fixed point, folded to a triangle wave; the channels are a third of its period
+// apart. Integers: the same on every device.
 fn dither(pixel: vec2u) -> vec3f {
     let n = pixel.x * 0xc13fa9a9u + pixel.y * 0x91e10da5u; // 2^32 / p and 2^32 / p^2 with p^3 = p + 1
     let v = vec3u(n, n + 0x55555555u, n + 0xaaaaaaaau);
@@ -105,12 +105,12 @@ fn dither(pixel: vec2u) -> vec3f {
 
 @fragment
 fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
-    var at = vec2i(position.xy);
-    at.y = select(at.y, i32(textureDimensions(scene_color).y) - 1 - at.y, tone.flipped != 0u);
-    let color = textureLoad(scene_color, at, 0).rgb * tone.exposure;
+    var pixel = vec2i(position.xy);
+    pixel.y = select(pixel.y, i32(textureDimensions(scene_color).y) - 1 - pixel.y, tone.flipped != 0u);
+    let color = textureLoad(scene_color, pixel, 0).rgb * tone.exposure;
     let shown = srgb_encode(tone_curve(max(color, vec3f(0.0))));
     if DITHER {
-        return vec4f(shown + dither(vec2u(at)) / 255.0, 1.0);
+        return vec4f(shown + dither(vec2u(pixel)) / 255.0, 1.0);
     } else {
         return vec4f(shown, 1.0);
     }

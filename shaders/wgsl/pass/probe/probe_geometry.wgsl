@@ -1,51 +1,30 @@
-//#include single_scattering
-//#include open_sun
-// The library's pure functions, each on the inputs of one case and of nothing else: what tests and
-// `welkin stress` compare with f64. A case is a run of texels; its answers are a run of pixels.
-// Rust twin: `Case` in src/probe/mod.rs. Not part of any picture, and only built with the feature `probe`.
+//#include probe_case
+//#include geometry
+// Rays, spheres, altitudes and the planet's shadow, one case at a time.
 
-@group(0) @binding(1) var cases: texture_2d<f32>;
-
-const CASE_TEXELS: i32 = 13;
 const ANSWERS: i32 = 4;
-
-fn medium_of(first: vec2i) -> Medium {
-    let a = textureLoad(cases, first, 0);
-    let b = textureLoad(cases, first + vec2i(1, 0), 0);
-    let c = textureLoad(cases, first + vec2i(2, 0), 0);
-    let d = textureLoad(cases, first + vec2i(3, 0), 0);
-    let e = textureLoad(cases, first + vec2i(4, 0), 0);
-    let f = textureLoad(cases, first + vec2i(5, 0), 0);
-    return Medium(a.xyz, a.w, b.xyz, b.w, c.xyz, c.w, d.xyz, d.w, e.xyz, e.w, f.xyz, f.w);
-}
 
 @fragment
 fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let pixel = vec2i(position.xy);
-    let number = pixel.x / ANSWERS;
-    let answer = pixel.x - number * ANSWERS;
-    let first = vec2i(number * CASE_TEXELS, pixel.y);
-    let m = medium_of(first);
-    let view = textureLoad(cases, first + vec2i(6, 0), 0);   // direction, altitude
-    let light = textureLoad(cases, first + vec2i(7, 0), 0);  // sun, fraction
-    let path = textureLoad(cases, first + vec2i(8, 0), 0);   // x, b, distance, samples
-    let angle = textureLoad(cases, first + vec2i(9, 0), 0);  // 1 - cos, samples towards the sun, first, span of the sun's
-    let share = textureLoad(cases, first + vec2i(10, 0), 0); // azimuth, row, whether to the ground, direction of a node
-    let scale = textureLoad(cases, first + vec2i(11, 0), 0); // altitudes' steepness and growth, the sun's middle and width
-    let ray = air_ray(view.xyz, view.w, m.radius, m.thickness, light.xyz);
-    if answer == 0 {
-        return vec4f(ray.start, ray.length, ray.x, ray.b);
+    let c = case_of(pixel, ANSWERS);
+    let m = c.medium;
+    let ray = air_ray(c.view.xyz, c.view.w, m.radius, m.thickness, c.light.xyz);
+    switch pixel.x % ANSWERS {
+        case 0: { return vec4f(ray.start, ray.length, ray.excess, ray.r_mu); }
+        case 1: { return vec4f(ray.sun_r_mu, ray.nu, ray.sin2, f32(ray.ground)); }
+        case 2: {
+            let reach = max(ray.length, 0.0);
+            let shadow = clamp(shadow_stretch(ray), vec2f(0.0), vec2f(reach));
+            let hits = f32(hits_planet(c.view.xyz, c.view.w, m.radius));
+            let perigee = perigee_of(ray, reach, m.radius);
+            let t = c.light.w * reach - perigee.distance;
+            return vec4f(altitude_after(perigee.excess, perigee.r_mu, t, m.radius), hits, shadow);
+        }
+        default: {
+            let excess = excess_of(c.view.w, m.radius);
+            let to_top = distance_to_top(c.path.x, c.path.y, excess_of(m.thickness, m.radius));
+            return vec4f(excess, altitude_of(excess, m.radius), to_top, 0.0);
+        }
     }
-    if answer == 1 {
-        return vec4f(ray.sun_b, ray.nu, ray.cross2, f32(ray.ground));
-    }
-    if answer == 2 {
-        let reach = max(ray.length, 0.0);
-        let shadow = clamp(shadow_stretch(ray), vec2f(0.0), vec2f(reach));
-        let hits = f32(hits_planet(view.xyz, view.w, m.radius));
-        let low = lowest(ray, reach, m.radius);
-        return vec4f(altitude_after(low.x, low.b, light.w * reach - low.t, m.radius), hits, shadow);
-    }
-    let x = excess_of(view.w, m.radius);
-    return vec4f(x, altitude_of(x, m.radius), distance_to_top(path.x, path.y, excess_of(m.thickness, m.radius)), 0.0);
 }
