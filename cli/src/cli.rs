@@ -10,7 +10,7 @@ use crate::commands::render::{self, RenderArgs};
 
 /// Physically based skies, from the ground to orbit.
 #[derive(Debug, Parser)]
-#[command(name = "welkin", version, about, after_help = "Start with:  welkin render")]
+#[command(name = "welkin", version, after_help = "Start with:  welkin render")]
 #[command(arg_required_else_help = true, subcommand_required = true, disable_help_subcommand = false)]
 pub struct Cli {
     /// What to do.

@@ -67,16 +67,21 @@ impl Gpu {
         Ok(Self { device, renderer: PictureRenderer::default(), passed_over })
     }
 
-    /// Backend, adapter and timer, on one line; and what was passed over for it.
-    pub fn describe(&self) -> String {
-        let mut text = match &self.device {
+    /// Backend, adapter and timer, on one line.
+    pub fn adapter(&self) -> String {
+        match &self.device {
             Device::WebGpu(b) => b.info().to_string(),
             Device::WebGl2(h) => h.backend.info().to_string(),
             Device::Cpu => {
                 let threads = std::thread::available_parallelism().map_or(1, usize::from);
                 format!("cpu: f64 reference, single scattering, {threads} threads")
             }
-        };
+        }
+    }
+
+    /// Backend, adapter and timer, on one line; and what was passed over for it, with reasons.
+    pub fn describe(&self) -> String {
+        let mut text = self.adapter();
         for reason in &self.passed_over {
             text += &format!(" (not {reason})");
         }

@@ -143,7 +143,7 @@ fn contact_sheet(args: &RenderArgs) -> anyhow::Result<()> {
 
     let sheet = Sheet {
         title: format!("welkin {}", env!("CARGO_PKG_VERSION")),
-        subtitle: gpu.describe(),
+        subtitle: gpu.adapter(),
         panels,
         comparison_title: comparison.title(compared),
         comparison: comparison.panels,
@@ -190,7 +190,7 @@ struct Comparison {
 
 impl Comparison {
     /// The same request by every backend, each with its largest difference from the first; then that
-    /// difference between the first two, magnified. A backend that fails has no panel.
+    /// difference between two GPU backends, magnified. A backend that fails has no panel.
     fn draw(backends: &[BackendChoice], request: &RenderRequest, steps: &Progress) -> Self {
         let (mut panels, mut failed) = (Vec::new(), Vec::new());
         let mut drawn: Vec<(&str, Picture)> = Vec::new();
@@ -213,7 +213,9 @@ impl Comparison {
             panels.push(Panel { title: name.to_owned(), caption, picture: picture.clone() });
             drawn.push((name, picture));
         }
-        if let [(a, first), (b, second), ..] = &drawn[..] {
+        // The CPU's light is scattered once: what it differs by is no fault of a backend.
+        let on_gpu = |(name, _): &&(&str, Picture)| *name != BackendChoice::Cpu.name();
+        if let [(a, first), (b, second)] = &drawn.iter().filter(on_gpu).collect::<Vec<_>>()[..] {
             panels.push(Panel {
                 title: format!("{a} less {b}, × {}", sheet::MAGNIFY),
                 caption: "grey where they are the same".to_owned(),
@@ -245,4 +247,56 @@ fn report(
     }
     writeln!(stdout, "{path}: {width}×{height}, drawn by {} in {:.2} s", gpu.describe(), took.as_secs_f64())?;
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::Parser;
+
+    use super::*;
+
+    #[derive(Parser)]
+    struct Options {
+        #[command(flatten)]
+        render: RenderArgs,
+    }
+
+    /// The panels' titles, the heading, and how many backends failed.
+    fn compared(backends: &[BackendChoice], options: &[&str]) -> (Vec<String>, String, usize) {
+        let small = ["test", "--view", "summit", "--size", "8x6", "--samples", "500", "--no-terrain"];
+        let args = Options::parse_from(small.iter().chain(options)).render;
+        let request = args.request(args.scene_or_default().unwrap(), march_sky(&args));
+        let comparison = Comparison::draw(backends, &request, &Progress::new(backends.len()));
+        let heading = comparison.title(&views::DEFAULT);
+        assert!(comparison.panels.iter().all(|p| p.picture.width == 8 && p.picture.display.len() == 48));
+        (comparison.panels.into_iter().map(|p| p.title).collect(), heading, comparison.failed.len())
+    }
+
+    fn march_sky(args: &RenderArgs) -> SkySettings {
+        let mut cpu = Gpu::open(BackendChoice::Cpu).unwrap();
+        QualityChoice::new(args.quality.asked(), args.look.mode(), &mut cpu, [8, 6]).unwrap().sky
+    }
+
+    /// What is not drawn has no place on the sheet.
+    #[test]
+    fn one_view_is_drawn_by_what_is_there() {
+        use BackendChoice::{Cpu, WebGl2, WebGpu};
+        let (titles, heading, failed) = compared(&[WebGpu, WebGl2, Cpu], &[]);
+        assert_eq!((titles, failed), (vec!["webgpu".into(), "webgl2".into(), "cpu".into(), LESS.into()], 0));
+        assert!(heading.starts_with("One view by every backend: Ground, 100 m"), "{heading}");
+        // No magnified difference from the CPU, which is another method's.
+        for gpu in [WebGpu, WebGl2] {
+            let (titles, heading, _) = compared(&[gpu, Cpu], &[]);
+            assert_eq!(titles, [gpu.name(), "cpu"]);
+            assert!(heading.starts_with("One view by every backend"), "{heading}");
+        }
+        let (titles, heading, _) = compared(&[Cpu], &[]);
+        assert_eq!(titles, ["cpu"]);
+        assert!(heading.starts_with("One more view: "), "{heading}");
+        // More samples than llvmpipe takes: it fails, is told and left out.
+        let (titles, _, failed) = compared(&[WebGl2, Cpu], &["--light-samples", "256"]);
+        assert_eq!((titles.len() + failed, titles.last().unwrap().as_str()), (2, "cpu"));
+    }
+
+    const LESS: &str = "webgpu less webgl2, × 32";
 }

@@ -12,7 +12,7 @@ use crate::lab::stress::{self, StressArgs};
 
 /// How exact, how fast and how smooth welkin's skies are.
 #[derive(Debug, Parser)]
-#[command(name = "welkin-lab", version, about, after_help = "Start with:  welkin-lab stress")]
+#[command(name = "welkin-lab", version, after_help = "Start with:  welkin-lab stress")]
 #[command(arg_required_else_help = true, subcommand_required = true, disable_help_subcommand = false)]
 pub struct Cli {
     /// What to do.
