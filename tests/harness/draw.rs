@@ -139,13 +139,25 @@ pub fn background(
     size: [u32; 2],
     clear: [f32; 4],
 ) -> Vec<f32> {
-    let color = target(b, size);
     let mut sky = SkyRenderer::new(settings).unwrap();
+    let pixels = background_by(b, &mut sky, scene, size, clear);
+    sky.destroy(b);
+    pixels
+}
+
+/// The background alone over a colour, by a renderer that may have drawn others, in 32-bit floats.
+pub fn background_by(
+    b: &mut dyn Backend,
+    sky: &mut SkyRenderer,
+    scene: &Scene,
+    size: [u32; 2],
+    clear: [f32; 4],
+) -> Vec<f32> {
+    let color = target(b, size);
     let mut passes = vec![clear_pass(color, clear)];
-    passes.extend(background_passes(b, &mut sky, scene, Target::color(color)));
+    passes.extend(background_passes(b, sky, scene, Target::color(color)));
     b.run(&passes).unwrap();
     let pixels = b.read(color).unwrap();
-    sky.destroy(b);
     b.destroy_texture(color);
     pixels
 }
