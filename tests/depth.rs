@@ -4,7 +4,7 @@ use welkin::gpu::{Backend, Target};
 use welkin::{Composition, DepthConvention, LutSettings, Mode, Scene, SkyRenderer, SkySettings};
 
 use crate::harness::{
-    View, aerial_passes, assert_physical, frame_textures, free, luts, on_both, shell_passes,
+    View, aerial_passes, assert_physical, frame_textures, free, luts, march, on_both, shell_passes, sky,
 };
 
 const SIDE: u32 = 8;
@@ -40,15 +40,16 @@ fn every_depth_convention_gives_the_same_air_and_shell() {
     on_both(|b| {
         for settings in [
             composed(Composition::Full, luts(LutSettings::LOW)),
+            composed(Composition::Full, sky(march(24, 8))),
             composed(Composition::Planet, luts(LutSettings::LOW)),
             without_disk(Mode::Planet.settings()),
         ] {
-            let mut sky = SkyRenderer::new(settings).unwrap();
+            let mut renderer = SkyRenderer::new(settings).unwrap();
             let mut seen = Vec::new();
             for z in [50.0, 2e3, 40e3, f64::INFINITY] {
                 let results = conventions.map(|depth| {
                     let view = View { altitude: 20e3, pitch: -5.0, fov: 30.0, ..View::default() };
-                    before(b, &mut sky, &Scene { depth, ..view.scene() }, z)
+                    before(b, &mut renderer, &Scene { depth, ..view.scene() }, z)
                 });
                 for (depth, r) in conventions.iter().zip(&results) {
                     assert_physical(r, "a depth convention");
@@ -67,7 +68,7 @@ fn every_depth_convention_gives_the_same_air_and_shell() {
                 seen.push(results[0].clone());
             }
             assert!(seen.windows(2).all(|w| w[0] != w[1]), "the distance changes nothing: not a test");
-            sky.destroy(b);
+            renderer.destroy(b);
         }
     });
 }

@@ -13,7 +13,7 @@ use welkin::{Mode, PictureRenderer, PictureSettings, Scene, SkyRenderer, SkySett
 
 use crate::harness::world::BEHIND;
 use crate::harness::{
-    View, aerial_passes, assert_physical, background_passes, cleared, copy_pass, draw, earth, free, picture,
+    View, aerial_passes, assert_physical, background_passes, cleared, copy_pass, draw, earth, free,
     picture_passes, query, rgb, shell_passes, texture,
 };
 
@@ -40,16 +40,18 @@ fn tables_of_16_bits_hold_the_light() {
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
     let adapter = pollster::block_on(instance.request_adapter(&Default::default())).expect("a Vulkan driver");
     let (device, queue) = pollster::block_on(adapter.request_device(&Default::default())).unwrap();
-    let mut poor = WgpuBackend::from_device(device, queue, "no features").unwrap();
-    let mut rich = WgpuBackend::headless().unwrap();
+    let poor = WgpuBackend::from_device(device, queue, "no features").unwrap();
+    let rich = WgpuBackend::headless().unwrap();
     assert!(!poor.info().filters_f32 && rich.info().filters_f32, "{} {}", poor.info(), rich.info());
     let settings = PictureSettings { terrain: None, ..PictureSettings::default() };
+    let mut backends = [poor, rich].map(|backend| (backend, PictureRenderer::default()));
     let mut worst = 0.0_f32;
     for (altitude, pitch) in [(2.0, 10.0), (30e3, -4.0), (4e5, -18.0), (1e7, -90.0)] {
         for sun_elevation in [40.0, 2.0, -4.0] {
             let scene = View { altitude, pitch, sun_elevation, ..View::default() }.scene();
-            let draw = |backend: &mut WgpuBackend| picture(backend, &scene, &settings, [SIZE, SIZE]);
-            let [got, want] = [draw(&mut poor), draw(&mut rich)];
+            let [got, want] = backends
+                .each_mut()
+                .map(|(backend, renderer)| draw(backend, renderer, &scene, &settings, [SIZE, SIZE]));
             let brightest = want.chunks_exact(4).flat_map(|p| &p[..3]).fold(0.0_f32, |m, v| m.max(*v));
             for (got, want) in got.iter().zip(&want) {
                 worst = worst.max((got - want).abs() / want.max(1e-3 * brightest));

@@ -5,7 +5,7 @@ use welkin::{AtmosphereParams, Composition, LutSettings, PictureRenderer, Pictur
 
 use crate::embedding::scene;
 use crate::harness::world::World;
-use crate::harness::{TINY, View, background_passes, march, on_both, over_black, target};
+use crate::harness::{TINY, View, background_passes, everything, march, on_both, over_black, target};
 use crate::plan::tables;
 
 #[test]
@@ -30,7 +30,8 @@ fn tables_are_freed() {
         let after_few = b.live();
         assert!(after_few.textures > before.textures + 4 + 5);
         // A multiple of every period, so that the last frame is alike.
-        (100..1300).for_each(|i| frame(b, i));
+        let frames = if everything() { 1200 } else { 600 };
+        (100..100 + frames).for_each(|i| frame(b, i));
         assert_eq!(b.live(), after_few);
         renderer.destroy(b);
         let left = b.live();

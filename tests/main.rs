@@ -1,10 +1,10 @@
 //! Every integration test of the library, in one binary: a module a subject, and [`harness`] for what they
 //! share.
 //!
-//! One process links the drivers once and solves the reference once for each medium. Tests run in threads,
-//! each with its own devices and contexts; what a test counts (live objects, allocations) belongs to its
-//! device or its thread. The long checks are in [`long`]: `cargo test --test all -- --skip long::` leaves
-//! them out.
+//! One process links the drivers once and solves the reference once for each medium. Tests run in threads, each
+//! with its own devices and contexts; what a test counts (live objects, allocations) belongs to its device or its
+//! thread. The harness runs tests in the order of their names: what takes long is in [`thorough`], nearly last, and
+//! `cargo test --test all -- --skip thorough::` leaves it out.
 #![allow(clippy::needless_range_loop)] // Loops over the three channels index several arrays.
 
 #[cfg(not(all(
@@ -18,29 +18,21 @@ compile_error!(
     "the integration tests need every feature: run `cargo test` at the root, or give --all-features"
 );
 
-mod accuracy;
-mod continuity;
 mod depth;
 mod device_loss;
 mod eclipse;
 mod embedding;
-mod energy;
 mod frame;
 mod half_floats;
-mod hard_media;
 mod harness;
 mod layers;
 mod lifetime;
 mod lighting;
 mod plan;
-mod probe;
 mod properties;
-mod quality;
-mod random_frames;
-mod reference_data;
-mod reference_physics;
 mod rejects;
 mod shaders;
 mod sky;
 mod staleness;
+mod thorough;
 mod tone_map;

@@ -145,7 +145,7 @@ fn flight(method: Quality) -> Vec<Case> {
 #[test]
 fn a_flight_changes_by_no_more_than_the_bound() {
     for method in [march(32, 8), tables()] {
-        let seen = check(method.name(), &flight(method));
+        let seen = check(method.method(), &flight(method));
         assert!(seen.keys().any(|off| off.contains("sunlight")), "no night in {seen:?}");
         assert!(
             seen.keys().any(|off| off.contains("background sky")),
@@ -470,7 +470,7 @@ fn pipelines_are_made_ahead() {
                 renderer.draw(b, scene, &settings, SIZE).unwrap();
             }
             let after = b.live();
-            println!("{} {}: {steps} steps, {} programs", b.info().backend, method.name(), ready.programs);
+            println!("{} {}: {steps} steps, {} programs", b.info().backend, method.method(), ready.programs);
             assert_eq!((after.programs, after.pipelines), (ready.programs, ready.pipelines));
             renderer.destroy(b);
         });

@@ -4,12 +4,12 @@ use glam::{DQuat, DVec2, DVec3};
 use welkin::gpu::{Backend, Format, Pass, RowOrder, Target, TextureDesc};
 use welkin::reference::single::{Sun, Tolerance, single_scattering, transmittance};
 use welkin::frame::background_weight;
-use welkin::{AtmosphereParams, Bound, Composition, DepthConvention, LutSettings, Quality, MiePhase, PictureRenderer, PictureSettings, Scene, SkyRenderer, SkySettings};
+use welkin::{AtmosphereParams, Bound, Composition, LutSettings, Quality, MiePhase, PictureRenderer, PictureSettings, Scene, SkyRenderer, SkySettings};
 
 use crate::harness::{
-    View, aerial_passes, airless, assert_physical, background, background_passes, cleared, copy_pass,
-    draw_both, frame_textures, free, march, mean, on_both, over_black, picture, picture_passes, query, rays,
-    rgb, texture,
+    View, aerial_passes, airless, assert_physical, background, background_by, background_passes, cleared,
+    copy_pass, draw, draw_both, frame_textures, free, march, mean, on_both, over_black, picture,
+    picture_passes, query, rays, rgb, texture,
 };
 
 const FINE: SkySettings = SkySettings {
@@ -111,8 +111,9 @@ fn radiance_is_the_references() {
 #[test]
 fn looks_are_those_of_the_documents() {
     on_each(|b, settings| {
+        let mut renderer = PictureRenderer::default();
         let mut see = |view: View| {
-            let p = whole_sky(b, &view.scene(), settings, [16, 16]);
+            let p = draw(b, &mut renderer, &view.scene(), &over_black(settings), [16, 16]);
             assert_physical(&p, "look");
             mean(&p)
         };
@@ -153,6 +154,7 @@ fn looks_are_those_of_the_documents() {
         let glow = see(View { pitch: 3.0, sun_elevation: 3.0, ..mars });
         assert!(day[0] > 1.2 * day[2], "{day:?}");
         assert!(glow[2] > glow[0], "{glow:?}");
+        renderer.destroy(b);
     });
 }
 
@@ -293,62 +295,19 @@ fn air_dims_the_scene_and_adds_light_as_the_reference_does() {
 }
 
 #[test]
-fn every_depth_convention_gives_the_same_air() {
-    on_each(|b, settings| {
-        let conventions = [
-            DepthConvention::ReversedInfinite { near: 0.1 },
-            DepthConvention::ZeroToOne { near: 10.0, far: 1e6 },
-            DepthConvention::Reversed { near: 0.1, far: 1e7 },
-            DepthConvention::NegativeOneToOne { near: 10.0, far: 1e6 },
-            DepthConvention::Logarithmic { far: 1e9 },
-        ];
-        for z in [50.0, 2e3, 40e3, f64::INFINITY] {
-            let results: Vec<_> = conventions
-                .iter()
-                .map(|&depth| {
-                    let scene = Scene {
-                        depth,
-                        ..View { altitude: 20e3, pitch: -5.0, fov: 30.0, ..View::default() }.scene()
-                    };
-                    air_before(b, settings, &scene, z, 0.5)
-                })
-                .collect();
-            for (depth, r) in conventions.iter().zip(&results) {
-                let worst = r
-                    .iter()
-                    .zip(&results[0])
-                    .map(|(a, b)| (a - b).abs() / b.abs().max(1e-3))
-                    .fold(0.0, f32::max);
-                // A forward 32-bit depth with near 10 m resolves 40 km to 1 %; the others to 1e-5.
-                let forward = matches!(
-                    depth,
-                    DepthConvention::ZeroToOne { .. } | DepthConvention::NegativeOneToOne { .. }
-                );
-                assert!(worst < if forward { 1e-2 } else { 1e-4 }, "{depth:?} at {z} m: {worst}");
-            }
-        }
-        // A plane a metre away and one at the background are not the same, or nothing was tested.
-        let scene = View { altitude: 20e3, ..View::default() }.scene();
-        assert_ne!(
-            air_before(b, settings, &scene, 1e4, 0.0),
-            air_before(b, settings, &scene, f64::INFINITY, 0.0)
-        );
-    });
-}
-
-#[test]
 fn hand_over_keeps_the_sum() {
     assert_eq!(
         (background_weight(-5.0), background_weight(15e3), background_weight(50e3), background_weight(1e9)),
         (1.0, 1.0, 0.0, 0.0)
     );
     on_each(|b, settings| {
+        let (mut whole, mut behind) = (PictureRenderer::default(), SkyRenderer::new(settings).unwrap());
         let mut last: Option<[f64; 3]> = None;
         for altitude in [14_999.0, 15_001.0, 24e3, 32.5e3, 41e3, 49_999.0, 50_001.0] {
             let scene = View { altitude, pitch: -2.0, fov: 3.0, ..View::default() }.scene();
-            let total = mean(&whole_sky(b, &scene, settings, [8, 8]));
+            let total = mean(&draw(b, &mut whole, &scene, &over_black(settings), [8, 8]));
             // The two passes alone: their weights add up to one.
-            let first = mean(&background(b, &scene, settings, [8, 8], [0.0; 4]));
+            let first = mean(&background_by(b, &mut behind, &scene, [8, 8], [0.0; 4]));
             let weight = background_weight(altitude);
             assert!(
                 (first[1] - weight * total[1]).abs() < 2e-3 * total[1],
@@ -362,19 +321,22 @@ fn hand_over_keeps_the_sum() {
             }
             last = Some(total);
         }
+        whole.destroy(b);
+        behind.destroy(b);
     });
 }
 
 #[test]
 fn half_resolution_looks_like_full_resolution() {
     on_each(|b, full| {
+        let half = SkySettings { render_scale: 0.5, ..full };
+        let mut renderers = [full, half].map(|settings| SkyRenderer::new(settings).unwrap());
         for size in [[64, 48], [65, 47], [7, 5]] {
             let scene =
                 View { pitch: 5.0, aspect: f64::from(size[0]) / f64::from(size[1]), ..View::default() }
                     .scene();
-            let half = SkySettings { render_scale: 0.5, ..full };
             let clear = [0.0, 0.0, 0.0, 1.0];
-            let (f, h) = (background(b, &scene, full, size, clear), background(b, &scene, half, size, clear));
+            let [f, h] = renderers.each_mut().map(|sky| background_by(b, sky, &scene, size, clear));
             assert_physical(&h, "half resolution");
             for (i, (a, c)) in f.chunks_exact(4).zip(h.chunks_exact(4)).enumerate() {
                 assert_eq!(
@@ -389,6 +351,7 @@ fn half_resolution_looks_like_full_resolution() {
             let (a, c) = (mean(&f), mean(&h));
             assert!((0..3).all(|k| (a[k] / c[k] - 1.0).abs() < 0.03), "{size:?}: {a:?} {c:?}");
         }
+        renderers.iter_mut().for_each(|sky| sky.destroy(b));
     });
 }
 
@@ -416,7 +379,8 @@ fn moving_and_turning_the_world_changes_nothing() {
     on_each(|b, settings| {
         let settings = with_disk(true, settings);
         let base = View { altitude: 500.0, pitch: 10.0, sun_elevation: 5.0, ..View::default() }.scene();
-        let want = whole_sky(b, &base, settings, [12, 12]);
+        let mut renderer = PictureRenderer::default();
+        let want = draw(b, &mut renderer, &base, &over_black(settings), [12, 12]);
         for center in [DVec3::ZERO, DVec3::splat(1e9), DVec3::new(0.0, -1e12, 1e12)] {
             let turn = DQuat::from_euler(glam::EulerRot::XYZ, 0.3, 1.1, -2.0);
             let mut scene = base.clone();
@@ -425,11 +389,12 @@ fn moving_and_turning_the_world_changes_nothing() {
             scene.camera.forward = turn * base.camera.forward;
             scene.camera.up = turn * base.camera.up;
             scene.sun_direction = turn * base.sun_direction * 3.0;
-            let got = whole_sky(b, &scene, settings, [12, 12]);
+            let got = draw(b, &mut renderer, &scene, &over_black(settings), [12, 12]);
             // At 1e12 m an f64 metre has 1e-4 m left.
             let worst = got.iter().zip(&want).map(|(a, b)| (a - b).abs() / b.max(1e-2)).fold(0.0, f32::max);
             assert!(worst < 1e-4, "{center}: {worst}");
         }
+        renderer.destroy(b);
     });
 }
 

@@ -2,10 +2,7 @@
 
 use welkin::gpu::{Backend, Format, Inputs, Pass, Program, Target, TextureDesc, TextureId};
 use welkin::shaders::copy;
-use welkin::{
-    AerialTargets, Composition, FrameTargets, Look, LutSettings, PictureRenderer, PictureSettings, Quality,
-    Scene, SkyRenderer, SkySettings,
-};
+use welkin::{AerialTargets, Composition, FrameTargets, Look, LutSettings, PictureRenderer, PictureSettings, Quality, Scene, SkyRenderer, SkySettings};
 
 /// Small LUTs, for what does not depend on how exact they are.
 pub const TINY: LutSettings = LutSettings {
@@ -162,13 +159,25 @@ pub fn background(
     size: [u32; 2],
     clear: [f32; 4],
 ) -> Vec<f32> {
-    let color = target(b, size);
     let mut sky = SkyRenderer::new(settings).unwrap();
+    let pixels = background_by(b, &mut sky, scene, size, clear);
+    sky.destroy(b);
+    pixels
+}
+
+/// The background alone over a colour, by a renderer that may have drawn others, in 32-bit floats.
+pub fn background_by(
+    b: &mut dyn Backend,
+    sky: &mut SkyRenderer,
+    scene: &Scene,
+    size: [u32; 2],
+    clear: [f32; 4],
+) -> Vec<f32> {
+    let color = target(b, size);
     let mut passes = vec![clear_pass(color, clear)];
-    passes.extend(background_passes(b, &mut sky, scene, Target::color(color)));
+    passes.extend(background_passes(b, sky, scene, Target::color(color)));
     b.run(&passes).unwrap();
     let pixels = b.read(color).unwrap();
-    sky.destroy(b);
     b.destroy_texture(color);
     pixels
 }

@@ -27,6 +27,21 @@ pub fn on_both(mut body: impl FnMut(&mut dyn Backend)) {
     body(&mut webgl2.backend);
 }
 
+/// Whether to try all that there is and not a sample of each kind: `scripts/test --all` sets `WELKIN_ALL`.
+pub fn everything() -> bool {
+    std::env::var_os("WELKIN_ALL").is_some()
+}
+
+/// All things, if [`everything`] is to be tried; or else the first and the last of each name.
+pub fn sample<T>(all: Vec<T>, name: impl Fn(&T) -> &'static str) -> Vec<T> {
+    if everything() {
+        return all;
+    }
+    let names: Vec<_> = all.iter().map(name).collect();
+    let at_an_end = |i: usize| !names[..i].contains(&names[i]) || !names[i + 1..].contains(&names[i]);
+    all.into_iter().enumerate().filter(|(i, _)| at_an_end(*i)).map(|(_, thing)| thing).collect()
+}
+
 /// How many cases or scenes to try: what an environment variable says, or else the usual number.
 pub fn asked_for(variable: &str, usual: usize) -> usize {
     let Ok(text) = std::env::var(variable) else { return usual };
