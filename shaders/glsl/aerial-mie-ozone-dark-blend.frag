@@ -120,75 +120,75 @@ float shadow_half2_(float s_cross2_, float s_shadow_b, float s_shadow_c, float s
     return _e14;
 }
 
-void sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_3, float radius_5) {
-    float s_sun_b = 0.0;
-    float s_nu = 0.0;
-    float s_cross2_1 = 0.0;
-    float s_shadow_b_1 = 0.0;
-    float s_shadow_c_1 = 0.0;
-    s_nu = dot(dir, sun);
-    float _e8 = s_nu;
-    vec3 side = cross((dir - (((_e8 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s_cross2_1 = dot(side, side);
-    s_sun_b = (r_1 * sun.z);
-    s_shadow_b_1 = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+void sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_3, float radius_5, inout float out_sun_b, inout float out_nu, inout float out_cross2_, inout float out_shadow_b, inout float out_shadow_c) {
+    out_sun_b = 0.0;
+    out_nu = 0.0;
+    out_cross2_ = 0.0;
+    out_shadow_b = 0.0;
+    out_shadow_c = 0.0;
+    out_nu = dot(dir, sun);
+    float _e18 = out_nu;
+    vec3 side = cross((dir - (((_e18 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    out_cross2_ = dot(side, side);
+    out_sun_b = (r_1 * sun.z);
+    out_shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
     float q = (r_1 * length(sun.xy));
-    float _e32 = s_sun_b;
-    float _e36 = half_chord2_(_e32, x_3, (radius_5 - q), q);
-    s_shadow_c_1 = -(_e36);
-    float _e38 = s_cross2_1;
-    float _e39 = s_shadow_b_1;
-    float _e40 = s_shadow_c_1;
-    float _e42 = shadow_half2_(_e38, _e39, _e40, side.z, r_1, radius_5);
+    float _e42 = out_sun_b;
+    float _e46 = half_chord2_(_e42, x_3, (radius_5 - q), q);
+    out_shadow_c = -(_e46);
+    float _e48 = out_cross2_;
+    float _e49 = out_shadow_b;
+    float _e50 = out_shadow_c;
+    float _e52 = shadow_half2_(_e48, _e49, _e50, side.z, r_1, radius_5);
 }
 
-void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start_1, float half_, float x_top_1, float radius_6) {
-    float s_sun_b_1 = 0.0;
-    float s_nu_1 = 0.0;
-    float s_cross2_2 = 0.0;
-    float s_shadow_b_2 = 0.0;
-    float s_shadow_c_2 = 0.0;
-    s_nu_1 = dot(dir_1, sun_1);
-    float _e8 = s_nu_1;
-    float same = ((_e8 >= 0.0) ? 1.0 : -1.0);
+void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start_1, float half_, float x_top_1, float radius_6, inout float out_sun_b_1, inout float out_nu_1, inout float out_cross2_1, inout float out_shadow_b_1, inout float out_shadow_c_1) {
+    out_sun_b_1 = 0.0;
+    out_nu_1 = 0.0;
+    out_cross2_1 = 0.0;
+    out_shadow_b_1 = 0.0;
+    out_shadow_c_1 = 0.0;
+    out_nu_1 = dot(dir_1, sun_1);
+    float _e18 = out_nu_1;
+    float same = ((_e18 >= 0.0) ? 1.0 : -1.0);
     vec3 apart = (dir_1 - (same * sun_1));
     vec3 side_1 = cross(apart, sun_1);
-    s_cross2_2 = dot(side_1, side_1);
+    out_cross2_1 = dot(side_1, side_1);
     vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
     float there = (-(same) * dot(closest, apart));
     float here = (r_2 * sun_1.z);
-    float _e34 = s_nu_1;
-    float _e40 = s_nu_1;
-    bool nearer = ((abs(here) + (start_1 * abs(_e34))) < (abs(there) + (half_ * abs(_e40))));
-    float _e46 = s_nu_1;
-    float _e49 = s_nu_1;
-    s_sun_b_1 = (nearer ? (here + (start_1 * _e49)) : (there - (half_ * _e46)));
+    float _e44 = out_nu_1;
+    float _e50 = out_nu_1;
+    bool nearer = ((abs(here) + (start_1 * abs(_e44))) < (abs(there) + (half_ * abs(_e50))));
+    float _e56 = out_nu_1;
+    float _e59 = out_nu_1;
+    out_sun_b_1 = (nearer ? (here + (start_1 * _e59)) : (there - (half_ * _e56)));
     vec3 closest_side = cross(closest, sun_1);
-    float _e55 = s_cross2_2;
-    s_shadow_b_2 = (dot(closest_side, side_1) - (half_ * _e55));
+    float _e65 = out_cross2_1;
+    out_shadow_b_1 = (dot(closest_side, side_1) - (half_ * _e65));
     float q_1 = length((closest_side - (half_ * side_1)));
-    float _e61 = s_sun_b_1;
-    float _e65 = half_chord2_(_e61, x_top_1, (radius_6 - q_1), q_1);
-    s_shadow_c_2 = -(_e65);
-    float _e67 = s_cross2_2;
-    float _e68 = s_shadow_b_2;
-    float _e69 = s_shadow_c_2;
-    float _e71 = shadow_half2_(_e67, _e68, _e69, side_1.z, r_2, radius_6);
+    float _e71 = out_sun_b_1;
+    float _e75 = half_chord2_(_e71, x_top_1, (radius_6 - q_1), q_1);
+    out_shadow_c_1 = -(_e75);
+    float _e77 = out_cross2_1;
+    float _e78 = out_shadow_b_1;
+    float _e79 = out_shadow_c_1;
+    float _e81 = shadow_half2_(_e77, _e78, _e79, side_1.z, r_2, radius_6);
 }
 
 void line_past(vec3 dir_2, float h_1, float radius_7, inout float out_b, inout float out_x_closest, inout bool out_ground) {
-    bool unnamed_1 = false;
+    bool local_1 = false;
     float r_3 = (radius_7 + h_1);
     float b_5 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
     float _e14 = excess_of(h_1, radius_7);
     float _e16 = half_chord2_(b_5, _e14, (radius_7 - p_2), p_2);
     if ((b_5 < 0.0)) {
-        unnamed_1 = (_e16 >= 0.0);
+        local_1 = (_e16 >= 0.0);
     } else {
-        unnamed_1 = false;
+        local_1 = false;
     }
-    bool _e25 = unnamed_1;
+    bool _e25 = local_1;
     out_b = b_5;
     out_x_closest = -(_e16);
     out_ground = _e25;
@@ -206,7 +206,7 @@ float to_ground(float x_4, float b_4, float root) {
 }
 
 void air_path(float line_b_1, float line_x_closest_1, bool line_ground, float h_3, float radius_9, float thickness_1, inout float out_start, inout float out_length, inout float out_x, inout float out_b_1) {
-    bool unnamed_2 = false;
+    bool local_2 = false;
     float _e6 = excess_of(thickness_1, radius_9);
     float ground_root = sqrt(max(-(line_x_closest_1), 0.0));
     if ((h_3 <= thickness_1)) {
@@ -223,11 +223,11 @@ void air_path(float line_b_1, float line_x_closest_1, bool line_ground, float h_
     float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_9) + thickness_1) + h_3));
     float _e27 = top_half_chord2_(line_b_1, line_x_closest_1, h_3, radius_9, thickness_1);
     if (!((line_b_1 >= 0.0))) {
-        unnamed_2 = (_e27 <= 0.0);
+        local_2 = (_e27 <= 0.0);
     } else {
-        unnamed_2 = true;
+        local_2 = true;
     }
-    bool _e36 = unnamed_2;
+    bool _e36 = local_2;
     if (_e36) {
         out_start = 0.0;
         out_length = -1.0;
@@ -244,7 +244,12 @@ void air_path(float line_b_1, float line_x_closest_1, bool line_ground, float h_
 }
 
 void air_ray(vec3 dir_3, float h_4, float radius_10, float thickness_2, vec3 sun_2, inout float out_start_1, inout float out_length_1, inout float out_x_1, inout float out_b_2, inout float out_x_closest_1, inout bool out_ground_1) {
-    bool unnamed_3 = false;
+    float s_sun_b = 0.0;
+    float s_nu = 0.0;
+    float s_cross2_1 = 0.0;
+    float s_shadow_b_1 = 0.0;
+    float s_shadow_c_1 = 0.0;
+    bool local_3 = false;
     float line_b_2 = 0.0;
     float line_x_closest_2 = 0.0;
     bool line_ground_1 = false;
@@ -262,19 +267,19 @@ void air_ray(vec3 dir_3, float h_4, float radius_10, float thickness_2, vec3 sun
     float _e22 = path_x;
     float _e23 = path_b;
     if ((h_4 <= thickness_2)) {
-        sun_side_inside(dir_3, sun_2, (radius_10 + h_4), _e22, radius_10);
+        sun_side_inside(dir_3, sun_2, (radius_10 + h_4), _e22, radius_10, s_sun_b, s_nu, s_cross2_1, s_shadow_b_1, s_shadow_c_1);
     } else {
         if ((_e21 > 0.0)) {
-            sun_side_outside(dir_3, sun_2, (radius_10 + h_4), _e20, -(_e23), _e22, radius_10);
+            sun_side_outside(dir_3, sun_2, (radius_10 + h_4), _e20, -(_e23), _e22, radius_10, s_sun_b, s_nu, s_cross2_1, s_shadow_b_1, s_shadow_c_1);
         } else {
         }
     }
     if (_e14) {
-        unnamed_3 = (_e21 >= 0.0);
+        local_3 = (_e21 >= 0.0);
     } else {
-        unnamed_3 = false;
+        local_3 = false;
     }
-    bool ground_1 = unnamed_3;
+    bool ground_1 = local_3;
     out_start_1 = _e20;
     out_length_1 = _e21;
     out_x_1 = _e22;
@@ -284,7 +289,7 @@ void air_ray(vec3 dir_3, float h_4, float radius_10, float thickness_2, vec3 sun
 }
 
 void lowest(float ray_length_2, float ray_x_1, float ray_b_1, float ray_x_closest_1, bool ray_ground_1, float length_1, float radius_11, inout float out_t, inout float out_x_2, inout float out_b_3) {
-    bool unnamed_4 = false;
+    bool local_4 = false;
     if ((ray_b_1 >= 0.0)) {
         out_t = 0.0;
         out_x_2 = ray_x_1;
@@ -299,11 +304,11 @@ void lowest(float ray_length_2, float ray_x_1, float ray_b_1, float ray_x_closes
     }
     float b_6 = (ray_b_1 + length_1);
     if (ray_ground_1) {
-        unnamed_4 = (length_1 >= ray_length_2);
+        local_4 = (length_1 >= ray_length_2);
     } else {
-        unnamed_4 = false;
+        local_4 = false;
     }
-    bool _e21 = unnamed_4;
+    bool _e21 = local_4;
     if (_e21) {
         out_t = length_1;
         out_x_2 = 0.0;
@@ -347,55 +352,51 @@ float warp(float low, float u) {
 }
 
 void single_scattering(vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, float m_mie_inv_height_1, vec3 m_mie_extinction_1, float m_ozone_center_1, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float ray_length_3, float ray_x_2, float ray_b_2, float ray_x_closest_2, bool ray_ground_2, float length_2, float away, uint view_samples, uint light_samples, inout vec3 out_radiance, inout vec3 out_transmittance) {
-    vec3 out_radiance_1 = vec3(0.0);
-    vec3 out_transmittance_1 = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
     float lowest_t = 0.0;
     float lowest_x = 0.0;
     float lowest_b = 0.0;
-    out_radiance_1 = vec3(0.0);
-    out_transmittance_1 = vec3(1.0);
-    vec4 _e18 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
-    mat3x3 _e19 = coefficients_of(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
+    out_radiance = vec3(0.0);
+    out_transmittance = vec3(0.0);
+    out_radiance = vec3(0.0);
+    out_transmittance = vec3(1.0);
+    vec4 _e20 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
+    mat3x3 _e21 = coefficients_of(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
     lowest(ray_length_3, ray_x_2, ray_b_2, ray_x_closest_2, ray_ground_2, length_2, m_radius, lowest_t, lowest_x, lowest_b);
     float low_1 = lowest_t;
-    float _e30 = lowest_x;
-    float _e31 = lowest_b;
+    float _e32 = lowest_x;
+    float _e33 = lowest_b;
     float u0_ = -(sqrt(low_1));
     float du = ((sqrt((length_2 - low_1)) - u0_) / float(view_samples));
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e65 = i;
-            i = (_e65 + 1u);
+            uint _e67 = i;
+            i = (_e67 + 1u);
         }
         loop_init = false;
-        uint _e41 = i;
-        if ((_e41 < view_samples)) {
+        uint _e43 = i;
+        if ((_e43 < view_samples)) {
         } else {
             break;
         }
         {
-            uint _e43 = i;
-            float u_1 = (u0_ + (du * float(_e43)));
-            float _e48 = warp(low_1, (u_1 + du));
-            float _e50 = t0_;
-            float step_ = (_e48 - _e50);
-            float _e55 = warp(low_1, (u_1 + (0.5 * du)));
-            float _e57 = altitude_after(_e30, _e31, (_e55 - low_1), m_radius);
-            vec3 _e58 = densities(_e18, _e57);
-            vec3 _e59 = extinction(_e19, _e58);
-            vec3 tau = (_e59 * step_);
-            vec3 _e61 = out_transmittance_1;
-            out_transmittance_1 = (_e61 * exp(-(tau)));
-            t0_ = _e48;
+            uint _e45 = i;
+            float u_1 = (u0_ + (du * float(_e45)));
+            float _e50 = warp(low_1, (u_1 + du));
+            float _e52 = t0_;
+            float step_ = (_e50 - _e52);
+            float _e57 = warp(low_1, (u_1 + (0.5 * du)));
+            float _e59 = altitude_after(_e32, _e33, (_e57 - low_1), m_radius);
+            vec3 _e60 = densities(_e20, _e59);
+            vec3 _e61 = extinction(_e21, _e60);
+            vec3 tau = (_e61 * step_);
+            vec3 _e63 = out_transmittance;
+            out_transmittance = (_e63 * exp(-(tau)));
+            t0_ = _e50;
         }
     }
-    vec3 _e68 = out_radiance_1;
-    vec3 _e69 = out_transmittance_1;
-    out_radiance = _e68;
-    out_transmittance = _e69;
 }
 
 void main() {
@@ -403,7 +404,7 @@ void main() {
     float end = 0.0;
     float weight = 1.0;
     bool dims = true;
-    bool unnamed = false;
+    bool local = false;
     float ray_start = 0.0;
     float ray_length = 0.0;
     float ray_x = 0.0;
@@ -462,11 +463,11 @@ void main() {
     float _e95 = end;
     if (!((_e95 <= 0.0))) {
         float _e99 = weight;
-        unnamed = (_e99 <= 0.0);
+        local = (_e99 <= 0.0);
     } else {
-        unnamed = true;
+        local = true;
     }
-    bool _e105 = unnamed;
+    bool _e105 = local;
     if (_e105) {
         _fs2p_location0 = behind;
         return;

@@ -123,102 +123,78 @@ float shadow_half2_(float s_cross2_, float s_shadow_b, float s_shadow_c, float s
 }
 
 void sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_3, float radius_5, inout float out_sun_b, inout float out_nu, inout float out_cross2_, inout float out_shadow_b, inout float out_shadow_c, inout float out_shadow_half2_) {
-    float s_sun_b = 0.0;
-    float s_nu = 0.0;
-    float s_cross2_1 = 0.0;
-    float s_shadow_b_1 = 0.0;
-    float s_shadow_c_1 = 0.0;
-    float s_shadow_half2_ = 0.0;
-    s_nu = dot(dir, sun);
-    float _e15 = s_nu;
-    vec3 side = cross((dir - (((_e15 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s_cross2_1 = dot(side, side);
-    s_sun_b = (r_1 * sun.z);
-    s_shadow_b_1 = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+    out_sun_b = 0.0;
+    out_nu = 0.0;
+    out_cross2_ = 0.0;
+    out_shadow_b = 0.0;
+    out_shadow_c = 0.0;
+    out_shadow_half2_ = 0.0;
+    out_nu = dot(dir, sun);
+    float _e21 = out_nu;
+    vec3 side = cross((dir - (((_e21 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    out_cross2_ = dot(side, side);
+    out_sun_b = (r_1 * sun.z);
+    out_shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
     float q = (r_1 * length(sun.xy));
-    float _e39 = s_sun_b;
-    float _e43 = half_chord2_(_e39, x_3, (radius_5 - q), q);
-    s_shadow_c_1 = -(_e43);
-    float _e45 = s_cross2_1;
-    float _e46 = s_shadow_b_1;
-    float _e47 = s_shadow_c_1;
-    float _e49 = shadow_half2_(_e45, _e46, _e47, side.z, r_1, radius_5);
-    s_shadow_half2_ = _e49;
-    float _e50 = s_sun_b;
-    float _e51 = s_nu;
-    float _e52 = s_cross2_1;
-    float _e53 = s_shadow_b_1;
-    float _e54 = s_shadow_c_1;
-    float _e55 = s_shadow_half2_;
-    out_sun_b = _e50;
-    out_nu = _e51;
-    out_cross2_ = _e52;
-    out_shadow_b = _e53;
-    out_shadow_c = _e54;
+    float _e45 = out_sun_b;
+    float _e49 = half_chord2_(_e45, x_3, (radius_5 - q), q);
+    out_shadow_c = -(_e49);
+    float _e51 = out_cross2_;
+    float _e52 = out_shadow_b;
+    float _e53 = out_shadow_c;
+    float _e55 = shadow_half2_(_e51, _e52, _e53, side.z, r_1, radius_5);
     out_shadow_half2_ = _e55;
 }
 
 void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start_1, float half_, float x_top_1, float radius_6, inout float out_sun_b_1, inout float out_nu_1, inout float out_cross2_1, inout float out_shadow_b_1, inout float out_shadow_c_1, inout float out_shadow_half2_1) {
-    float s_sun_b_1 = 0.0;
-    float s_nu_1 = 0.0;
-    float s_cross2_2 = 0.0;
-    float s_shadow_b_2 = 0.0;
-    float s_shadow_c_2 = 0.0;
-    float s_shadow_half2_1 = 0.0;
-    s_nu_1 = dot(dir_1, sun_1);
-    float _e15 = s_nu_1;
-    float same = ((_e15 >= 0.0) ? 1.0 : -1.0);
+    out_sun_b_1 = 0.0;
+    out_nu_1 = 0.0;
+    out_cross2_1 = 0.0;
+    out_shadow_b_1 = 0.0;
+    out_shadow_c_1 = 0.0;
+    out_shadow_half2_1 = 0.0;
+    out_nu_1 = dot(dir_1, sun_1);
+    float _e21 = out_nu_1;
+    float same = ((_e21 >= 0.0) ? 1.0 : -1.0);
     vec3 apart = (dir_1 - (same * sun_1));
     vec3 side_1 = cross(apart, sun_1);
-    s_cross2_2 = dot(side_1, side_1);
+    out_cross2_1 = dot(side_1, side_1);
     vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
     float there = (-(same) * dot(closest, apart));
     float here = (r_2 * sun_1.z);
-    float _e41 = s_nu_1;
-    float _e47 = s_nu_1;
-    bool nearer = ((abs(here) + (start_1 * abs(_e41))) < (abs(there) + (half_ * abs(_e47))));
-    float _e53 = s_nu_1;
-    float _e56 = s_nu_1;
-    s_sun_b_1 = (nearer ? (here + (start_1 * _e56)) : (there - (half_ * _e53)));
+    float _e47 = out_nu_1;
+    float _e53 = out_nu_1;
+    bool nearer = ((abs(here) + (start_1 * abs(_e47))) < (abs(there) + (half_ * abs(_e53))));
+    float _e59 = out_nu_1;
+    float _e62 = out_nu_1;
+    out_sun_b_1 = (nearer ? (here + (start_1 * _e62)) : (there - (half_ * _e59)));
     vec3 closest_side = cross(closest, sun_1);
-    float _e62 = s_cross2_2;
-    s_shadow_b_2 = (dot(closest_side, side_1) - (half_ * _e62));
+    float _e68 = out_cross2_1;
+    out_shadow_b_1 = (dot(closest_side, side_1) - (half_ * _e68));
     float q_1 = length((closest_side - (half_ * side_1)));
-    float _e68 = s_sun_b_1;
-    float _e72 = half_chord2_(_e68, x_top_1, (radius_6 - q_1), q_1);
-    s_shadow_c_2 = -(_e72);
-    float _e74 = s_cross2_2;
-    float _e75 = s_shadow_b_2;
-    float _e76 = s_shadow_c_2;
-    float _e78 = shadow_half2_(_e74, _e75, _e76, side_1.z, r_2, radius_6);
-    s_shadow_half2_1 = _e78;
-    float _e79 = s_sun_b_1;
-    float _e80 = s_nu_1;
-    float _e81 = s_cross2_2;
-    float _e82 = s_shadow_b_2;
-    float _e83 = s_shadow_c_2;
-    float _e84 = s_shadow_half2_1;
-    out_sun_b_1 = _e79;
-    out_nu_1 = _e80;
-    out_cross2_1 = _e81;
-    out_shadow_b_1 = _e82;
-    out_shadow_c_1 = _e83;
+    float _e74 = out_sun_b_1;
+    float _e78 = half_chord2_(_e74, x_top_1, (radius_6 - q_1), q_1);
+    out_shadow_c_1 = -(_e78);
+    float _e80 = out_cross2_1;
+    float _e81 = out_shadow_b_1;
+    float _e82 = out_shadow_c_1;
+    float _e84 = shadow_half2_(_e80, _e81, _e82, side_1.z, r_2, radius_6);
     out_shadow_half2_1 = _e84;
 }
 
 void line_past(vec3 dir_2, float h_1, float radius_7, inout float out_b, inout float out_x_closest, inout bool out_ground) {
-    bool unnamed_1 = false;
+    bool local_1 = false;
     float r_3 = (radius_7 + h_1);
     float b_6 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
     float _e14 = excess_of(h_1, radius_7);
     float _e16 = half_chord2_(b_6, _e14, (radius_7 - p_2), p_2);
     if ((b_6 < 0.0)) {
-        unnamed_1 = (_e16 >= 0.0);
+        local_1 = (_e16 >= 0.0);
     } else {
-        unnamed_1 = false;
+        local_1 = false;
     }
-    bool _e25 = unnamed_1;
+    bool _e25 = local_1;
     out_b = b_6;
     out_x_closest = -(_e16);
     out_ground = _e25;
@@ -236,7 +212,7 @@ float to_ground(float x_4, float b_4, float root) {
 }
 
 void air_path(float line_b_1, float line_x_closest_1, bool line_ground, float h_3, float radius_9, float thickness_1, inout float out_start, inout float out_length, inout float out_x, inout float out_b_1) {
-    bool unnamed_2 = false;
+    bool local_2 = false;
     float _e6 = excess_of(thickness_1, radius_9);
     float ground_root = sqrt(max(-(line_x_closest_1), 0.0));
     if ((h_3 <= thickness_1)) {
@@ -253,11 +229,11 @@ void air_path(float line_b_1, float line_x_closest_1, bool line_ground, float h_
     float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_9) + thickness_1) + h_3));
     float _e27 = top_half_chord2_(line_b_1, line_x_closest_1, h_3, radius_9, thickness_1);
     if (!((line_b_1 >= 0.0))) {
-        unnamed_2 = (_e27 <= 0.0);
+        local_2 = (_e27 <= 0.0);
     } else {
-        unnamed_2 = true;
+        local_2 = true;
     }
-    bool _e36 = unnamed_2;
+    bool _e36 = local_2;
     if (_e36) {
         out_start = 0.0;
         out_length = -1.0;
@@ -274,13 +250,13 @@ void air_path(float line_b_1, float line_x_closest_1, bool line_ground, float h_
 }
 
 void air_ray(vec3 dir_3, float h_4, float radius_10, float thickness_2, vec3 sun_2, inout float out_start_1, inout float out_length_1, inout float out_x_1, inout float out_b_2, inout float out_x_closest_1, inout float out_sun_b_2, inout float out_nu_2, inout float out_cross2_2, inout float out_shadow_b_2, inout float out_shadow_c_2, inout float out_shadow_half2_2, inout bool out_ground_1) {
-    float s_sun_b_2 = 0.0;
-    float s_nu_2 = 0.0;
-    float s_cross2_3 = 0.0;
-    float s_shadow_b_3 = 0.0;
-    float s_shadow_c_3 = 0.0;
-    float s_shadow_half2_2 = 0.0;
-    bool unnamed_3 = false;
+    float s_sun_b = 0.0;
+    float s_nu = 0.0;
+    float s_cross2_1 = 0.0;
+    float s_shadow_b_1 = 0.0;
+    float s_shadow_c_1 = 0.0;
+    float s_shadow_half2_ = 0.0;
+    bool local_3 = false;
     float line_b_2 = 0.0;
     float line_x_closest_2 = 0.0;
     bool line_ground_1 = false;
@@ -288,18 +264,6 @@ void air_ray(vec3 dir_3, float h_4, float radius_10, float thickness_2, vec3 sun
     float path_length = 0.0;
     float path_x = 0.0;
     float path_b = 0.0;
-    float sun_side_inside_sun_b = 0.0;
-    float sun_side_inside_nu = 0.0;
-    float sun_side_inside_cross2_ = 0.0;
-    float sun_side_inside_shadow_b = 0.0;
-    float sun_side_inside_shadow_c = 0.0;
-    float sun_side_inside_shadow_half2_ = 0.0;
-    float sun_side_outside_sun_b = 0.0;
-    float sun_side_outside_nu = 0.0;
-    float sun_side_outside_cross2_ = 0.0;
-    float sun_side_outside_shadow_b = 0.0;
-    float sun_side_outside_shadow_c = 0.0;
-    float sun_side_outside_shadow_half2_ = 0.0;
     line_past(dir_3, h_4, radius_10, line_b_2, line_x_closest_2, line_ground_1);
     float _e18 = line_b_2;
     float _e19 = line_x_closest_2;
@@ -310,66 +274,42 @@ void air_ray(vec3 dir_3, float h_4, float radius_10, float thickness_2, vec3 sun
     float _e28 = path_x;
     float _e29 = path_b;
     if ((h_4 <= thickness_2)) {
-        sun_side_inside(dir_3, sun_2, (radius_10 + h_4), _e28, radius_10, sun_side_inside_sun_b, sun_side_inside_nu, sun_side_inside_cross2_, sun_side_inside_shadow_b, sun_side_inside_shadow_c, sun_side_inside_shadow_half2_);
-        float _e39 = sun_side_inside_sun_b;
-        float _e40 = sun_side_inside_nu;
-        float _e41 = sun_side_inside_cross2_;
-        float _e42 = sun_side_inside_shadow_b;
-        float _e43 = sun_side_inside_shadow_c;
-        float _e44 = sun_side_inside_shadow_half2_;
-        s_sun_b_2 = _e39;
-        s_nu_2 = _e40;
-        s_cross2_3 = _e41;
-        s_shadow_b_3 = _e42;
-        s_shadow_c_3 = _e43;
-        s_shadow_half2_2 = _e44;
+        sun_side_inside(dir_3, sun_2, (radius_10 + h_4), _e28, radius_10, s_sun_b, s_nu, s_cross2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
     } else {
         if ((_e27 > 0.0)) {
-            sun_side_outside(dir_3, sun_2, (radius_10 + h_4), _e26, -(_e29), _e28, radius_10, sun_side_outside_sun_b, sun_side_outside_nu, sun_side_outside_cross2_, sun_side_outside_shadow_b, sun_side_outside_shadow_c, sun_side_outside_shadow_half2_);
-            float _e61 = sun_side_outside_sun_b;
-            float _e62 = sun_side_outside_nu;
-            float _e63 = sun_side_outside_cross2_;
-            float _e64 = sun_side_outside_shadow_b;
-            float _e65 = sun_side_outside_shadow_c;
-            float _e66 = sun_side_outside_shadow_half2_;
-            s_sun_b_2 = _e61;
-            s_nu_2 = _e62;
-            s_cross2_3 = _e63;
-            s_shadow_b_3 = _e64;
-            s_shadow_c_3 = _e65;
-            s_shadow_half2_2 = _e66;
+            sun_side_outside(dir_3, sun_2, (radius_10 + h_4), _e26, -(_e29), _e28, radius_10, s_sun_b, s_nu, s_cross2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
         } else {
-            s_nu_2 = dot(dir_3, sun_2);
+            s_nu = dot(dir_3, sun_2);
         }
     }
     if (_e20) {
-        unnamed_3 = (_e27 >= 0.0);
+        local_3 = (_e27 >= 0.0);
     } else {
-        unnamed_3 = false;
+        local_3 = false;
     }
-    bool ground_1 = unnamed_3;
-    float _e74 = s_sun_b_2;
-    float _e75 = s_nu_2;
-    float _e76 = s_cross2_3;
-    float _e77 = s_shadow_b_3;
-    float _e78 = s_shadow_c_3;
-    float _e79 = s_shadow_half2_2;
+    bool ground_1 = local_3;
+    float _e50 = s_sun_b;
+    float _e51 = s_nu;
+    float _e52 = s_cross2_1;
+    float _e53 = s_shadow_b_1;
+    float _e54 = s_shadow_c_1;
+    float _e55 = s_shadow_half2_;
     out_start_1 = _e26;
     out_length_1 = _e27;
     out_x_1 = _e28;
     out_b_2 = _e29;
     out_x_closest_1 = _e19;
-    out_sun_b_2 = _e74;
-    out_nu_2 = _e75;
-    out_cross2_2 = _e76;
-    out_shadow_b_2 = _e77;
-    out_shadow_c_2 = _e78;
-    out_shadow_half2_2 = _e79;
+    out_sun_b_2 = _e50;
+    out_nu_2 = _e51;
+    out_cross2_2 = _e52;
+    out_shadow_b_2 = _e53;
+    out_shadow_c_2 = _e54;
+    out_shadow_half2_2 = _e55;
     out_ground_1 = ground_1;
 }
 
 void lowest(float ray_length_2, float ray_x_1, float ray_b_1, float ray_x_closest_1, bool ray_ground_1, float length_1, float radius_11, inout float out_t, inout float out_x_2, inout float out_b_3) {
-    bool unnamed_4 = false;
+    bool local_4 = false;
     if ((ray_b_1 >= 0.0)) {
         out_t = 0.0;
         out_x_2 = ray_x_1;
@@ -384,11 +324,11 @@ void lowest(float ray_length_2, float ray_x_1, float ray_b_1, float ray_x_closes
     }
     float b_7 = (ray_b_1 + length_1);
     if (ray_ground_1) {
-        unnamed_4 = (length_1 >= ray_length_2);
+        local_4 = (length_1 >= ray_length_2);
     } else {
-        unnamed_4 = false;
+        local_4 = false;
     }
-    bool _e21 = unnamed_4;
+    bool _e21 = local_4;
     if (_e21) {
         out_t = length_1;
         out_x_2 = 0.0;
@@ -529,8 +469,6 @@ vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_13, fl
 }
 
 void single_scattering(vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, vec3 m_mie_extinction_1, float m_ozone_center_1, vec3 m_mie_asymmetry, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_thickness, float ray_length_3, float ray_x_2, float ray_b_2, float ray_x_closest_2, float ray_sun_b_2, float ray_nu_2, float ray_cross2_2, float ray_shadow_b_2, float ray_shadow_c_2, float ray_shadow_half2_2, bool ray_ground_2, float length_2, float away_2, uint view_samples, uint light_samples, inout vec3 out_radiance, inout vec3 out_transmittance) {
-    vec3 out_radiance_1 = vec3(0.0);
-    vec3 out_transmittance_1 = vec3(0.0);
     float t0_1 = 0.0;
     uint i_1 = 0u;
     float lit_t = 0.0;
@@ -538,88 +476,86 @@ void single_scattering(vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_
     float lowest_t = 0.0;
     float lowest_x = 0.0;
     float lowest_b = 0.0;
-    out_radiance_1 = vec3(0.0);
-    out_transmittance_1 = vec3(1.0);
+    out_radiance = vec3(0.0);
+    out_transmittance = vec3(0.0);
+    out_radiance = vec3(0.0);
+    out_transmittance = vec3(1.0);
     float toward_2 = ((away_2 > 1.0) ? (ray_cross2_2 / max(away_2, 1.0)) : (2.0 - away_2));
-    vec3 _e41 = cornette_shanks_phase(away_2, toward_2, m_mie_asymmetry);
-    vec3 mie = (m_mie_scattering * _e41);
-    vec4 _e43 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
-    mat3x3 _e44 = coefficients_of(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
+    vec3 _e43 = cornette_shanks_phase(away_2, toward_2, m_mie_asymmetry);
+    vec3 mie = (m_mie_scattering * _e43);
+    vec4 _e45 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
+    mat3x3 _e46 = coefficients_of(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
     lowest(ray_length_3, ray_x_2, ray_b_2, ray_x_closest_2, ray_ground_2, length_2, m_radius, lowest_t, lowest_x, lowest_b);
     float low_3 = lowest_t;
-    float _e50 = lowest_x;
-    float _e51 = lowest_b;
+    float _e52 = lowest_x;
+    float _e53 = lowest_b;
     float u0_1 = -(sqrt(low_3));
     float du_1 = ((sqrt((length_2 - low_3)) - u0_1) / float(view_samples));
-    vec2 _e60 = shadow_stretch(ray_sun_b_2, ray_nu_2, ray_cross2_2, ray_shadow_b_2, ray_shadow_c_2, ray_shadow_half2_2);
+    vec2 _e62 = shadow_stretch(ray_sun_b_2, ray_nu_2, ray_cross2_2, ray_shadow_b_2, ray_shadow_c_2, ray_shadow_half2_2);
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            uint _e153 = i_1;
-            i_1 = (_e153 + 1u);
+            uint _e155 = i_1;
+            i_1 = (_e155 + 1u);
         }
         loop_init_1 = false;
-        uint _e62 = i_1;
-        if ((_e62 < view_samples)) {
+        uint _e64 = i_1;
+        if ((_e64 < view_samples)) {
         } else {
             break;
         }
         {
-            uint _e64 = i_1;
-            float u_2 = (u0_1 + (du_1 * float(_e64)));
-            float _e69 = warp(low_3, (u_2 + du_1));
-            float _e71 = t0_1;
-            float step_ = (_e69 - _e71);
-            float _e76 = warp(low_3, (u_2 + (0.5 * du_1)));
-            float _e78 = altitude_after(_e50, _e51, (_e76 - low_3), m_radius);
-            vec3 _e79 = densities(_e43, _e78);
-            vec3 _e80 = extinction(_e44, _e79);
-            vec3 tau_1 = (_e80 * step_);
-            float _e83 = t0_1;
-            float dark0_ = clamp(_e60.x, _e83, _e69);
-            float _e86 = t0_1;
-            float dark1_ = clamp(_e60.y, _e86, _e69);
-            float dark = ((_e60.y > _e60.x) ? max((dark1_ - dark0_), 0.0) : 0.0);
+            uint _e66 = i_1;
+            float u_2 = (u0_1 + (du_1 * float(_e66)));
+            float _e71 = warp(low_3, (u_2 + du_1));
+            float _e73 = t0_1;
+            float step_ = (_e71 - _e73);
+            float _e78 = warp(low_3, (u_2 + (0.5 * du_1)));
+            float _e80 = altitude_after(_e52, _e53, (_e78 - low_3), m_radius);
+            vec3 _e81 = densities(_e45, _e80);
+            vec3 _e82 = extinction(_e46, _e81);
+            vec3 tau_1 = (_e82 * step_);
+            float _e85 = t0_1;
+            float dark0_ = clamp(_e62.x, _e85, _e71);
+            float _e88 = t0_1;
+            float dark1_ = clamp(_e62.y, _e88, _e71);
+            float dark = ((_e62.y > _e62.x) ? max((dark1_ - dark0_), 0.0) : 0.0);
             if ((dark < step_)) {
-                lit_t = _e76;
+                lit_t = _e78;
                 if ((dark > 0.0)) {
-                    float _e100 = t0_1;
-                    bool first = ((dark0_ - _e100) > (_e69 - dark1_));
-                    float _e104 = t0_1;
-                    float lit0_ = (first ? _e104 : dark1_);
-                    float lit1_ = (first ? dark0_ : _e69);
-                    float _e107 = unwarp(low_3, lit0_);
-                    float _e108 = unwarp(low_3, lit1_);
-                    float _e112 = warp(low_3, (0.5 * (_e107 + _e108)));
-                    lit_t = _e112;
+                    float _e102 = t0_1;
+                    bool first = ((dark0_ - _e102) > (_e71 - dark1_));
+                    float _e106 = t0_1;
+                    float lit0_ = (first ? _e106 : dark1_);
+                    float lit1_ = (first ? dark0_ : _e71);
+                    float _e109 = unwarp(low_3, lit0_);
+                    float _e110 = unwarp(low_3, lit1_);
+                    float _e114 = warp(low_3, (0.5 * (_e109 + _e110)));
+                    lit_t = _e114;
                 }
-                float _e113 = lit_t;
-                float _e117 = lit_t;
-                float x_7 = (_e50 + ((_e113 - low_3) * ((2.0 * _e51) + (_e117 - low_3))));
-                float _e122 = altitude_of(x_7, m_radius);
-                vec3 _e125 = densities(_e43, max(_e122, 0.0));
+                float _e115 = lit_t;
+                float _e119 = lit_t;
+                float x_7 = (_e52 + ((_e115 - low_3) * ((2.0 * _e53) + (_e119 - low_3))));
+                float _e124 = altitude_of(x_7, m_radius);
+                vec3 _e127 = densities(_e45, max(_e124, 0.0));
                 source = vec3(0.0);
-                vec3 _e129 = source;
-                source = (_e129 + (mie * _e125.y));
-                vec3 _e133 = source;
-                float _e134 = lit_t;
-                vec3 _e138 = sun_transmittance(_e44, _e43, m_radius, m_thickness, x_7, (ray_sun_b_2 + (ray_nu_2 * _e134)), light_samples);
-                source = (_e133 * _e138);
-                vec3 _e140 = out_radiance_1;
-                vec3 _e141 = out_transmittance_1;
-                vec3 _e142 = mean_transmittance(tau_1);
-                vec3 _e144 = source;
-                out_radiance_1 = (_e140 + (((_e141 * _e142) * _e144) * (step_ - dark)));
+                vec3 _e131 = source;
+                source = (_e131 + (mie * _e127.y));
+                vec3 _e135 = source;
+                float _e136 = lit_t;
+                vec3 _e140 = sun_transmittance(_e46, _e45, m_radius, m_thickness, x_7, (ray_sun_b_2 + (ray_nu_2 * _e136)), light_samples);
+                source = (_e135 * _e140);
+                vec3 _e142 = out_radiance;
+                vec3 _e143 = out_transmittance;
+                vec3 _e144 = mean_transmittance(tau_1);
+                vec3 _e146 = source;
+                out_radiance = (_e142 + (((_e143 * _e144) * _e146) * (step_ - dark)));
             }
-            vec3 _e149 = out_transmittance_1;
-            out_transmittance_1 = (_e149 * exp(-(tau_1)));
-            t0_1 = _e69;
+            vec3 _e151 = out_transmittance;
+            out_transmittance = (_e151 * exp(-(tau_1)));
+            t0_1 = _e71;
         }
     }
-    vec3 _e156 = out_radiance_1;
-    vec3 _e157 = out_transmittance_1;
-    out_radiance = _e156;
-    out_transmittance = _e157;
 }
 
 void main() {
@@ -627,7 +563,7 @@ void main() {
     float end = 0.0;
     float weight = 1.0;
     bool dims = true;
-    bool unnamed = false;
+    bool local = false;
     float ray_start = 0.0;
     float ray_length = 0.0;
     float ray_x = 0.0;
@@ -700,11 +636,11 @@ void main() {
     float _e112 = end;
     if (!((_e112 <= 0.0))) {
         float _e116 = weight;
-        unnamed = (_e116 <= 0.0);
+        local = (_e116 <= 0.0);
     } else {
-        unnamed = true;
+        local = true;
     }
-    bool _e122 = unnamed;
+    bool _e122 = local;
     if (_e122) {
         _fs2p_location0 = behind;
         return;

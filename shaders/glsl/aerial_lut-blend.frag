@@ -158,18 +158,18 @@ float half_chord2_(float b_3, float above, float depth_1, float p) {
 }
 
 void line_past(vec3 dir, float h_1, float radius_4, inout float out_b, inout float out_p, inout float out_x_closest, inout bool out_ground) {
-    bool unnamed_7 = false;
+    bool local_7 = false;
     float r = (radius_4 + h_1);
     float b_7 = (r * dir.z);
     float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
     float _e15 = excess_of(h_1, radius_4);
     float _e17 = half_chord2_(b_7, _e15, (radius_4 - p_1), p_1);
     if ((b_7 < 0.0)) {
-        unnamed_7 = (_e17 >= 0.0);
+        local_7 = (_e17 >= 0.0);
     } else {
-        unnamed_7 = false;
+        local_7 = false;
     }
-    bool _e26 = unnamed_7;
+    bool _e26 = local_7;
     out_b = b_7;
     out_p = p_1;
     out_x_closest = -(_e17);
@@ -188,7 +188,7 @@ float to_ground(float x_3, float b_4, float root) {
 }
 
 void air_path(float line_b_2, float line_x_closest_2, bool line_ground_1, float h_3, float radius_6, float thickness_1, inout float out_start, inout float out_length, inout float out_x, inout float out_b_1) {
-    bool unnamed_8 = false;
+    bool local_8 = false;
     float _e6 = excess_of(thickness_1, radius_6);
     float ground_root = sqrt(max(-(line_x_closest_2), 0.0));
     if ((h_3 <= thickness_1)) {
@@ -205,11 +205,11 @@ void air_path(float line_b_2, float line_x_closest_2, bool line_ground_1, float 
     float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_6) + thickness_1) + h_3));
     float _e27 = top_half_chord2_(line_b_2, line_x_closest_2, h_3, radius_6, thickness_1);
     if (!((line_b_2 >= 0.0))) {
-        unnamed_8 = (_e27 <= 0.0);
+        local_8 = (_e27 <= 0.0);
     } else {
-        unnamed_8 = true;
+        local_8 = true;
     }
-    bool _e36 = unnamed_8;
+    bool _e36 = local_8;
     if (_e36) {
         out_start = 0.0;
         out_length = -1.0;
@@ -356,23 +356,23 @@ vec4 air_at(highp sampler2D air, vec2 texel, float slice_1, float slices, int ki
 
 void main() {
     vec4 position = gl_FragCoord;
-    bool unnamed = false;
+    bool local = false;
     float end = 0.0;
     float weight = 1.0;
     bool dims = true;
-    bool unnamed_1 = false;
+    bool local_1 = false;
     vec3 light = vec3(0.0);
     vec3 through = vec3(1.0);
-    bool unnamed_2 = false;
+    bool local_2 = false;
     float slice = 0.0;
     vec4 near = vec4(0.0);
     vec4 far = vec4(0.0);
     int i = 0;
-    bool unnamed_3 = false;
-    bool unnamed_4 = false;
+    bool local_3 = false;
+    bool local_4 = false;
     int i_1 = 0;
-    bool unnamed_5 = false;
-    bool unnamed_6 = false;
+    bool local_5 = false;
+    bool local_6 = false;
     float line_b = 0.0;
     float line_p = 0.0;
     float line_x_closest = 0.0;
@@ -410,11 +410,11 @@ void main() {
     float _e76 = path_x;
     float _e77 = path_b;
     if (_e69) {
-        unnamed = (_e75 >= 0.0);
+        local = (_e75 >= 0.0);
     } else {
-        unnamed = false;
+        local = false;
     }
-    bool ground_2 = unnamed;
+    bool ground_2 = local;
     end = _e75;
     if ((_e45 >= 0.0)) {
         float _e90 = _group_0_binding_0_fs.frame.pixel_angle;
@@ -431,11 +431,11 @@ void main() {
     float _e102 = end;
     if (!((_e102 <= 0.0))) {
         float _e106 = weight;
-        unnamed_1 = (_e106 <= 0.0);
+        local_1 = (_e106 <= 0.0);
     } else {
-        unnamed_1 = true;
+        local_1 = true;
     }
-    bool _e112 = unnamed_1;
+    bool _e112 = local_1;
     if (_e112) {
         _fs2p_location0 = behind;
         return;
@@ -453,11 +453,11 @@ void main() {
     light = (_e137 * scale_1);
     if (!(ground_2)) {
         float _e141 = end;
-        unnamed_2 = (_e141 >= _e75);
+        local_2 = (_e141 >= _e75);
     } else {
-        unnamed_2 = false;
+        local_2 = false;
     }
-    bool _e146 = unnamed_2;
+    bool _e146 = local_2;
     if (_e146) {
         bool _e147 = dims;
         if (_e147) {
@@ -501,18 +501,18 @@ void main() {
             int _e232 = i;
             if ((_e232 < 4)) {
                 float _e236 = far.w;
-                unnamed_3 = (share_of > _e236);
+                local_3 = (share_of > _e236);
             } else {
-                unnamed_3 = false;
+                local_3 = false;
             }
-            bool _e241 = unnamed_3;
+            bool _e241 = local_3;
             if (_e241) {
                 float _e242 = slice;
-                unnamed_4 = (_e242 < (slices_1 - 1.0));
+                local_4 = (_e242 < (slices_1 - 1.0));
             } else {
-                unnamed_4 = false;
+                local_4 = false;
             }
-            bool _e249 = unnamed_4;
+            bool _e249 = local_4;
             if (_e249) {
             } else {
                 break;
@@ -537,18 +537,18 @@ void main() {
             int _e264 = i_1;
             if ((_e264 < 4)) {
                 float _e268 = near.w;
-                unnamed_5 = (share_of < _e268);
+                local_5 = (share_of < _e268);
             } else {
-                unnamed_5 = false;
+                local_5 = false;
             }
-            bool _e273 = unnamed_5;
+            bool _e273 = local_5;
             if (_e273) {
                 float _e274 = slice;
-                unnamed_6 = (_e274 > 0.0);
+                local_6 = (_e274 > 0.0);
             } else {
-                unnamed_6 = false;
+                local_6 = false;
             }
-            bool _e280 = unnamed_6;
+            bool _e280 = local_6;
             if (_e280) {
             } else {
                 break;

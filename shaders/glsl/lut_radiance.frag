@@ -100,38 +100,26 @@ float shadow_half2_(float s_cross2_, float s_shadow_b, float s_shadow_c, float s
 }
 
 void sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_3, float radius_4, inout float out_sun_b, inout float out_nu, inout float out_cross2_, inout float out_shadow_b, inout float out_shadow_c, inout float out_shadow_half2_) {
-    float s_sun_b = 0.0;
-    float s_nu = 0.0;
-    float s_cross2_1 = 0.0;
-    float s_shadow_b_1 = 0.0;
-    float s_shadow_c_1 = 0.0;
-    float s_shadow_half2_ = 0.0;
-    s_nu = dot(dir, sun);
-    float _e15 = s_nu;
-    vec3 side = cross((dir - (((_e15 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s_cross2_1 = dot(side, side);
-    s_sun_b = (r_1 * sun.z);
-    s_shadow_b_1 = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+    out_sun_b = 0.0;
+    out_nu = 0.0;
+    out_cross2_ = 0.0;
+    out_shadow_b = 0.0;
+    out_shadow_c = 0.0;
+    out_shadow_half2_ = 0.0;
+    out_nu = dot(dir, sun);
+    float _e21 = out_nu;
+    vec3 side = cross((dir - (((_e21 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    out_cross2_ = dot(side, side);
+    out_sun_b = (r_1 * sun.z);
+    out_shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
     float q = (r_1 * length(sun.xy));
-    float _e39 = s_sun_b;
-    float _e43 = half_chord2_(_e39, x_3, (radius_4 - q), q);
-    s_shadow_c_1 = -(_e43);
-    float _e45 = s_cross2_1;
-    float _e46 = s_shadow_b_1;
-    float _e47 = s_shadow_c_1;
-    float _e49 = shadow_half2_(_e45, _e46, _e47, side.z, r_1, radius_4);
-    s_shadow_half2_ = _e49;
-    float _e50 = s_sun_b;
-    float _e51 = s_nu;
-    float _e52 = s_cross2_1;
-    float _e53 = s_shadow_b_1;
-    float _e54 = s_shadow_c_1;
-    float _e55 = s_shadow_half2_;
-    out_sun_b = _e50;
-    out_nu = _e51;
-    out_cross2_ = _e52;
-    out_shadow_b = _e53;
-    out_shadow_c = _e54;
+    float _e45 = out_sun_b;
+    float _e49 = half_chord2_(_e45, x_3, (radius_4 - q), q);
+    out_shadow_c = -(_e49);
+    float _e51 = out_cross2_;
+    float _e52 = out_shadow_b;
+    float _e53 = out_shadow_c;
+    float _e55 = shadow_half2_(_e51, _e52, _e53, side.z, r_1, radius_4);
     out_shadow_half2_ = _e55;
 }
 
@@ -140,7 +128,7 @@ float to_ground(float x_4, float b_3, float root) {
 }
 
 void lowest(float ray_length_1, float ray_x_1, float ray_b_1, float ray_x_closest_1, bool ray_ground_1, float length_, float radius_5, inout float out_t, inout float out_x, inout float out_b) {
-    bool unnamed = false;
+    bool local = false;
     if ((ray_b_1 >= 0.0)) {
         out_t = 0.0;
         out_x = ray_x_1;
@@ -155,11 +143,11 @@ void lowest(float ray_length_1, float ray_x_1, float ray_b_1, float ray_x_closes
     }
     float b_6 = (ray_b_1 + length_);
     if (ray_ground_1) {
-        unnamed = (length_ >= ray_length_1);
+        local = (length_ >= ray_length_1);
     } else {
-        unnamed = false;
+        local = false;
     }
-    bool _e21 = unnamed;
+    bool _e21 = local;
     if (_e21) {
         out_t = length_;
         out_x = 0.0;
@@ -208,35 +196,35 @@ vec2 shadow_stretch(float ray_sun_b_1, float ray_nu_1, float ray_cross2_1, float
 }
 
 void inner_ray(vec3 dir_1, float h_1, float radius_6, float thickness, vec3 sun_1, bool ground, inout float out_length, inout float out_x_1, inout float out_b_1, inout float out_x_closest, inout float out_sun_b_1, inout float out_nu_1, inout float out_cross2_1, inout float out_shadow_b_1, inout float out_shadow_c_1, inout float out_shadow_half2_1, inout bool out_ground) {
-    bool unnamed_1 = false;
-    float s_sun_b_1 = 0.0;
-    float s_nu_1 = 0.0;
-    float s_cross2_2 = 0.0;
-    float s_shadow_b_2 = 0.0;
-    float s_shadow_c_2 = 0.0;
-    float s_shadow_half2_1 = 0.0;
+    bool local_1 = false;
+    float s_sun_b = 0.0;
+    float s_nu = 0.0;
+    float s_cross2_1 = 0.0;
+    float s_shadow_b_1 = 0.0;
+    float s_shadow_c_1 = 0.0;
+    float s_shadow_half2_ = 0.0;
     float r_2 = (radius_6 + h_1);
     float _e14 = excess_of(h_1, radius_6);
     float b_7 = (r_2 * dir_1.z);
     float p_2 = (r_2 * sqrt(dot(dir_1.xy, dir_1.xy)));
     float _e24 = half_chord2_(b_7, _e14, (radius_6 - p_2), p_2);
-    sun_side_inside(dir_1, sun_1, r_2, _e14, radius_6, s_sun_b_1, s_nu_1, s_cross2_2, s_shadow_b_2, s_shadow_c_2, s_shadow_half2_1);
-    float _e32 = s_sun_b_1;
-    float _e33 = s_nu_1;
-    float _e34 = s_cross2_2;
-    float _e35 = s_shadow_b_2;
-    float _e36 = s_shadow_c_2;
-    float _e37 = s_shadow_half2_1;
+    sun_side_inside(dir_1, sun_1, r_2, _e14, radius_6, s_sun_b, s_nu, s_cross2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
+    float _e32 = s_sun_b;
+    float _e33 = s_nu;
+    float _e34 = s_cross2_1;
+    float _e35 = s_shadow_b_1;
+    float _e36 = s_shadow_c_1;
+    float _e37 = s_shadow_half2_;
     float ground_root = sqrt(max(_e24, 0.0));
     float _e42 = excess_of(thickness, radius_6);
     float _e43 = distance_to_top(_e14, b_7, _e42);
     float _e44 = to_ground(_e14, b_7, ground_root);
     if (ground) {
-        unnamed_1 = (b_7 < 0.0);
+        local_1 = (b_7 < 0.0);
     } else {
-        unnamed_1 = false;
+        local_1 = false;
     }
-    bool _e51 = unnamed_1;
+    bool _e51 = local_1;
     float reach = (_e51 ? _e44 : _e43);
     out_length = reach;
     out_x_1 = _e14;
@@ -372,78 +360,65 @@ void diffuse_source(highp sampler2D table_2, vec2 at_1, vec3 gas, mat3x3 aerosol
     ivec2 c_low_1 = ivec2(0);
     ivec2 c_high_1 = ivec2(0);
     vec2 c_part_1 = vec2(0.0);
-    vec3 source_gas = vec3(0.0);
-    vec3 source_aerosol = vec3(0.0);
-    ivec2 corner_low_1 = ivec2(0);
-    ivec2 corner_high_1 = ivec2(0);
-    vec2 corner_part_1 = vec2(0.0);
+    out_gas = vec3(0.0);
+    out_aerosol = vec3(0.0);
     ivec2 dims = ivec2(uvec2(textureSize(table_2, 0).xy));
-    corner(at_1, ivec2(dims.x, ((dims.y - 1) / MOMENTS)), corner_low_1, corner_high_1, corner_part_1);
-    ivec2 _e20 = corner_low_1;
-    ivec2 _e21 = corner_high_1;
-    vec2 _e22 = corner_part_1;
-    c_low_1 = _e20;
-    c_high_1 = _e21;
-    c_part_1 = _e22;
-    int _e27 = c_low_1.y;
-    c_low_1.y = (_e27 * MOMENTS);
-    int _e31 = c_high_1.y;
-    c_high_1.y = (_e31 * MOMENTS);
-    ivec2 _e34 = c_low_1;
-    ivec2 _e35 = c_high_1;
-    vec2 _e36 = c_part_1;
-    vec4 _e39 = bilinear(table_2, _e34, _e35, _e36, ivec2(0));
-    vec3 mean = exp2(_e39.xyz);
+    corner(at_1, ivec2(dims.x, ((dims.y - 1) / MOMENTS)), c_low_1, c_high_1, c_part_1);
+    int _e21 = c_low_1.y;
+    c_low_1.y = (_e21 * MOMENTS);
+    int _e25 = c_high_1.y;
+    c_high_1.y = (_e25 * MOMENTS);
+    ivec2 _e28 = c_low_1;
+    ivec2 _e29 = c_high_1;
+    vec2 _e30 = c_part_1;
+    vec4 _e33 = bilinear(table_2, _e28, _e29, _e30, ivec2(0));
+    vec3 mean = exp2(_e33.xyz);
     float sin_sun = sqrt(max(((1.0 - mu_sun) * (1.0 + mu_sun)), 1e-12));
     float sin_view = sqrt(max(((1.0 - mu_2) * (1.0 + mu_2)), 0.0));
     float along_1 = clamp(((nu - (mu_2 * mu_sun)) / sin_sun), -(sin_view), sin_view);
-    ivec2 _e66 = c_low_1;
-    ivec2 _e67 = c_high_1;
-    vec2 _e68 = c_part_1;
-    vec4 _e72 = bilinear(table_2, _e66, _e67, _e68, ivec2(0, 3));
-    float _e75 = harmonic(3, mu_2, along_1);
-    ivec2 _e77 = c_low_1;
-    ivec2 _e78 = c_high_1;
-    vec2 _e79 = c_part_1;
-    vec4 _e83 = bilinear(table_2, _e77, _e78, _e79, ivec2(0, 4));
-    float _e86 = harmonic(4, mu_2, along_1);
-    ivec2 _e89 = c_low_1;
-    ivec2 _e90 = c_high_1;
-    vec2 _e91 = c_part_1;
-    vec4 _e95 = bilinear(table_2, _e89, _e90, _e91, ivec2(0, 5));
-    float _e98 = harmonic(5, mu_2, along_1);
-    vec3 l2_ = (((_e72.xyz * _e75) + (_e83.xyz * _e86)) + (_e95.xyz * _e98));
-    source_gas = ((gas * (vec3(0.2820948) + (0.1 * l2_))) * mean);
-    ivec2 _e111 = c_low_1;
-    ivec2 _e112 = c_high_1;
-    vec2 _e113 = c_part_1;
-    vec4 _e117 = bilinear(table_2, _e111, _e112, _e113, ivec2(0, 1));
-    float _e120 = harmonic(1, mu_2, along_1);
-    ivec2 _e122 = c_low_1;
-    ivec2 _e123 = c_high_1;
-    vec2 _e124 = c_part_1;
-    vec4 _e128 = bilinear(table_2, _e122, _e123, _e124, ivec2(0, 2));
-    float _e131 = harmonic(2, mu_2, along_1);
-    vec3 l1_ = ((_e117.xyz * _e120) + (_e128.xyz * _e131));
-    source_aerosol = ((((SH0_ * aerosol[0]) + (l1_ * aerosol[1])) + (l2_ * aerosol[2])) * mean);
-    vec3 _e145 = source_gas;
-    vec3 _e146 = source_aerosol;
-    out_gas = _e145;
-    out_aerosol = _e146;
+    ivec2 _e60 = c_low_1;
+    ivec2 _e61 = c_high_1;
+    vec2 _e62 = c_part_1;
+    vec4 _e66 = bilinear(table_2, _e60, _e61, _e62, ivec2(0, 3));
+    float _e69 = harmonic(3, mu_2, along_1);
+    ivec2 _e71 = c_low_1;
+    ivec2 _e72 = c_high_1;
+    vec2 _e73 = c_part_1;
+    vec4 _e77 = bilinear(table_2, _e71, _e72, _e73, ivec2(0, 4));
+    float _e80 = harmonic(4, mu_2, along_1);
+    ivec2 _e83 = c_low_1;
+    ivec2 _e84 = c_high_1;
+    vec2 _e85 = c_part_1;
+    vec4 _e89 = bilinear(table_2, _e83, _e84, _e85, ivec2(0, 5));
+    float _e92 = harmonic(5, mu_2, along_1);
+    vec3 l2_ = (((_e66.xyz * _e69) + (_e77.xyz * _e80)) + (_e89.xyz * _e92));
+    out_gas = ((gas * (vec3(0.2820948) + (0.1 * l2_))) * mean);
+    ivec2 _e105 = c_low_1;
+    ivec2 _e106 = c_high_1;
+    vec2 _e107 = c_part_1;
+    vec4 _e111 = bilinear(table_2, _e105, _e106, _e107, ivec2(0, 1));
+    float _e114 = harmonic(1, mu_2, along_1);
+    ivec2 _e116 = c_low_1;
+    ivec2 _e117 = c_high_1;
+    vec2 _e118 = c_part_1;
+    vec4 _e122 = bilinear(table_2, _e116, _e117, _e118, ivec2(0, 2));
+    float _e125 = harmonic(2, mu_2, along_1);
+    vec3 l1_ = ((_e111.xyz * _e114) + (_e122.xyz * _e125));
+    out_aerosol = ((((SH0_ * aerosol[0]) + (l1_ * aerosol[1])) + (l2_ * aerosol[2])) * mean);
 }
 
 vec3 ground_irradiance(highp sampler2D table_3, float t_sun_middle_2, float t_sun_width_2, float t_sun_first_2, float t_sun_span_2, float mu_sun_1) {
-    ivec2 corner_low_2 = ivec2(0);
-    ivec2 corner_high_2 = ivec2(0);
-    vec2 corner_part_2 = vec2(0.0);
+    ivec2 corner_low_1 = ivec2(0);
+    ivec2 corner_high_1 = ivec2(0);
+    vec2 corner_part_1 = vec2(0.0);
     ivec2 dims_1 = ivec2(uvec2(textureSize(table_3, 0).xy));
     vec4 _e7 = sun_axis(t_sun_middle_2, t_sun_width_2, t_sun_first_2, t_sun_span_2);
     float _e9 = sun_share(_e7, mu_sun_1);
     vec2 at_3 = vec2((_e9 * float((dims_1.x - 1))), 0.0);
-    corner(at_3, ivec2(dims_1.x, 1), corner_low_2, corner_high_2, corner_part_2);
-    ivec2 _e23 = corner_low_2;
-    ivec2 _e24 = corner_high_2;
-    vec2 _e25 = corner_part_2;
+    corner(at_3, ivec2(dims_1.x, 1), corner_low_1, corner_high_1, corner_part_1);
+    ivec2 _e23 = corner_low_1;
+    ivec2 _e24 = corner_high_1;
+    vec2 _e25 = corner_part_1;
     vec4 _e31 = bilinear(table_3, _e23, _e24, _e25, ivec2(0, (dims_1.y - 1)));
     return exp2(_e31.xyz);
 }
@@ -478,15 +453,13 @@ vec2 lit_part(vec2 shadow, float low_2, float t0_, float t1_, float mid) {
 }
 
 void gather(highp sampler2D columns, highp sampler2D moments, vec3 medium_rayleigh, float medium_rayleigh_inv_height, vec3 medium_mie_scattering, float medium_mie_inv_height, float medium_ozone_center, float medium_ozone_inv_half_width, vec3 medium_ozone, float medium_radius, float medium_thickness, vec3 t_mie_extinction, float t_altitude_steepness_1, vec3 t_mie_moment0_, float t_altitude_growth_1, vec3 t_mie_moment1_, float t_sun_middle_3, vec3 t_mie_moment2_, float t_sun_width_3, float t_sun_first_3, float t_sun_span_3, uint t_steps, float ray_sun_b_2, float ray_nu_2, float ray_cross2_2, float ray_shadow_b_2, float ray_shadow_c_2, float ray_shadow_half2_2, float lowest_t, float lowest_x, float lowest_b, float u_from, float u_to, vec3 gas_1, vec3 aerosol_1, float diffuse, inout vec3 out_radiance, inout vec3 out_transmittance) {
-    vec3 out_radiance_1 = vec3(0.0);
-    vec3 out_transmittance_1 = vec3(1.0);
     float t0_1 = 0.0;
     uint i = 0u;
     vec3 source = vec3(0.0);
     vec3 before_gas = vec3(0.0);
     vec3 before_aerosol = vec3(0.0);
-    vec3 diffuse_source_gas = vec3(0.0);
-    vec3 diffuse_source_aerosol = vec3(0.0);
+    out_radiance = vec3(0.0);
+    out_transmittance = vec3(1.0);
     vec4 _e16 = layers_of(medium_rayleigh_inv_height, medium_mie_inv_height, medium_ozone_center, medium_ozone_inv_half_width);
     mat3x3 coefficients_1 = mat3x3(medium_rayleigh, t_mie_extinction, medium_ozone);
     vec2 _e35 = shadow_stretch(ray_sun_b_2, ray_nu_2, ray_cross2_2, ray_shadow_b_2, ray_shadow_c_2, ray_shadow_half2_2);
@@ -500,8 +473,8 @@ void gather(highp sampler2D columns, highp sampler2D moments, vec3 medium_raylei
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e170 = i;
-            i = (_e170 + 1u);
+            uint _e166 = i;
+            i = (_e166 + 1u);
         }
         loop_init = false;
         uint _e67 = i;
@@ -520,7 +493,7 @@ void gather(highp sampler2D columns, highp sampler2D moments, vec3 medium_raylei
             vec3 _e83 = densities(_e16, _e82);
             vec3 _e84 = extinction(coefficients_1, _e83);
             vec3 tau_1 = (_e84 * step_);
-            vec3 _e88 = out_transmittance_1;
+            vec3 _e88 = out_transmittance;
             vec3 _e89 = mean_transmittance(tau_1);
             vec3 share_2 = (_e88 * _e89);
             float _e91 = t0_1;
@@ -533,33 +506,25 @@ void gather(highp sampler2D columns, highp sampler2D moments, vec3 medium_raylei
                 vec3 _e111 = columns_to_top(columns, medium_radius, medium_thickness, lit_x, _e105, (ray_sun_b_2 + (ray_nu_2 * _e92.y)));
                 vec3 _e119 = extinction(coefficients_1, _e111);
                 source = (((gas_1 * _e106.x) + (aerosol_1 * _e106.y)) * exp(-(_e119)));
-                vec3 _e124 = out_radiance_1;
+                vec3 _e124 = out_radiance;
                 vec3 _e125 = source;
-                out_radiance_1 = (_e124 + ((share_2 * _e125) * _e92.x));
+                out_radiance = (_e124 + ((share_2 * _e125) * _e92.x));
             }
             float r_3 = (medium_radius + _e82);
             float mu_4 = clamp((((lowest_b + _e80) - lowest_t) / r_3), -1.0, 1.0);
             float mu_sun_2 = clamp(((ray_sun_b_2 + (ray_nu_2 * _e80)) / r_3), -1.0, 1.0);
             float _e143 = altitude_share(t_altitude_steepness_1, t_altitude_growth_1, _e82, medium_thickness);
             float _e144 = sun_share(_e36, mu_sun_2);
-            diffuse_source(moments, (vec2(_e144, _e143) * nodes), medium_rayleigh, scattered, mu_4, mu_sun_2, ray_nu_2, diffuse_source_gas, diffuse_source_aerosol);
-            vec3 _e149 = diffuse_source_gas;
-            vec3 _e150 = diffuse_source_aerosol;
-            before_gas = _e149;
-            before_aerosol = _e150;
-            vec3 _e153 = out_radiance_1;
-            vec3 _e157 = before_gas;
-            vec3 _e160 = before_aerosol;
-            out_radiance_1 = (_e153 + ((share_2 * (step_ * diffuse)) * ((_e157 * _e83.x) + (_e160 * _e83.y))));
-            vec3 _e166 = out_transmittance_1;
-            out_transmittance_1 = (_e166 * exp(-(tau_1)));
+            diffuse_source(moments, (vec2(_e144, _e143) * nodes), medium_rayleigh, scattered, mu_4, mu_sun_2, ray_nu_2, before_gas, before_aerosol);
+            vec3 _e149 = out_radiance;
+            vec3 _e153 = before_gas;
+            vec3 _e156 = before_aerosol;
+            out_radiance = (_e149 + ((share_2 * (step_ * diffuse)) * ((_e153 * _e83.x) + (_e156 * _e83.y))));
+            vec3 _e162 = out_transmittance;
+            out_transmittance = (_e162 * exp(-(tau_1)));
             t0_1 = _e74;
         }
     }
-    vec3 _e173 = out_radiance_1;
-    vec3 _e174 = out_transmittance_1;
-    out_radiance = _e173;
-    out_transmittance = _e174;
 }
 
 float rayleigh_phase(float mu_3) {

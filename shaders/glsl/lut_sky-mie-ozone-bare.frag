@@ -122,86 +122,62 @@ float shadow_half2_(float s_cross2_, float s_shadow_b, float s_shadow_c, float s
 }
 
 void sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_3, float radius_4, inout float out_sun_b, inout float out_nu, inout float out_cross2_, inout float out_shadow_b, inout float out_shadow_c, inout float out_shadow_half2_) {
-    float s_sun_b = 0.0;
-    float s_nu = 0.0;
-    float s_cross2_1 = 0.0;
-    float s_shadow_b_1 = 0.0;
-    float s_shadow_c_1 = 0.0;
-    float s_shadow_half2_ = 0.0;
-    s_nu = dot(dir, sun);
-    float _e15 = s_nu;
-    vec3 side = cross((dir - (((_e15 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s_cross2_1 = dot(side, side);
-    s_sun_b = (r_1 * sun.z);
-    s_shadow_b_1 = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+    out_sun_b = 0.0;
+    out_nu = 0.0;
+    out_cross2_ = 0.0;
+    out_shadow_b = 0.0;
+    out_shadow_c = 0.0;
+    out_shadow_half2_ = 0.0;
+    out_nu = dot(dir, sun);
+    float _e21 = out_nu;
+    vec3 side = cross((dir - (((_e21 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    out_cross2_ = dot(side, side);
+    out_sun_b = (r_1 * sun.z);
+    out_shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
     float q = (r_1 * length(sun.xy));
-    float _e39 = s_sun_b;
-    float _e43 = half_chord2_(_e39, x_3, (radius_4 - q), q);
-    s_shadow_c_1 = -(_e43);
-    float _e45 = s_cross2_1;
-    float _e46 = s_shadow_b_1;
-    float _e47 = s_shadow_c_1;
-    float _e49 = shadow_half2_(_e45, _e46, _e47, side.z, r_1, radius_4);
-    s_shadow_half2_ = _e49;
-    float _e50 = s_sun_b;
-    float _e51 = s_nu;
-    float _e52 = s_cross2_1;
-    float _e53 = s_shadow_b_1;
-    float _e54 = s_shadow_c_1;
-    float _e55 = s_shadow_half2_;
-    out_sun_b = _e50;
-    out_nu = _e51;
-    out_cross2_ = _e52;
-    out_shadow_b = _e53;
-    out_shadow_c = _e54;
+    float _e45 = out_sun_b;
+    float _e49 = half_chord2_(_e45, x_3, (radius_4 - q), q);
+    out_shadow_c = -(_e49);
+    float _e51 = out_cross2_;
+    float _e52 = out_shadow_b;
+    float _e53 = out_shadow_c;
+    float _e55 = shadow_half2_(_e51, _e52, _e53, side.z, r_1, radius_4);
     out_shadow_half2_ = _e55;
 }
 
 void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half_, float x_top_1, float radius_5, inout float out_sun_b_1, inout float out_nu_1, inout float out_cross2_1, inout float out_shadow_b_1, inout float out_shadow_c_1, inout float out_shadow_half2_1) {
-    float s_sun_b_1 = 0.0;
-    float s_nu_1 = 0.0;
-    float s_cross2_2 = 0.0;
-    float s_shadow_b_2 = 0.0;
-    float s_shadow_c_2 = 0.0;
-    float s_shadow_half2_1 = 0.0;
-    s_nu_1 = dot(dir_1, sun_1);
-    float _e15 = s_nu_1;
-    float same = ((_e15 >= 0.0) ? 1.0 : -1.0);
+    out_sun_b_1 = 0.0;
+    out_nu_1 = 0.0;
+    out_cross2_1 = 0.0;
+    out_shadow_b_1 = 0.0;
+    out_shadow_c_1 = 0.0;
+    out_shadow_half2_1 = 0.0;
+    out_nu_1 = dot(dir_1, sun_1);
+    float _e21 = out_nu_1;
+    float same = ((_e21 >= 0.0) ? 1.0 : -1.0);
     vec3 apart = (dir_1 - (same * sun_1));
     vec3 side_1 = cross(apart, sun_1);
-    s_cross2_2 = dot(side_1, side_1);
+    out_cross2_1 = dot(side_1, side_1);
     vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
     float there = (-(same) * dot(closest, apart));
     float here = (r_2 * sun_1.z);
-    float _e41 = s_nu_1;
-    float _e47 = s_nu_1;
-    bool nearer = ((abs(here) + (start * abs(_e41))) < (abs(there) + (half_ * abs(_e47))));
-    float _e53 = s_nu_1;
-    float _e56 = s_nu_1;
-    s_sun_b_1 = (nearer ? (here + (start * _e56)) : (there - (half_ * _e53)));
+    float _e47 = out_nu_1;
+    float _e53 = out_nu_1;
+    bool nearer = ((abs(here) + (start * abs(_e47))) < (abs(there) + (half_ * abs(_e53))));
+    float _e59 = out_nu_1;
+    float _e62 = out_nu_1;
+    out_sun_b_1 = (nearer ? (here + (start * _e62)) : (there - (half_ * _e59)));
     vec3 closest_side = cross(closest, sun_1);
-    float _e62 = s_cross2_2;
-    s_shadow_b_2 = (dot(closest_side, side_1) - (half_ * _e62));
+    float _e68 = out_cross2_1;
+    out_shadow_b_1 = (dot(closest_side, side_1) - (half_ * _e68));
     float q_1 = length((closest_side - (half_ * side_1)));
-    float _e68 = s_sun_b_1;
-    float _e72 = half_chord2_(_e68, x_top_1, (radius_5 - q_1), q_1);
-    s_shadow_c_2 = -(_e72);
-    float _e74 = s_cross2_2;
-    float _e75 = s_shadow_b_2;
-    float _e76 = s_shadow_c_2;
-    float _e78 = shadow_half2_(_e74, _e75, _e76, side_1.z, r_2, radius_5);
-    s_shadow_half2_1 = _e78;
-    float _e79 = s_sun_b_1;
-    float _e80 = s_nu_1;
-    float _e81 = s_cross2_2;
-    float _e82 = s_shadow_b_2;
-    float _e83 = s_shadow_c_2;
-    float _e84 = s_shadow_half2_1;
-    out_sun_b_1 = _e79;
-    out_nu_1 = _e80;
-    out_cross2_1 = _e81;
-    out_shadow_b_1 = _e82;
-    out_shadow_c_1 = _e83;
+    float _e74 = out_sun_b_1;
+    float _e78 = half_chord2_(_e74, x_top_1, (radius_5 - q_1), q_1);
+    out_shadow_c_1 = -(_e78);
+    float _e80 = out_cross2_1;
+    float _e81 = out_shadow_b_1;
+    float _e82 = out_shadow_c_1;
+    float _e84 = shadow_half2_(_e80, _e81, _e82, side_1.z, r_2, radius_5);
     out_shadow_half2_1 = _e84;
 }
 
@@ -210,7 +186,7 @@ float to_ground(float x_4, float b_3, float root) {
 }
 
 void lowest(float ray_length, float ray_x, float ray_b, float ray_x_closest, bool ray_ground, float length_, float radius_6, inout float out_t, inout float out_x, inout float out_b) {
-    bool unnamed = false;
+    bool local = false;
     if ((ray_b >= 0.0)) {
         out_t = 0.0;
         out_x = ray_x;
@@ -225,11 +201,11 @@ void lowest(float ray_length, float ray_x, float ray_b, float ray_x_closest, boo
     }
     float b_6 = (ray_b + length_);
     if (ray_ground) {
-        unnamed = (length_ >= ray_length);
+        local = (length_ >= ray_length);
     } else {
-        unnamed = false;
+        local = false;
     }
-    bool _e21 = unnamed;
+    bool _e21 = local;
     if (_e21) {
         out_t = length_;
         out_x = 0.0;
@@ -278,35 +254,35 @@ vec2 shadow_stretch(float ray_sun_b, float ray_nu, float ray_cross2_, float ray_
 }
 
 void inner_ray(vec3 dir_2, float h_1, float radius_7, float thickness, vec3 sun_2, bool ground, inout float out_length, inout float out_x_1, inout float out_b_1, inout float out_x_closest, inout float out_sun_b_2, inout float out_nu_2, inout float out_cross2_2, inout float out_shadow_b_2, inout float out_shadow_c_2, inout float out_shadow_half2_2, inout bool out_ground) {
-    bool unnamed_1 = false;
-    float s_sun_b_2 = 0.0;
-    float s_nu_2 = 0.0;
-    float s_cross2_3 = 0.0;
-    float s_shadow_b_3 = 0.0;
-    float s_shadow_c_3 = 0.0;
-    float s_shadow_half2_2 = 0.0;
+    bool local_1 = false;
+    float s_sun_b = 0.0;
+    float s_nu = 0.0;
+    float s_cross2_1 = 0.0;
+    float s_shadow_b_1 = 0.0;
+    float s_shadow_c_1 = 0.0;
+    float s_shadow_half2_ = 0.0;
     float r_3 = (radius_7 + h_1);
     float _e14 = excess_of(h_1, radius_7);
     float b_7 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
     float _e24 = half_chord2_(b_7, _e14, (radius_7 - p_2), p_2);
-    sun_side_inside(dir_2, sun_2, r_3, _e14, radius_7, s_sun_b_2, s_nu_2, s_cross2_3, s_shadow_b_3, s_shadow_c_3, s_shadow_half2_2);
-    float _e32 = s_sun_b_2;
-    float _e33 = s_nu_2;
-    float _e34 = s_cross2_3;
-    float _e35 = s_shadow_b_3;
-    float _e36 = s_shadow_c_3;
-    float _e37 = s_shadow_half2_2;
+    sun_side_inside(dir_2, sun_2, r_3, _e14, radius_7, s_sun_b, s_nu, s_cross2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
+    float _e32 = s_sun_b;
+    float _e33 = s_nu;
+    float _e34 = s_cross2_1;
+    float _e35 = s_shadow_b_1;
+    float _e36 = s_shadow_c_1;
+    float _e37 = s_shadow_half2_;
     float ground_root = sqrt(max(_e24, 0.0));
     float _e42 = excess_of(thickness, radius_7);
     float _e43 = distance_to_top(_e14, b_7, _e42);
     float _e44 = to_ground(_e14, b_7, ground_root);
     if (ground) {
-        unnamed_1 = (b_7 < 0.0);
+        local_1 = (b_7 < 0.0);
     } else {
-        unnamed_1 = false;
+        local_1 = false;
     }
-    bool _e51 = unnamed_1;
+    bool _e51 = local_1;
     float reach = (_e51 ? _e44 : _e43);
     out_length = reach;
     out_x_1 = _e14;
@@ -420,70 +396,66 @@ vec2 lit_part(vec2 shadow, float low_2, float t0_, float t1_, float mid) {
     return vec2(((t1_ - t0_) - dark), _e33);
 }
 
-void gather_direct(highp sampler2D columns, vec3 medium_rayleigh, float medium_rayleigh_inv_height, float medium_mie_inv_height, float medium_ozone_center, float medium_ozone_inv_half_width, vec3 medium_ozone, float medium_radius, float medium_thickness, vec3 t_mie_extinction, uint t_steps, float ray_sun_b_1, float ray_nu_1, float ray_cross2_1, float ray_shadow_b_1, float ray_shadow_c_1, float ray_shadow_half2_1, float lowest_t, float lowest_x, float lowest_b, float u_from, float u_to, vec3 gas, vec3 aerosol, inout vec3 out_radiance, inout vec3 out_columns) {
-    vec3 out_radiance_1 = vec3(0.0);
-    vec3 out_transmittance = vec3(1.0);
-    vec3 out_columns_1 = vec3(0.0);
+void gather_direct(highp sampler2D columns, vec3 medium_rayleigh, float medium_rayleigh_inv_height, float medium_mie_inv_height, float medium_ozone_center, float medium_ozone_inv_half_width, vec3 medium_ozone, float medium_radius, float medium_thickness, vec3 t_mie_extinction, uint t_steps, float ray_sun_b_1, float ray_nu_1, float ray_cross2_1, float ray_shadow_b_1, float ray_shadow_c_1, float ray_shadow_half2_1, float lowest_t, float lowest_x, float lowest_b, float u_from, float u_to, vec3 gas, vec3 aerosol, inout vec3 out_radiance, inout vec3 out_transmittance, inout vec3 out_columns) {
     float t0_1 = 0.0;
     uint i = 0u;
     vec3 source = vec3(0.0);
-    vec4 _e17 = layers_of(medium_rayleigh_inv_height, medium_mie_inv_height, medium_ozone_center, medium_ozone_inv_half_width);
+    out_radiance = vec3(0.0);
+    out_transmittance = vec3(1.0);
+    out_columns = vec3(0.0);
+    vec4 _e18 = layers_of(medium_rayleigh_inv_height, medium_mie_inv_height, medium_ozone_center, medium_ozone_inv_half_width);
     mat3x3 coefficients_1 = mat3x3(medium_rayleigh, t_mie_extinction, medium_ozone);
-    vec2 _e27 = shadow_stretch(ray_sun_b_1, ray_nu_1, ray_cross2_1, ray_shadow_b_1, ray_shadow_c_1, ray_shadow_half2_1);
+    vec2 _e28 = shadow_stretch(ray_sun_b_1, ray_nu_1, ray_cross2_1, ray_shadow_b_1, ray_shadow_c_1, ray_shadow_half2_1);
     float du = ((u_to - u_from) / float(t_steps));
-    float _e36 = warp(lowest_t, u_from);
-    t0_1 = _e36;
+    float _e37 = warp(lowest_t, u_from);
+    t0_1 = _e37;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e110 = i;
-            i = (_e110 + 1u);
+            uint _e111 = i;
+            i = (_e111 + 1u);
         }
         loop_init = false;
-        uint _e39 = i;
-        if ((_e39 < t_steps)) {
+        uint _e40 = i;
+        if ((_e40 < t_steps)) {
         } else {
             break;
         }
         {
-            uint _e41 = i;
-            float u_1 = (u_from + (du * float(_e41)));
-            float _e46 = warp(lowest_t, (u_1 + du));
-            float _e47 = t0_1;
-            float step_ = (_e46 - _e47);
-            float _e52 = warp(lowest_t, (u_1 + (0.5 * du)));
-            float _e54 = altitude_after(lowest_x, lowest_b, (_e52 - lowest_t), medium_radius);
-            vec3 _e55 = densities(_e17, _e54);
-            vec3 _e56 = extinction(coefficients_1, _e55);
-            vec3 tau_1 = (_e56 * step_);
-            vec3 _e61 = out_transmittance;
-            vec3 _e62 = mean_transmittance(tau_1);
-            vec3 share_2 = (_e61 * _e62);
-            float _e64 = t0_1;
-            vec2 _e65 = lit_part(_e27, lowest_t, _e64, _e46, _e52);
-            if ((_e65.x > 0.0)) {
-                float past = (_e65.y - lowest_t);
+            uint _e42 = i;
+            float u_1 = (u_from + (du * float(_e42)));
+            float _e47 = warp(lowest_t, (u_1 + du));
+            float _e48 = t0_1;
+            float step_ = (_e47 - _e48);
+            float _e53 = warp(lowest_t, (u_1 + (0.5 * du)));
+            float _e55 = altitude_after(lowest_x, lowest_b, (_e53 - lowest_t), medium_radius);
+            vec3 _e56 = densities(_e18, _e55);
+            vec3 _e57 = extinction(coefficients_1, _e56);
+            vec3 tau_1 = (_e57 * step_);
+            vec3 _e62 = out_transmittance;
+            vec3 _e63 = mean_transmittance(tau_1);
+            vec3 share_2 = (_e62 * _e63);
+            float _e65 = t0_1;
+            vec2 _e66 = lit_part(_e28, lowest_t, _e65, _e47, _e53);
+            if ((_e66.x > 0.0)) {
+                float past = (_e66.y - lowest_t);
                 float lit_x = max((lowest_x + (past * ((2.0 * lowest_b) + past))), 0.0);
-                float _e78 = altitude_of(lit_x, medium_radius);
-                vec3 _e79 = densities(_e17, _e78);
-                vec3 _e84 = columns_to_top(columns, medium_radius, medium_thickness, lit_x, _e78, (ray_sun_b_1 + (ray_nu_1 * _e65.y)));
-                vec3 _e92 = extinction(coefficients_1, _e84);
-                source = (((gas * _e79.x) + (aerosol * _e79.y)) * exp(-(_e92)));
-                vec3 _e97 = out_radiance_1;
-                vec3 _e98 = source;
-                out_radiance_1 = (_e97 + ((share_2 * _e98) * _e65.x));
+                float _e79 = altitude_of(lit_x, medium_radius);
+                vec3 _e80 = densities(_e18, _e79);
+                vec3 _e85 = columns_to_top(columns, medium_radius, medium_thickness, lit_x, _e79, (ray_sun_b_1 + (ray_nu_1 * _e66.y)));
+                vec3 _e93 = extinction(coefficients_1, _e85);
+                source = (((gas * _e80.x) + (aerosol * _e80.y)) * exp(-(_e93)));
+                vec3 _e98 = out_radiance;
+                vec3 _e99 = source;
+                out_radiance = (_e98 + ((share_2 * _e99) * _e66.x));
             }
-            vec3 _e103 = out_transmittance;
-            out_transmittance = (_e103 * exp(-(tau_1)));
-            vec3 _e107 = out_columns_1;
-            out_columns_1 = (_e107 + (_e55 * step_));
-            t0_1 = _e46;
+            vec3 _e104 = out_transmittance;
+            out_transmittance = (_e104 * exp(-(tau_1)));
+            vec3 _e108 = out_columns;
+            out_columns = (_e108 + (_e56 * step_));
+            t0_1 = _e47;
         }
     }
-    vec3 _e113 = out_radiance_1;
-    vec3 _e114 = out_columns_1;
-    out_radiance = _e113;
-    out_columns = _e114;
 }
 
 vec2 share_azimuth(float share) {
@@ -493,17 +465,17 @@ vec2 share_azimuth(float share) {
 }
 
 void table_ray(float azimuth, float share_1, bool ground_1, float h_5, float radius_10, float thickness_3, vec4 limb, vec3 sun_3, inout float out_ray_length, inout float out_ray_x, inout float out_ray_b, inout float out_ray_x_closest, inout float out_ray_sun_b, inout float out_ray_nu, inout float out_ray_cross2_, inout float out_ray_shadow_b, inout float out_ray_shadow_c, inout float out_ray_shadow_half2_, inout bool out_ray_ground) {
-    bool unnamed_2 = false;
+    bool local_2 = false;
     float c2_ = 0.0;
     float approach = 0.0;
     float from_start = 0.0;
     float mu = 0.0;
-    float s_sun_b_3 = 0.0;
-    float s_nu_3 = 0.0;
-    float s_cross2_4 = 0.0;
-    float s_shadow_b_4 = 0.0;
-    float s_shadow_c_4 = 0.0;
-    float s_shadow_half2_3 = 0.0;
+    float s_sun_b_1 = 0.0;
+    float s_nu_1 = 0.0;
+    float s_cross2_2 = 0.0;
+    float s_shadow_b_2 = 0.0;
+    float s_shadow_c_2 = 0.0;
+    float s_shadow_half2_1 = 0.0;
     float start_1 = 0.0;
     float inner_ray_length = 0.0;
     float inner_ray_x = 0.0;
@@ -516,29 +488,17 @@ void table_ray(float azimuth, float share_1, bool ground_1, float h_5, float rad
     float inner_ray_shadow_c = 0.0;
     float inner_ray_shadow_half2_ = 0.0;
     bool inner_ray_ground = false;
-    float sun_side_outside_sun_b = 0.0;
-    float sun_side_outside_nu = 0.0;
-    float sun_side_outside_cross2_ = 0.0;
-    float sun_side_outside_shadow_b = 0.0;
-    float sun_side_outside_shadow_c = 0.0;
-    float sun_side_outside_shadow_half2_ = 0.0;
-    float sun_side_inside_sun_b = 0.0;
-    float sun_side_inside_nu = 0.0;
-    float sun_side_inside_cross2_ = 0.0;
-    float sun_side_inside_shadow_b = 0.0;
-    float sun_side_inside_shadow_c = 0.0;
-    float sun_side_inside_shadow_half2_ = 0.0;
     float r_4 = (radius_10 + h_5);
     float _e19 = excess_of(h_5, radius_10);
     float _e21 = excess_of(thickness_3, radius_10);
     vec2 _e23 = share_azimuth(azimuth);
     bool outside = (h_5 > thickness_3);
     if (!(ground_1)) {
-        unnamed_2 = (share_1 > limb.x);
+        local_2 = (share_1 > limb.x);
     } else {
-        unnamed_2 = false;
+        local_2 = false;
     }
-    bool _e34 = unnamed_2;
+    bool _e34 = local_2;
     if (_e34) {
         float u_2 = min((limb.z + (((share_1 - limb.x) / (1.0 - limb.x)) * (1.0 - limb.z))), 1.0);
         float rest = ((1.0 - u_2) * (1.0 + u_2));
@@ -604,44 +564,20 @@ void table_ray(float azimuth, float share_1, bool ground_1, float h_5, float rad
     if (outside) {
         start_1 = (above_1 / (-(b_8) - (r_4 * down)));
         float _e216 = start_1;
-        sun_side_outside(dir_4, sun_3, r_4, _e216, -(b_8), _e21, radius_10, sun_side_outside_sun_b, sun_side_outside_nu, sun_side_outside_cross2_, sun_side_outside_shadow_b, sun_side_outside_shadow_c, sun_side_outside_shadow_half2_);
-        float _e224 = sun_side_outside_sun_b;
-        float _e225 = sun_side_outside_nu;
-        float _e226 = sun_side_outside_cross2_;
-        float _e227 = sun_side_outside_shadow_b;
-        float _e228 = sun_side_outside_shadow_c;
-        float _e229 = sun_side_outside_shadow_half2_;
-        s_sun_b_3 = _e224;
-        s_nu_3 = _e225;
-        s_cross2_4 = _e226;
-        s_shadow_b_4 = _e227;
-        s_shadow_c_4 = _e228;
-        s_shadow_half2_3 = _e229;
+        sun_side_outside(dir_4, sun_3, r_4, _e216, -(b_8), _e21, radius_10, s_sun_b_1, s_nu_1, s_cross2_2, s_shadow_b_2, s_shadow_c_2, s_shadow_half2_1);
     } else {
-        sun_side_inside(dir_4, sun_3, r_4, _e19, radius_10, sun_side_inside_sun_b, sun_side_inside_nu, sun_side_inside_cross2_, sun_side_inside_shadow_b, sun_side_inside_shadow_c, sun_side_inside_shadow_half2_);
-        float _e242 = sun_side_inside_sun_b;
-        float _e243 = sun_side_inside_nu;
-        float _e244 = sun_side_inside_cross2_;
-        float _e245 = sun_side_inside_shadow_b;
-        float _e246 = sun_side_inside_shadow_c;
-        float _e247 = sun_side_inside_shadow_half2_;
-        s_sun_b_3 = _e242;
-        s_nu_3 = _e243;
-        s_cross2_4 = _e244;
-        s_shadow_b_4 = _e245;
-        s_shadow_c_4 = _e246;
-        s_shadow_half2_3 = _e247;
+        sun_side_inside(dir_4, sun_3, r_4, _e19, radius_10, s_sun_b_1, s_nu_1, s_cross2_2, s_shadow_b_2, s_shadow_c_2, s_shadow_half2_1);
     }
-    float _e248 = distance_to_top(start_x, b_8, _e21);
-    float _e249 = mu;
-    float reach_1 = (ground_1 ? (start_x / max(((radius_10 * _e249) - b_8), 1e-20)) : _e248);
+    float _e224 = distance_to_top(start_x, b_8, _e21);
+    float _e225 = mu;
+    float reach_1 = (ground_1 ? (start_x / max(((radius_10 * _e225) - b_8), 1e-20)) : _e224);
     float ray_x_closest_1 = c2_;
-    float ray_sun_b_2 = s_sun_b_3;
-    float ray_nu_2 = s_nu_3;
-    float ray_cross2_2 = s_cross2_4;
-    float ray_shadow_b_2 = s_shadow_b_4;
-    float ray_shadow_c_2 = s_shadow_c_4;
-    float ray_shadow_half2_2 = s_shadow_half2_3;
+    float ray_sun_b_2 = s_sun_b_1;
+    float ray_nu_2 = s_nu_1;
+    float ray_cross2_2 = s_cross2_2;
+    float ray_shadow_b_2 = s_shadow_b_2;
+    float ray_shadow_c_2 = s_shadow_c_2;
+    float ray_shadow_half2_2 = s_shadow_half2_1;
     out_ray_length = reach_1;
     out_ray_x = start_x;
     out_ray_b = b_8;
@@ -676,6 +612,7 @@ void main() {
     float low_x = 0.0;
     float low_b = 0.0;
     vec3 g_radiance = vec3(0.0);
+    vec3 g_transmittance = vec3(0.0);
     vec3 g_columns = vec3(0.0);
     vec3 f_medium_rayleigh = _group_0_binding_0_fs.frame.medium.rayleigh;
     float f_medium_rayleigh_inv_height = _group_0_binding_0_fs.frame.medium.rayleigh_inv_height;
@@ -725,14 +662,14 @@ void main() {
     float _e100 = unwarp(_e95, _e74);
     float _e101 = rayleigh_phase(_e79);
     vec3 gas_1 = (f_medium_rayleigh * _e101);
-    gather_direct(_group_0_binding_1_fs, f_medium_rayleigh, f_medium_rayleigh_inv_height, f_medium_mie_inv_height, f_medium_ozone_center, f_medium_ozone_inv_half_width, f_medium_ozone, f_medium_radius, f_medium_thickness, t_mie_extinction_1, t_steps_1, _e78, _e79, _e80, _e81, _e82, _e83, _e95, _e96, _e97, _e99, _e100, gas_1, vec3(0.0), g_radiance, g_columns);
-    vec3 _e108 = g_radiance;
-    vec3 _e109 = g_columns;
-    mat3x3 _e110 = coefficients_of(f_medium_rayleigh, f_medium_mie_extinction, f_medium_ozone);
-    vec3 _e111 = extinction(_e110, _e109);
-    float grey = dot(exp(-(_e111)), vec3(0.33333334));
+    gather_direct(_group_0_binding_1_fs, f_medium_rayleigh, f_medium_rayleigh_inv_height, f_medium_mie_inv_height, f_medium_ozone_center, f_medium_ozone_inv_half_width, f_medium_ozone, f_medium_radius, f_medium_thickness, t_mie_extinction_1, t_steps_1, _e78, _e79, _e80, _e81, _e82, _e83, _e95, _e96, _e97, _e99, _e100, gas_1, vec3(0.0), g_radiance, g_transmittance, g_columns);
+    vec3 _e109 = g_radiance;
+    vec3 _e110 = g_columns;
+    mat3x3 _e111 = coefficients_of(f_medium_rayleigh, f_medium_mie_extinction, f_medium_ozone);
+    vec3 _e112 = extinction(_e111, _e110);
+    float grey = dot(exp(-(_e112)), vec3(0.33333334));
     float scale = (ground_2 ? (1.0 / _e74) : 1.0);
-    _fs2p_location0 = vec4(sqrt(sqrt((max(_e108, vec3(0.0)) * scale))), grey);
+    _fs2p_location0 = vec4(sqrt(sqrt((max(_e109, vec3(0.0)) * scale))), grey);
     return;
 }
 

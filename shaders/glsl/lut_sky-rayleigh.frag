@@ -124,86 +124,62 @@ float shadow_half2_(float s_cross2_, float s_shadow_b, float s_shadow_c, float s
 }
 
 void sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_3, float radius_4, inout float out_sun_b, inout float out_nu, inout float out_cross2_, inout float out_shadow_b, inout float out_shadow_c, inout float out_shadow_half2_) {
-    float s_sun_b = 0.0;
-    float s_nu = 0.0;
-    float s_cross2_1 = 0.0;
-    float s_shadow_b_1 = 0.0;
-    float s_shadow_c_1 = 0.0;
-    float s_shadow_half2_ = 0.0;
-    s_nu = dot(dir, sun);
-    float _e15 = s_nu;
-    vec3 side = cross((dir - (((_e15 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s_cross2_1 = dot(side, side);
-    s_sun_b = (r_1 * sun.z);
-    s_shadow_b_1 = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+    out_sun_b = 0.0;
+    out_nu = 0.0;
+    out_cross2_ = 0.0;
+    out_shadow_b = 0.0;
+    out_shadow_c = 0.0;
+    out_shadow_half2_ = 0.0;
+    out_nu = dot(dir, sun);
+    float _e21 = out_nu;
+    vec3 side = cross((dir - (((_e21 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    out_cross2_ = dot(side, side);
+    out_sun_b = (r_1 * sun.z);
+    out_shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
     float q = (r_1 * length(sun.xy));
-    float _e39 = s_sun_b;
-    float _e43 = half_chord2_(_e39, x_3, (radius_4 - q), q);
-    s_shadow_c_1 = -(_e43);
-    float _e45 = s_cross2_1;
-    float _e46 = s_shadow_b_1;
-    float _e47 = s_shadow_c_1;
-    float _e49 = shadow_half2_(_e45, _e46, _e47, side.z, r_1, radius_4);
-    s_shadow_half2_ = _e49;
-    float _e50 = s_sun_b;
-    float _e51 = s_nu;
-    float _e52 = s_cross2_1;
-    float _e53 = s_shadow_b_1;
-    float _e54 = s_shadow_c_1;
-    float _e55 = s_shadow_half2_;
-    out_sun_b = _e50;
-    out_nu = _e51;
-    out_cross2_ = _e52;
-    out_shadow_b = _e53;
-    out_shadow_c = _e54;
+    float _e45 = out_sun_b;
+    float _e49 = half_chord2_(_e45, x_3, (radius_4 - q), q);
+    out_shadow_c = -(_e49);
+    float _e51 = out_cross2_;
+    float _e52 = out_shadow_b;
+    float _e53 = out_shadow_c;
+    float _e55 = shadow_half2_(_e51, _e52, _e53, side.z, r_1, radius_4);
     out_shadow_half2_ = _e55;
 }
 
 void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half_, float x_top_1, float radius_5, inout float out_sun_b_1, inout float out_nu_1, inout float out_cross2_1, inout float out_shadow_b_1, inout float out_shadow_c_1, inout float out_shadow_half2_1) {
-    float s_sun_b_1 = 0.0;
-    float s_nu_1 = 0.0;
-    float s_cross2_2 = 0.0;
-    float s_shadow_b_2 = 0.0;
-    float s_shadow_c_2 = 0.0;
-    float s_shadow_half2_1 = 0.0;
-    s_nu_1 = dot(dir_1, sun_1);
-    float _e15 = s_nu_1;
-    float same = ((_e15 >= 0.0) ? 1.0 : -1.0);
+    out_sun_b_1 = 0.0;
+    out_nu_1 = 0.0;
+    out_cross2_1 = 0.0;
+    out_shadow_b_1 = 0.0;
+    out_shadow_c_1 = 0.0;
+    out_shadow_half2_1 = 0.0;
+    out_nu_1 = dot(dir_1, sun_1);
+    float _e21 = out_nu_1;
+    float same = ((_e21 >= 0.0) ? 1.0 : -1.0);
     vec3 apart = (dir_1 - (same * sun_1));
     vec3 side_1 = cross(apart, sun_1);
-    s_cross2_2 = dot(side_1, side_1);
+    out_cross2_1 = dot(side_1, side_1);
     vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
     float there = (-(same) * dot(closest, apart));
     float here = (r_2 * sun_1.z);
-    float _e41 = s_nu_1;
-    float _e47 = s_nu_1;
-    bool nearer = ((abs(here) + (start * abs(_e41))) < (abs(there) + (half_ * abs(_e47))));
-    float _e53 = s_nu_1;
-    float _e56 = s_nu_1;
-    s_sun_b_1 = (nearer ? (here + (start * _e56)) : (there - (half_ * _e53)));
+    float _e47 = out_nu_1;
+    float _e53 = out_nu_1;
+    bool nearer = ((abs(here) + (start * abs(_e47))) < (abs(there) + (half_ * abs(_e53))));
+    float _e59 = out_nu_1;
+    float _e62 = out_nu_1;
+    out_sun_b_1 = (nearer ? (here + (start * _e62)) : (there - (half_ * _e59)));
     vec3 closest_side = cross(closest, sun_1);
-    float _e62 = s_cross2_2;
-    s_shadow_b_2 = (dot(closest_side, side_1) - (half_ * _e62));
+    float _e68 = out_cross2_1;
+    out_shadow_b_1 = (dot(closest_side, side_1) - (half_ * _e68));
     float q_1 = length((closest_side - (half_ * side_1)));
-    float _e68 = s_sun_b_1;
-    float _e72 = half_chord2_(_e68, x_top_1, (radius_5 - q_1), q_1);
-    s_shadow_c_2 = -(_e72);
-    float _e74 = s_cross2_2;
-    float _e75 = s_shadow_b_2;
-    float _e76 = s_shadow_c_2;
-    float _e78 = shadow_half2_(_e74, _e75, _e76, side_1.z, r_2, radius_5);
-    s_shadow_half2_1 = _e78;
-    float _e79 = s_sun_b_1;
-    float _e80 = s_nu_1;
-    float _e81 = s_cross2_2;
-    float _e82 = s_shadow_b_2;
-    float _e83 = s_shadow_c_2;
-    float _e84 = s_shadow_half2_1;
-    out_sun_b_1 = _e79;
-    out_nu_1 = _e80;
-    out_cross2_1 = _e81;
-    out_shadow_b_1 = _e82;
-    out_shadow_c_1 = _e83;
+    float _e74 = out_sun_b_1;
+    float _e78 = half_chord2_(_e74, x_top_1, (radius_5 - q_1), q_1);
+    out_shadow_c_1 = -(_e78);
+    float _e80 = out_cross2_1;
+    float _e81 = out_shadow_b_1;
+    float _e82 = out_shadow_c_1;
+    float _e84 = shadow_half2_(_e80, _e81, _e82, side_1.z, r_2, radius_5);
     out_shadow_half2_1 = _e84;
 }
 
@@ -212,7 +188,7 @@ float to_ground(float x_4, float b_3, float root) {
 }
 
 void lowest(float ray_length, float ray_x, float ray_b, float ray_x_closest, bool ray_ground, float length_, float radius_6, inout float out_t, inout float out_x, inout float out_b) {
-    bool unnamed = false;
+    bool local = false;
     if ((ray_b >= 0.0)) {
         out_t = 0.0;
         out_x = ray_x;
@@ -227,11 +203,11 @@ void lowest(float ray_length, float ray_x, float ray_b, float ray_x_closest, boo
     }
     float b_6 = (ray_b + length_);
     if (ray_ground) {
-        unnamed = (length_ >= ray_length);
+        local = (length_ >= ray_length);
     } else {
-        unnamed = false;
+        local = false;
     }
-    bool _e21 = unnamed;
+    bool _e21 = local;
     if (_e21) {
         out_t = length_;
         out_x = 0.0;
@@ -280,35 +256,35 @@ vec2 shadow_stretch(float ray_sun_b, float ray_nu, float ray_cross2_, float ray_
 }
 
 void inner_ray(vec3 dir_2, float h_1, float radius_7, float thickness, vec3 sun_2, bool ground, inout float out_length, inout float out_x_1, inout float out_b_1, inout float out_x_closest, inout float out_sun_b_2, inout float out_nu_2, inout float out_cross2_2, inout float out_shadow_b_2, inout float out_shadow_c_2, inout float out_shadow_half2_2, inout bool out_ground) {
-    bool unnamed_1 = false;
-    float s_sun_b_2 = 0.0;
-    float s_nu_2 = 0.0;
-    float s_cross2_3 = 0.0;
-    float s_shadow_b_3 = 0.0;
-    float s_shadow_c_3 = 0.0;
-    float s_shadow_half2_2 = 0.0;
+    bool local_1 = false;
+    float s_sun_b = 0.0;
+    float s_nu = 0.0;
+    float s_cross2_1 = 0.0;
+    float s_shadow_b_1 = 0.0;
+    float s_shadow_c_1 = 0.0;
+    float s_shadow_half2_ = 0.0;
     float r_3 = (radius_7 + h_1);
     float _e14 = excess_of(h_1, radius_7);
     float b_7 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
     float _e24 = half_chord2_(b_7, _e14, (radius_7 - p_2), p_2);
-    sun_side_inside(dir_2, sun_2, r_3, _e14, radius_7, s_sun_b_2, s_nu_2, s_cross2_3, s_shadow_b_3, s_shadow_c_3, s_shadow_half2_2);
-    float _e32 = s_sun_b_2;
-    float _e33 = s_nu_2;
-    float _e34 = s_cross2_3;
-    float _e35 = s_shadow_b_3;
-    float _e36 = s_shadow_c_3;
-    float _e37 = s_shadow_half2_2;
+    sun_side_inside(dir_2, sun_2, r_3, _e14, radius_7, s_sun_b, s_nu, s_cross2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
+    float _e32 = s_sun_b;
+    float _e33 = s_nu;
+    float _e34 = s_cross2_1;
+    float _e35 = s_shadow_b_1;
+    float _e36 = s_shadow_c_1;
+    float _e37 = s_shadow_half2_;
     float ground_root = sqrt(max(_e24, 0.0));
     float _e42 = excess_of(thickness, radius_7);
     float _e43 = distance_to_top(_e14, b_7, _e42);
     float _e44 = to_ground(_e14, b_7, ground_root);
     if (ground) {
-        unnamed_1 = (b_7 < 0.0);
+        local_1 = (b_7 < 0.0);
     } else {
-        unnamed_1 = false;
+        local_1 = false;
     }
-    bool _e51 = unnamed_1;
+    bool _e51 = local_1;
     float reach = (_e51 ? _e44 : _e43);
     out_length = reach;
     out_x_1 = _e14;
@@ -432,52 +408,39 @@ void diffuse_source(highp sampler2D table_2, vec2 at_1, vec3 gas, mat3x3 aerosol
     ivec2 c_low_1 = ivec2(0);
     ivec2 c_high_1 = ivec2(0);
     vec2 c_part_1 = vec2(0.0);
-    vec3 source_gas = vec3(0.0);
-    vec3 source_aerosol = vec3(0.0);
-    ivec2 corner_low_1 = ivec2(0);
-    ivec2 corner_high_1 = ivec2(0);
-    vec2 corner_part_1 = vec2(0.0);
+    out_gas = vec3(0.0);
+    out_aerosol = vec3(0.0);
     ivec2 dims = ivec2(uvec2(textureSize(table_2, 0).xy));
-    corner(at_1, ivec2(dims.x, ((dims.y - 1) / MOMENTS)), corner_low_1, corner_high_1, corner_part_1);
-    ivec2 _e20 = corner_low_1;
-    ivec2 _e21 = corner_high_1;
-    vec2 _e22 = corner_part_1;
-    c_low_1 = _e20;
-    c_high_1 = _e21;
-    c_part_1 = _e22;
-    int _e27 = c_low_1.y;
-    c_low_1.y = (_e27 * MOMENTS);
-    int _e31 = c_high_1.y;
-    c_high_1.y = (_e31 * MOMENTS);
-    ivec2 _e34 = c_low_1;
-    ivec2 _e35 = c_high_1;
-    vec2 _e36 = c_part_1;
-    vec4 _e39 = bilinear(table_2, _e34, _e35, _e36, ivec2(0));
-    vec3 mean = exp2(_e39.xyz);
+    corner(at_1, ivec2(dims.x, ((dims.y - 1) / MOMENTS)), c_low_1, c_high_1, c_part_1);
+    int _e21 = c_low_1.y;
+    c_low_1.y = (_e21 * MOMENTS);
+    int _e25 = c_high_1.y;
+    c_high_1.y = (_e25 * MOMENTS);
+    ivec2 _e28 = c_low_1;
+    ivec2 _e29 = c_high_1;
+    vec2 _e30 = c_part_1;
+    vec4 _e33 = bilinear(table_2, _e28, _e29, _e30, ivec2(0));
+    vec3 mean = exp2(_e33.xyz);
     float sin_sun = sqrt(max(((1.0 - mu_sun) * (1.0 + mu_sun)), 1e-12));
     float sin_view = sqrt(max(((1.0 - mu_2) * (1.0 + mu_2)), 0.0));
     float along_1 = clamp(((nu - (mu_2 * mu_sun)) / sin_sun), -(sin_view), sin_view);
-    ivec2 _e66 = c_low_1;
-    ivec2 _e67 = c_high_1;
-    vec2 _e68 = c_part_1;
-    vec4 _e72 = bilinear(table_2, _e66, _e67, _e68, ivec2(0, 3));
-    float _e75 = harmonic(3, mu_2, along_1);
-    ivec2 _e77 = c_low_1;
-    ivec2 _e78 = c_high_1;
-    vec2 _e79 = c_part_1;
-    vec4 _e83 = bilinear(table_2, _e77, _e78, _e79, ivec2(0, 4));
-    float _e86 = harmonic(4, mu_2, along_1);
-    ivec2 _e89 = c_low_1;
-    ivec2 _e90 = c_high_1;
-    vec2 _e91 = c_part_1;
-    vec4 _e95 = bilinear(table_2, _e89, _e90, _e91, ivec2(0, 5));
-    float _e98 = harmonic(5, mu_2, along_1);
-    vec3 l2_ = (((_e72.xyz * _e75) + (_e83.xyz * _e86)) + (_e95.xyz * _e98));
-    source_gas = ((gas * (vec3(0.2820948) + (0.1 * l2_))) * mean);
-    vec3 _e111 = source_gas;
-    vec3 _e112 = source_aerosol;
-    out_gas = _e111;
-    out_aerosol = _e112;
+    ivec2 _e60 = c_low_1;
+    ivec2 _e61 = c_high_1;
+    vec2 _e62 = c_part_1;
+    vec4 _e66 = bilinear(table_2, _e60, _e61, _e62, ivec2(0, 3));
+    float _e69 = harmonic(3, mu_2, along_1);
+    ivec2 _e71 = c_low_1;
+    ivec2 _e72 = c_high_1;
+    vec2 _e73 = c_part_1;
+    vec4 _e77 = bilinear(table_2, _e71, _e72, _e73, ivec2(0, 4));
+    float _e80 = harmonic(4, mu_2, along_1);
+    ivec2 _e83 = c_low_1;
+    ivec2 _e84 = c_high_1;
+    vec2 _e85 = c_part_1;
+    vec4 _e89 = bilinear(table_2, _e83, _e84, _e85, ivec2(0, 5));
+    float _e92 = harmonic(5, mu_2, along_1);
+    vec3 l2_ = (((_e66.xyz * _e69) + (_e77.xyz * _e80)) + (_e89.xyz * _e92));
+    out_gas = ((gas * (vec3(0.2820948) + (0.1 * l2_))) * mean);
 }
 
 float warp(float low, float u) {
@@ -509,92 +472,82 @@ vec2 lit_part(vec2 shadow, float low_2, float t0_, float t1_, float mid) {
     return vec2(((t1_ - t0_) - dark), _e33);
 }
 
-void gather(highp sampler2D columns, highp sampler2D moments, vec3 medium_rayleigh, float medium_rayleigh_inv_height, vec3 medium_mie_scattering, float medium_mie_inv_height, float medium_ozone_center, float medium_ozone_inv_half_width, vec3 medium_ozone, float medium_radius, float medium_thickness, vec3 t_mie_extinction, float t_altitude_steepness, vec3 t_mie_moment0_, float t_altitude_growth, vec3 t_mie_moment1_, float t_sun_middle_1, vec3 t_mie_moment2_, float t_sun_width_1, float t_sun_first_1, float t_sun_span_1, uint t_steps, float ray_sun_b_1, float ray_nu_1, float ray_cross2_1, float ray_shadow_b_1, float ray_shadow_c_1, float ray_shadow_half2_1, float lowest_t, float lowest_x, float lowest_b, float u_from, float u_to, vec3 gas_1, vec3 aerosol_1, float diffuse, inout vec3 out_radiance, inout vec3 out_columns) {
-    vec3 out_radiance_1 = vec3(0.0);
-    vec3 out_transmittance = vec3(1.0);
-    vec3 out_columns_1 = vec3(0.0);
+void gather(highp sampler2D columns, highp sampler2D moments, vec3 medium_rayleigh, float medium_rayleigh_inv_height, vec3 medium_mie_scattering, float medium_mie_inv_height, float medium_ozone_center, float medium_ozone_inv_half_width, vec3 medium_ozone, float medium_radius, float medium_thickness, vec3 t_mie_extinction, float t_altitude_steepness, vec3 t_mie_moment0_, float t_altitude_growth, vec3 t_mie_moment1_, float t_sun_middle_1, vec3 t_mie_moment2_, float t_sun_width_1, float t_sun_first_1, float t_sun_span_1, uint t_steps, float ray_sun_b_1, float ray_nu_1, float ray_cross2_1, float ray_shadow_b_1, float ray_shadow_c_1, float ray_shadow_half2_1, float lowest_t, float lowest_x, float lowest_b, float u_from, float u_to, vec3 gas_1, vec3 aerosol_1, float diffuse, inout vec3 out_radiance, inout vec3 out_transmittance, inout vec3 out_columns) {
     float t0_1 = 0.0;
     uint i = 0u;
     vec3 source = vec3(0.0);
     vec3 before_gas = vec3(0.0);
     vec3 before_aerosol = vec3(0.0);
-    vec3 diffuse_source_gas = vec3(0.0);
-    vec3 diffuse_source_aerosol = vec3(0.0);
-    vec4 _e18 = layers_of(medium_rayleigh_inv_height, medium_mie_inv_height, medium_ozone_center, medium_ozone_inv_half_width);
+    out_radiance = vec3(0.0);
+    out_transmittance = vec3(1.0);
+    out_columns = vec3(0.0);
+    vec4 _e19 = layers_of(medium_rayleigh_inv_height, medium_mie_inv_height, medium_ozone_center, medium_ozone_inv_half_width);
     mat3x3 coefficients_1 = mat3x3(medium_rayleigh, t_mie_extinction, medium_ozone);
-    vec2 _e37 = shadow_stretch(ray_sun_b_1, ray_nu_1, ray_cross2_1, ray_shadow_b_1, ray_shadow_c_1, ray_shadow_half2_1);
-    vec4 _e38 = sun_axis(t_sun_middle_1, t_sun_width_1, t_sun_first_1, t_sun_span_1);
+    vec2 _e38 = shadow_stretch(ray_sun_b_1, ray_nu_1, ray_cross2_1, ray_shadow_b_1, ray_shadow_c_1, ray_shadow_half2_1);
+    vec4 _e39 = sun_axis(t_sun_middle_1, t_sun_width_1, t_sun_first_1, t_sun_span_1);
     ivec2 dims_1 = ivec2(uvec2(textureSize(moments, 0).xy));
     vec2 nodes = (vec2(float(dims_1.x), float(((dims_1.y - 1) / MOMENTS))) - vec2(1.0));
     mat3x3 scattered = mat3x3((medium_mie_scattering * t_mie_moment0_), (medium_mie_scattering * t_mie_moment1_), (medium_mie_scattering * t_mie_moment2_));
     float du = ((u_to - u_from) / float(t_steps));
-    float _e66 = warp(lowest_t, u_from);
-    t0_1 = _e66;
+    float _e67 = warp(lowest_t, u_from);
+    t0_1 = _e67;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e176 = i;
-            i = (_e176 + 1u);
+            uint _e173 = i;
+            i = (_e173 + 1u);
         }
         loop_init = false;
-        uint _e69 = i;
-        if ((_e69 < t_steps)) {
+        uint _e70 = i;
+        if ((_e70 < t_steps)) {
         } else {
             break;
         }
         {
-            uint _e71 = i;
-            float u_1 = (u_from + (du * float(_e71)));
-            float _e76 = warp(lowest_t, (u_1 + du));
-            float _e77 = t0_1;
-            float step_ = (_e76 - _e77);
-            float _e82 = warp(lowest_t, (u_1 + (0.5 * du)));
-            float _e84 = altitude_after(lowest_x, lowest_b, (_e82 - lowest_t), medium_radius);
-            vec3 _e85 = densities(_e18, _e84);
-            vec3 _e86 = extinction(coefficients_1, _e85);
-            vec3 tau_1 = (_e86 * step_);
-            vec3 _e91 = out_transmittance;
-            vec3 _e92 = mean_transmittance(tau_1);
-            vec3 share_2 = (_e91 * _e92);
-            float _e94 = t0_1;
-            vec2 _e95 = lit_part(_e37, lowest_t, _e94, _e76, _e82);
-            if ((_e95.x > 0.0)) {
-                float past = (_e95.y - lowest_t);
+            uint _e72 = i;
+            float u_1 = (u_from + (du * float(_e72)));
+            float _e77 = warp(lowest_t, (u_1 + du));
+            float _e78 = t0_1;
+            float step_ = (_e77 - _e78);
+            float _e83 = warp(lowest_t, (u_1 + (0.5 * du)));
+            float _e85 = altitude_after(lowest_x, lowest_b, (_e83 - lowest_t), medium_radius);
+            vec3 _e86 = densities(_e19, _e85);
+            vec3 _e87 = extinction(coefficients_1, _e86);
+            vec3 tau_1 = (_e87 * step_);
+            vec3 _e92 = out_transmittance;
+            vec3 _e93 = mean_transmittance(tau_1);
+            vec3 share_2 = (_e92 * _e93);
+            float _e95 = t0_1;
+            vec2 _e96 = lit_part(_e38, lowest_t, _e95, _e77, _e83);
+            if ((_e96.x > 0.0)) {
+                float past = (_e96.y - lowest_t);
                 float lit_x = max((lowest_x + (past * ((2.0 * lowest_b) + past))), 0.0);
-                float _e108 = altitude_of(lit_x, medium_radius);
-                vec3 _e109 = densities(_e18, _e108);
-                vec3 _e114 = columns_to_top(columns, medium_radius, medium_thickness, lit_x, _e108, (ray_sun_b_1 + (ray_nu_1 * _e95.y)));
-                vec3 _e122 = extinction(coefficients_1, _e114);
-                source = (((gas_1 * _e109.x) + (aerosol_1 * _e109.y)) * exp(-(_e122)));
-                vec3 _e127 = out_radiance_1;
-                vec3 _e128 = source;
-                out_radiance_1 = (_e127 + ((share_2 * _e128) * _e95.x));
+                float _e109 = altitude_of(lit_x, medium_radius);
+                vec3 _e110 = densities(_e19, _e109);
+                vec3 _e115 = columns_to_top(columns, medium_radius, medium_thickness, lit_x, _e109, (ray_sun_b_1 + (ray_nu_1 * _e96.y)));
+                vec3 _e123 = extinction(coefficients_1, _e115);
+                source = (((gas_1 * _e110.x) + (aerosol_1 * _e110.y)) * exp(-(_e123)));
+                vec3 _e128 = out_radiance;
+                vec3 _e129 = source;
+                out_radiance = (_e128 + ((share_2 * _e129) * _e96.x));
             }
-            float r_4 = (medium_radius + _e84);
-            float mu_5 = clamp((((lowest_b + _e82) - lowest_t) / r_4), -1.0, 1.0);
-            float mu_sun_1 = clamp(((ray_sun_b_1 + (ray_nu_1 * _e82)) / r_4), -1.0, 1.0);
-            float _e146 = altitude_share(t_altitude_steepness, t_altitude_growth, _e84, medium_thickness);
-            float _e147 = sun_share(_e38, mu_sun_1);
-            diffuse_source(moments, (vec2(_e147, _e146) * nodes), medium_rayleigh, scattered, mu_5, mu_sun_1, ray_nu_1, diffuse_source_gas, diffuse_source_aerosol);
-            vec3 _e152 = diffuse_source_gas;
-            vec3 _e153 = diffuse_source_aerosol;
-            before_gas = _e152;
-            before_aerosol = _e153;
-            vec3 _e156 = out_radiance_1;
-            vec3 _e160 = before_gas;
-            vec3 _e163 = before_aerosol;
-            out_radiance_1 = (_e156 + ((share_2 * (step_ * diffuse)) * ((_e160 * _e85.x) + (_e163 * _e85.y))));
-            vec3 _e169 = out_transmittance;
-            out_transmittance = (_e169 * exp(-(tau_1)));
-            vec3 _e173 = out_columns_1;
-            out_columns_1 = (_e173 + (_e85 * step_));
-            t0_1 = _e76;
+            float r_4 = (medium_radius + _e85);
+            float mu_5 = clamp((((lowest_b + _e83) - lowest_t) / r_4), -1.0, 1.0);
+            float mu_sun_1 = clamp(((ray_sun_b_1 + (ray_nu_1 * _e83)) / r_4), -1.0, 1.0);
+            float _e147 = altitude_share(t_altitude_steepness, t_altitude_growth, _e85, medium_thickness);
+            float _e148 = sun_share(_e39, mu_sun_1);
+            diffuse_source(moments, (vec2(_e148, _e147) * nodes), medium_rayleigh, scattered, mu_5, mu_sun_1, ray_nu_1, before_gas, before_aerosol);
+            vec3 _e153 = out_radiance;
+            vec3 _e157 = before_gas;
+            vec3 _e160 = before_aerosol;
+            out_radiance = (_e153 + ((share_2 * (step_ * diffuse)) * ((_e157 * _e86.x) + (_e160 * _e86.y))));
+            vec3 _e166 = out_transmittance;
+            out_transmittance = (_e166 * exp(-(tau_1)));
+            vec3 _e170 = out_columns;
+            out_columns = (_e170 + (_e86 * step_));
+            t0_1 = _e77;
         }
     }
-    vec3 _e179 = out_radiance_1;
-    vec3 _e180 = out_columns_1;
-    out_radiance = _e179;
-    out_columns = _e180;
 }
 
 vec2 share_azimuth(float share) {
@@ -604,17 +557,17 @@ vec2 share_azimuth(float share) {
 }
 
 void table_ray(float azimuth, float share_1, bool ground_1, float h_6, float radius_10, float thickness_4, vec4 limb, vec3 sun_3, inout float out_ray_length, inout float out_ray_x, inout float out_ray_b, inout float out_ray_x_closest, inout float out_ray_sun_b, inout float out_ray_nu, inout float out_ray_cross2_, inout float out_ray_shadow_b, inout float out_ray_shadow_c, inout float out_ray_shadow_half2_, inout bool out_ray_ground) {
-    bool unnamed_2 = false;
+    bool local_2 = false;
     float c2_ = 0.0;
     float approach = 0.0;
     float from_start = 0.0;
     float mu_3 = 0.0;
-    float s_sun_b_3 = 0.0;
-    float s_nu_3 = 0.0;
-    float s_cross2_4 = 0.0;
-    float s_shadow_b_4 = 0.0;
-    float s_shadow_c_4 = 0.0;
-    float s_shadow_half2_3 = 0.0;
+    float s_sun_b_1 = 0.0;
+    float s_nu_1 = 0.0;
+    float s_cross2_2 = 0.0;
+    float s_shadow_b_2 = 0.0;
+    float s_shadow_c_2 = 0.0;
+    float s_shadow_half2_1 = 0.0;
     float start_1 = 0.0;
     float inner_ray_length = 0.0;
     float inner_ray_x = 0.0;
@@ -627,29 +580,17 @@ void table_ray(float azimuth, float share_1, bool ground_1, float h_6, float rad
     float inner_ray_shadow_c = 0.0;
     float inner_ray_shadow_half2_ = 0.0;
     bool inner_ray_ground = false;
-    float sun_side_outside_sun_b = 0.0;
-    float sun_side_outside_nu = 0.0;
-    float sun_side_outside_cross2_ = 0.0;
-    float sun_side_outside_shadow_b = 0.0;
-    float sun_side_outside_shadow_c = 0.0;
-    float sun_side_outside_shadow_half2_ = 0.0;
-    float sun_side_inside_sun_b = 0.0;
-    float sun_side_inside_nu = 0.0;
-    float sun_side_inside_cross2_ = 0.0;
-    float sun_side_inside_shadow_b = 0.0;
-    float sun_side_inside_shadow_c = 0.0;
-    float sun_side_inside_shadow_half2_ = 0.0;
     float r_5 = (radius_10 + h_6);
     float _e19 = excess_of(h_6, radius_10);
     float _e21 = excess_of(thickness_4, radius_10);
     vec2 _e23 = share_azimuth(azimuth);
     bool outside = (h_6 > thickness_4);
     if (!(ground_1)) {
-        unnamed_2 = (share_1 > limb.x);
+        local_2 = (share_1 > limb.x);
     } else {
-        unnamed_2 = false;
+        local_2 = false;
     }
-    bool _e34 = unnamed_2;
+    bool _e34 = local_2;
     if (_e34) {
         float u_2 = min((limb.z + (((share_1 - limb.x) / (1.0 - limb.x)) * (1.0 - limb.z))), 1.0);
         float rest = ((1.0 - u_2) * (1.0 + u_2));
@@ -715,44 +656,20 @@ void table_ray(float azimuth, float share_1, bool ground_1, float h_6, float rad
     if (outside) {
         start_1 = (above_1 / (-(b_8) - (r_5 * down)));
         float _e216 = start_1;
-        sun_side_outside(dir_4, sun_3, r_5, _e216, -(b_8), _e21, radius_10, sun_side_outside_sun_b, sun_side_outside_nu, sun_side_outside_cross2_, sun_side_outside_shadow_b, sun_side_outside_shadow_c, sun_side_outside_shadow_half2_);
-        float _e224 = sun_side_outside_sun_b;
-        float _e225 = sun_side_outside_nu;
-        float _e226 = sun_side_outside_cross2_;
-        float _e227 = sun_side_outside_shadow_b;
-        float _e228 = sun_side_outside_shadow_c;
-        float _e229 = sun_side_outside_shadow_half2_;
-        s_sun_b_3 = _e224;
-        s_nu_3 = _e225;
-        s_cross2_4 = _e226;
-        s_shadow_b_4 = _e227;
-        s_shadow_c_4 = _e228;
-        s_shadow_half2_3 = _e229;
+        sun_side_outside(dir_4, sun_3, r_5, _e216, -(b_8), _e21, radius_10, s_sun_b_1, s_nu_1, s_cross2_2, s_shadow_b_2, s_shadow_c_2, s_shadow_half2_1);
     } else {
-        sun_side_inside(dir_4, sun_3, r_5, _e19, radius_10, sun_side_inside_sun_b, sun_side_inside_nu, sun_side_inside_cross2_, sun_side_inside_shadow_b, sun_side_inside_shadow_c, sun_side_inside_shadow_half2_);
-        float _e242 = sun_side_inside_sun_b;
-        float _e243 = sun_side_inside_nu;
-        float _e244 = sun_side_inside_cross2_;
-        float _e245 = sun_side_inside_shadow_b;
-        float _e246 = sun_side_inside_shadow_c;
-        float _e247 = sun_side_inside_shadow_half2_;
-        s_sun_b_3 = _e242;
-        s_nu_3 = _e243;
-        s_cross2_4 = _e244;
-        s_shadow_b_4 = _e245;
-        s_shadow_c_4 = _e246;
-        s_shadow_half2_3 = _e247;
+        sun_side_inside(dir_4, sun_3, r_5, _e19, radius_10, s_sun_b_1, s_nu_1, s_cross2_2, s_shadow_b_2, s_shadow_c_2, s_shadow_half2_1);
     }
-    float _e248 = distance_to_top(start_x, b_8, _e21);
-    float _e249 = mu_3;
-    float reach_1 = (ground_1 ? (start_x / max(((radius_10 * _e249) - b_8), 1e-20)) : _e248);
+    float _e224 = distance_to_top(start_x, b_8, _e21);
+    float _e225 = mu_3;
+    float reach_1 = (ground_1 ? (start_x / max(((radius_10 * _e225) - b_8), 1e-20)) : _e224);
     float ray_x_closest_1 = c2_;
-    float ray_sun_b_2 = s_sun_b_3;
-    float ray_nu_2 = s_nu_3;
-    float ray_cross2_2 = s_cross2_4;
-    float ray_shadow_b_2 = s_shadow_b_4;
-    float ray_shadow_c_2 = s_shadow_c_4;
-    float ray_shadow_half2_2 = s_shadow_half2_3;
+    float ray_sun_b_2 = s_sun_b_1;
+    float ray_nu_2 = s_nu_1;
+    float ray_cross2_2 = s_cross2_2;
+    float ray_shadow_b_2 = s_shadow_b_2;
+    float ray_shadow_c_2 = s_shadow_c_2;
+    float ray_shadow_half2_2 = s_shadow_half2_1;
     out_ray_length = reach_1;
     out_ray_x = start_x;
     out_ray_b = b_8;
@@ -787,6 +704,7 @@ void main() {
     float low_x = 0.0;
     float low_b = 0.0;
     vec3 g_radiance = vec3(0.0);
+    vec3 g_transmittance = vec3(0.0);
     vec3 g_columns = vec3(0.0);
     vec3 f_medium_rayleigh = _group_0_binding_0_fs.frame.medium.rayleigh;
     float f_medium_rayleigh_inv_height = _group_0_binding_0_fs.frame.medium.rayleigh_inv_height;
@@ -846,14 +764,14 @@ void main() {
     float _e120 = unwarp(_e115, _e94);
     float _e121 = rayleigh_phase(_e99);
     vec3 gas_2 = (f_medium_rayleigh * _e121);
-    gather(_group_0_binding_1_fs, _group_0_binding_2_fs, f_medium_rayleigh, f_medium_rayleigh_inv_height, f_medium_mie_scattering, f_medium_mie_inv_height, f_medium_ozone_center, f_medium_ozone_inv_half_width, f_medium_ozone, f_medium_radius, f_medium_thickness, t_mie_extinction_1, t_altitude_steepness_1, t_mie_moment0_1, t_altitude_growth_1, t_mie_moment1_1, t_sun_middle_2, t_mie_moment2_1, t_sun_width_2, t_sun_first_2, t_sun_span_2, t_steps_1, _e98, _e99, _e100, _e101, _e102, _e103, _e115, _e116, _e117, _e119, _e120, gas_2, vec3(0.0), 1.0, g_radiance, g_columns);
-    vec3 _e130 = g_radiance;
-    vec3 _e131 = g_columns;
-    mat3x3 _e132 = coefficients_of(f_medium_rayleigh, f_medium_mie_extinction, f_medium_ozone);
-    vec3 _e133 = extinction(_e132, _e131);
-    float grey = dot(exp(-(_e133)), vec3(0.33333334));
+    gather(_group_0_binding_1_fs, _group_0_binding_2_fs, f_medium_rayleigh, f_medium_rayleigh_inv_height, f_medium_mie_scattering, f_medium_mie_inv_height, f_medium_ozone_center, f_medium_ozone_inv_half_width, f_medium_ozone, f_medium_radius, f_medium_thickness, t_mie_extinction_1, t_altitude_steepness_1, t_mie_moment0_1, t_altitude_growth_1, t_mie_moment1_1, t_sun_middle_2, t_mie_moment2_1, t_sun_width_2, t_sun_first_2, t_sun_span_2, t_steps_1, _e98, _e99, _e100, _e101, _e102, _e103, _e115, _e116, _e117, _e119, _e120, gas_2, vec3(0.0), 1.0, g_radiance, g_transmittance, g_columns);
+    vec3 _e131 = g_radiance;
+    vec3 _e132 = g_columns;
+    mat3x3 _e133 = coefficients_of(f_medium_rayleigh, f_medium_mie_extinction, f_medium_ozone);
+    vec3 _e134 = extinction(_e133, _e132);
+    float grey = dot(exp(-(_e134)), vec3(0.33333334));
     float scale = (ground_2 ? (1.0 / _e94) : 1.0);
-    _fs2p_location0 = vec4(sqrt(sqrt((max(_e130, vec3(0.0)) * scale))), grey);
+    _fs2p_location0 = vec4(sqrt(sqrt((max(_e131, vec3(0.0)) * scale))), grey);
     return;
 }
 

@@ -78,18 +78,18 @@ float half_chord2_(float b, float above, float depth, float p) {
 }
 
 void line_past(vec3 dir, float h_1, float radius_1, inout bool out_ground) {
-    bool unnamed_1 = false;
+    bool local_1 = false;
     float r = (radius_1 + h_1);
     float b_1 = (r * dir.z);
     float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
     float _e12 = excess_of(h_1, radius_1);
     float _e14 = half_chord2_(b_1, _e12, (radius_1 - p_1), p_1);
     if ((b_1 < 0.0)) {
-        unnamed_1 = (_e14 >= 0.0);
+        local_1 = (_e14 >= 0.0);
     } else {
-        unnamed_1 = false;
+        local_1 = false;
     }
-    bool _e22 = unnamed_1;
+    bool _e22 = local_1;
     out_ground = _e22;
 }
 
@@ -101,7 +101,7 @@ float lommel_seeliger(vec3 normal, vec3 dir_1, vec3 sun, float albedo_over_pi, f
 
 void main() {
     vec4 position = gl_FragCoord;
-    bool unnamed = false;
+    bool local = false;
     vec3 light = vec3(0.0);
     bool line_ground = false;
     float f_medium_radius = _group_0_binding_0_fs.frame.medium.radius;
@@ -124,11 +124,11 @@ void main() {
     float _e39 = _group_0_binding_0_fs.shine.x;
     float _e40 = disk_coverage(apart, _e39, f_pixel_angle);
     if (!(_e26)) {
-        unnamed = (_e40 <= 0.0);
+        local = (_e40 <= 0.0);
     } else {
-        unnamed = true;
+        local = true;
     }
-    bool _e47 = unnamed;
+    bool _e47 = local;
     if (_e47) {
         discard;
     }

@@ -53,87 +53,75 @@ float shadow_half2_(float s_cross2_, float s_shadow_b, float s_shadow_c, float s
     return _e14;
 }
 
-void sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_2, float radius_3, inout float out_sun_b, inout float out_nu, inout float out_cross2_) {
-    float s_sun_b = 0.0;
-    float s_nu = 0.0;
-    float s_cross2_1 = 0.0;
-    float s_shadow_b_1 = 0.0;
-    float s_shadow_c_1 = 0.0;
-    s_nu = dot(dir, sun);
-    float _e11 = s_nu;
-    vec3 side = cross((dir - (((_e11 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s_cross2_1 = dot(side, side);
-    s_sun_b = (r_1 * sun.z);
-    s_shadow_b_1 = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+void sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_2, float radius_3, inout float out_sun_b, inout float out_nu, inout float out_cross2_, inout float out_shadow_b, inout float out_shadow_c) {
+    out_sun_b = 0.0;
+    out_nu = 0.0;
+    out_cross2_ = 0.0;
+    out_shadow_b = 0.0;
+    out_shadow_c = 0.0;
+    out_nu = dot(dir, sun);
+    float _e18 = out_nu;
+    vec3 side = cross((dir - (((_e18 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    out_cross2_ = dot(side, side);
+    out_sun_b = (r_1 * sun.z);
+    out_shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
     float q = (r_1 * length(sun.xy));
-    float _e35 = s_sun_b;
-    float _e39 = half_chord2_(_e35, x_2, (radius_3 - q), q);
-    s_shadow_c_1 = -(_e39);
-    float _e41 = s_cross2_1;
-    float _e42 = s_shadow_b_1;
-    float _e43 = s_shadow_c_1;
-    float _e45 = shadow_half2_(_e41, _e42, _e43, side.z, r_1, radius_3);
-    float _e46 = s_sun_b;
-    float _e47 = s_nu;
-    float _e48 = s_cross2_1;
-    out_sun_b = _e46;
-    out_nu = _e47;
-    out_cross2_ = _e48;
+    float _e42 = out_sun_b;
+    float _e46 = half_chord2_(_e42, x_2, (radius_3 - q), q);
+    out_shadow_c = -(_e46);
+    float _e48 = out_cross2_;
+    float _e49 = out_shadow_b;
+    float _e50 = out_shadow_c;
+    float _e52 = shadow_half2_(_e48, _e49, _e50, side.z, r_1, radius_3);
 }
 
-void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half_, float x_top_1, float radius_4, inout float out_sun_b_1, inout float out_nu_1, inout float out_cross2_1) {
-    float s_sun_b_1 = 0.0;
-    float s_nu_1 = 0.0;
-    float s_cross2_2 = 0.0;
-    float s_shadow_b_2 = 0.0;
-    float s_shadow_c_2 = 0.0;
-    s_nu_1 = dot(dir_1, sun_1);
-    float _e11 = s_nu_1;
-    float same = ((_e11 >= 0.0) ? 1.0 : -1.0);
+void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half_, float x_top_1, float radius_4, inout float out_sun_b_1, inout float out_nu_1, inout float out_cross2_1, inout float out_shadow_b_1, inout float out_shadow_c_1) {
+    out_sun_b_1 = 0.0;
+    out_nu_1 = 0.0;
+    out_cross2_1 = 0.0;
+    out_shadow_b_1 = 0.0;
+    out_shadow_c_1 = 0.0;
+    out_nu_1 = dot(dir_1, sun_1);
+    float _e18 = out_nu_1;
+    float same = ((_e18 >= 0.0) ? 1.0 : -1.0);
     vec3 apart = (dir_1 - (same * sun_1));
     vec3 side_1 = cross(apart, sun_1);
-    s_cross2_2 = dot(side_1, side_1);
+    out_cross2_1 = dot(side_1, side_1);
     vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
     float there = (-(same) * dot(closest, apart));
     float here = (r_2 * sun_1.z);
-    float _e37 = s_nu_1;
-    float _e43 = s_nu_1;
-    bool nearer = ((abs(here) + (start * abs(_e37))) < (abs(there) + (half_ * abs(_e43))));
-    float _e49 = s_nu_1;
-    float _e52 = s_nu_1;
-    s_sun_b_1 = (nearer ? (here + (start * _e52)) : (there - (half_ * _e49)));
+    float _e44 = out_nu_1;
+    float _e50 = out_nu_1;
+    bool nearer = ((abs(here) + (start * abs(_e44))) < (abs(there) + (half_ * abs(_e50))));
+    float _e56 = out_nu_1;
+    float _e59 = out_nu_1;
+    out_sun_b_1 = (nearer ? (here + (start * _e59)) : (there - (half_ * _e56)));
     vec3 closest_side = cross(closest, sun_1);
-    float _e58 = s_cross2_2;
-    s_shadow_b_2 = (dot(closest_side, side_1) - (half_ * _e58));
+    float _e65 = out_cross2_1;
+    out_shadow_b_1 = (dot(closest_side, side_1) - (half_ * _e65));
     float q_1 = length((closest_side - (half_ * side_1)));
-    float _e64 = s_sun_b_1;
-    float _e68 = half_chord2_(_e64, x_top_1, (radius_4 - q_1), q_1);
-    s_shadow_c_2 = -(_e68);
-    float _e70 = s_cross2_2;
-    float _e71 = s_shadow_b_2;
-    float _e72 = s_shadow_c_2;
-    float _e74 = shadow_half2_(_e70, _e71, _e72, side_1.z, r_2, radius_4);
-    float _e75 = s_sun_b_1;
-    float _e76 = s_nu_1;
-    float _e77 = s_cross2_2;
-    out_sun_b_1 = _e75;
-    out_nu_1 = _e76;
-    out_cross2_1 = _e77;
+    float _e71 = out_sun_b_1;
+    float _e75 = half_chord2_(_e71, x_top_1, (radius_4 - q_1), q_1);
+    out_shadow_c_1 = -(_e75);
+    float _e77 = out_cross2_1;
+    float _e78 = out_shadow_b_1;
+    float _e79 = out_shadow_c_1;
+    float _e81 = shadow_half2_(_e77, _e78, _e79, side_1.z, r_2, radius_4);
 }
 
 void line_past(vec3 dir_2, float h_1, float radius_5, inout float out_b, inout float out_p, inout float out_x_closest, inout bool out_ground) {
-    bool unnamed = false;
+    bool local = false;
     float r_3 = (radius_5 + h_1);
     float b_4 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
     float _e15 = excess_of(h_1, radius_5);
     float _e17 = half_chord2_(b_4, _e15, (radius_5 - p_2), p_2);
     if ((b_4 < 0.0)) {
-        unnamed = (_e17 >= 0.0);
+        local = (_e17 >= 0.0);
     } else {
-        unnamed = false;
+        local = false;
     }
-    bool _e26 = unnamed;
+    bool _e26 = local;
     out_b = b_4;
     out_p = p_2;
     out_x_closest = -(_e17);
@@ -152,7 +140,7 @@ float to_ground(float x_3, float b_2, float root) {
 }
 
 void air_path(float line_b_2, float line_x_closest_2, bool line_ground_1, float h_3, float radius_7, float thickness_1, inout float out_start, inout float out_length, inout float out_x, inout float out_b_1) {
-    bool unnamed_1 = false;
+    bool local_1 = false;
     float _e6 = excess_of(thickness_1, radius_7);
     float ground_root = sqrt(max(-(line_x_closest_2), 0.0));
     if ((h_3 <= thickness_1)) {
@@ -169,11 +157,11 @@ void air_path(float line_b_2, float line_x_closest_2, bool line_ground_1, float 
     float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_7) + thickness_1) + h_3));
     float _e27 = top_half_chord2_(line_b_2, line_x_closest_2, h_3, radius_7, thickness_1);
     if (!((line_b_2 >= 0.0))) {
-        unnamed_1 = (_e27 <= 0.0);
+        local_1 = (_e27 <= 0.0);
     } else {
-        unnamed_1 = true;
+        local_1 = true;
     }
-    bool _e36 = unnamed_1;
+    bool _e36 = local_1;
     if (_e36) {
         out_start = 0.0;
         out_length = -1.0;
@@ -190,7 +178,12 @@ void air_path(float line_b_2, float line_x_closest_2, bool line_ground_1, float 
 }
 
 void air_ray(vec3 dir_3, float h_4, float radius_8, float thickness_2, vec3 sun_2, inout float out_length_1, inout bool out_ground_1) {
-    bool unnamed_2 = false;
+    float s_sun_b = 0.0;
+    float s_nu = 0.0;
+    float s_cross2_1 = 0.0;
+    float s_shadow_b_1 = 0.0;
+    float s_shadow_c_1 = 0.0;
+    bool local_2 = false;
     float line_b_3 = 0.0;
     float line_p_1 = 0.0;
     float line_x_closest_3 = 0.0;
@@ -199,12 +192,6 @@ void air_ray(vec3 dir_3, float h_4, float radius_8, float thickness_2, vec3 sun_
     float path_length = 0.0;
     float path_x = 0.0;
     float path_b = 0.0;
-    float sun_side_inside_sun_b = 0.0;
-    float sun_side_inside_nu = 0.0;
-    float sun_side_inside_cross2_ = 0.0;
-    float sun_side_outside_sun_b = 0.0;
-    float sun_side_outside_nu = 0.0;
-    float sun_side_outside_cross2_ = 0.0;
     line_past(dir_3, h_4, radius_8, line_b_3, line_p_1, line_x_closest_3, line_ground_2);
     float _e9 = line_b_3;
     float _e10 = line_x_closest_3;
@@ -215,56 +202,58 @@ void air_ray(vec3 dir_3, float h_4, float radius_8, float thickness_2, vec3 sun_
     float _e19 = path_x;
     float _e20 = path_b;
     if ((h_4 <= thickness_2)) {
-        sun_side_inside(dir_3, sun_2, (radius_8 + h_4), _e19, radius_8, sun_side_inside_sun_b, sun_side_inside_nu, sun_side_inside_cross2_);
+        sun_side_inside(dir_3, sun_2, (radius_8 + h_4), _e19, radius_8, s_sun_b, s_nu, s_cross2_1, s_shadow_b_1, s_shadow_c_1);
     } else {
         if ((_e18 > 0.0)) {
-            sun_side_outside(dir_3, sun_2, (radius_8 + h_4), _e17, -(_e20), _e19, radius_8, sun_side_outside_sun_b, sun_side_outside_nu, sun_side_outside_cross2_);
+            sun_side_outside(dir_3, sun_2, (radius_8 + h_4), _e17, -(_e20), _e19, radius_8, s_sun_b, s_nu, s_cross2_1, s_shadow_b_1, s_shadow_c_1);
         } else {
         }
     }
     if (_e11) {
-        unnamed_2 = (_e18 >= 0.0);
+        local_2 = (_e18 >= 0.0);
     } else {
-        unnamed_2 = false;
+        local_2 = false;
     }
-    bool ground_2 = unnamed_2;
+    bool ground_2 = local_2;
     out_length_1 = _e18;
     out_ground_1 = ground_2;
 }
 
 void inner_ray(vec3 dir_4, float h_5, float radius_9, float thickness_3, vec3 sun_3, bool ground, inout float out_start_1, inout float out_length_2, inout float out_x_1, inout float out_b_2, inout float out_x_closest_1, inout float out_sun_b_2, inout float out_nu_2, inout float out_cross2_2) {
-    bool unnamed_3 = false;
-    float s_sun_b_2 = 0.0;
-    float s_nu_2 = 0.0;
-    float s_cross2_3 = 0.0;
+    bool local_3 = false;
+    float s_sun_b_1 = 0.0;
+    float s_nu_1 = 0.0;
+    float s_cross2_2 = 0.0;
+    float s_shadow_b_2 = 0.0;
+    float s_shadow_c_2 = 0.0;
     float r_4 = (radius_9 + h_5);
     float _e11 = excess_of(h_5, radius_9);
     float b_5 = (r_4 * dir_4.z);
     float p_3 = (r_4 * sqrt(dot(dir_4.xy, dir_4.xy)));
     float _e21 = half_chord2_(b_5, _e11, (radius_9 - p_3), p_3);
-    sun_side_inside(dir_4, sun_3, r_4, _e11, radius_9, s_sun_b_2, s_nu_2, s_cross2_3);
-    float _e26 = s_sun_b_2;
-    float _e27 = s_nu_2;
-    float _e28 = s_cross2_3;
+    sun_side_inside(dir_4, sun_3, r_4, _e11, radius_9, s_sun_b_1, s_nu_1, s_cross2_2, s_shadow_b_2, s_shadow_c_2);
+    float _e28 = s_sun_b_1;
+    float _e29 = s_nu_1;
+    float _e30 = s_cross2_2;
     float ground_root_1 = sqrt(max(_e21, 0.0));
-    float _e33 = excess_of(thickness_3, radius_9);
-    float _e34 = distance_to_top(_e11, b_5, _e33);
-    float _e35 = to_ground(_e11, b_5, ground_root_1);
+    float _e35 = excess_of(thickness_3, radius_9);
+    float _e36 = distance_to_top(_e11, b_5, _e35);
+    float _e37 = to_ground(_e11, b_5, ground_root_1);
     if (ground) {
-        unnamed_3 = (b_5 < 0.0);
+        local_3 = (b_5 < 0.0);
     } else {
-        unnamed_3 = false;
+        local_3 = false;
     }
-    bool _e42 = unnamed_3;
-    float reach_1 = (_e42 ? _e35 : _e34);
+    bool _e44 = local_3;
+    float reach_1 = (_e44 ? _e37 : _e36);
     out_start_1 = 0.0;
     out_length_2 = reach_1;
     out_x_1 = _e11;
     out_b_2 = b_5;
     out_x_closest_1 = -(_e21);
-    out_sun_b_2 = _e26;
-    out_nu_2 = _e27;
-    out_cross2_2 = _e28;
+    out_sun_b_2 = _e28;
+    out_nu_2 = _e29;
+    out_cross2_2 = _e30;
 }
 
 float warp(float low, float u) {
@@ -362,14 +351,16 @@ float zenith_share(float line_b_4, float line_p_2, float line_x_closest_4, bool 
 }
 
 void table_ray(float azimuth, float share_3, bool ground_1, float h_9, float radius_12, float thickness_8, vec4 limb_1, vec3 sun_4, inout vec3 out_dir, inout float out_ray_start, inout float out_ray_length, inout float out_ray_x, inout float out_ray_b, inout float out_ray_x_closest, inout float out_ray_sun_b, inout float out_ray_nu, inout float out_ray_cross2_) {
-    bool unnamed_4 = false;
+    bool local_4 = false;
     float c2_ = 0.0;
     float approach = 0.0;
     float from_start = 0.0;
     float mu_2 = 0.0;
-    float s_sun_b_3 = 0.0;
-    float s_nu_3 = 0.0;
-    float s_cross2_4 = 0.0;
+    float s_sun_b_2 = 0.0;
+    float s_nu_2 = 0.0;
+    float s_cross2_3 = 0.0;
+    float s_shadow_b_3 = 0.0;
+    float s_shadow_c_3 = 0.0;
     float start_1 = 0.0;
     float inner_ray_start = 0.0;
     float inner_ray_length = 0.0;
@@ -379,23 +370,17 @@ void table_ray(float azimuth, float share_3, bool ground_1, float h_9, float rad
     float inner_ray_sun_b = 0.0;
     float inner_ray_nu = 0.0;
     float inner_ray_cross2_ = 0.0;
-    float sun_side_outside_sun_b_1 = 0.0;
-    float sun_side_outside_nu_1 = 0.0;
-    float sun_side_outside_cross2_1 = 0.0;
-    float sun_side_inside_sun_b_1 = 0.0;
-    float sun_side_inside_nu_1 = 0.0;
-    float sun_side_inside_cross2_1 = 0.0;
     float r_5 = (radius_12 + h_9);
     float _e17 = excess_of(h_9, radius_12);
     float _e19 = excess_of(thickness_8, radius_12);
     vec2 _e21 = share_azimuth(azimuth);
     bool outside = (h_9 > thickness_8);
     if (!(ground_1)) {
-        unnamed_4 = (share_3 > limb_1.x);
+        local_4 = (share_3 > limb_1.x);
     } else {
-        unnamed_4 = false;
+        local_4 = false;
     }
-    bool _e32 = unnamed_4;
+    bool _e32 = local_4;
     if (_e32) {
         float u_1 = min((limb_1.z + (((share_3 - limb_1.x) / (1.0 - limb_1.x)) * (1.0 - limb_1.z))), 1.0);
         float rest_1 = ((1.0 - u_1) * (1.0 + u_1));
@@ -456,30 +441,18 @@ void table_ray(float azimuth, float share_3, bool ground_1, float h_9, float rad
     if (outside) {
         start_1 = (above_3 / (-(b_7) - (r_5 * down)));
         float _e208 = start_1;
-        sun_side_outside(dir_8, sun_4, r_5, _e208, -(b_7), _e19, radius_12, sun_side_outside_sun_b_1, sun_side_outside_nu_1, sun_side_outside_cross2_1);
-        float _e213 = sun_side_outside_sun_b_1;
-        float _e214 = sun_side_outside_nu_1;
-        float _e215 = sun_side_outside_cross2_1;
-        s_sun_b_3 = _e213;
-        s_nu_3 = _e214;
-        s_cross2_4 = _e215;
+        sun_side_outside(dir_8, sun_4, r_5, _e208, -(b_7), _e19, radius_12, s_sun_b_2, s_nu_2, s_cross2_3, s_shadow_b_3, s_shadow_c_3);
     } else {
-        sun_side_inside(dir_8, sun_4, r_5, _e17, radius_12, sun_side_inside_sun_b_1, sun_side_inside_nu_1, sun_side_inside_cross2_1);
-        float _e222 = sun_side_inside_sun_b_1;
-        float _e223 = sun_side_inside_nu_1;
-        float _e224 = sun_side_inside_cross2_1;
-        s_sun_b_3 = _e222;
-        s_nu_3 = _e223;
-        s_cross2_4 = _e224;
+        sun_side_inside(dir_8, sun_4, r_5, _e17, radius_12, s_sun_b_2, s_nu_2, s_cross2_3, s_shadow_b_3, s_shadow_c_3);
     }
-    float _e225 = distance_to_top(start_x, b_7, _e19);
-    float _e226 = mu_2;
-    float reach_2 = (ground_1 ? (start_x / max(((radius_12 * _e226) - b_7), 1e-20)) : _e225);
+    float _e215 = distance_to_top(start_x, b_7, _e19);
+    float _e216 = mu_2;
+    float reach_2 = (ground_1 ? (start_x / max(((radius_12 * _e216) - b_7), 1e-20)) : _e215);
     float ray_start = start_1;
     float ray_x_closest = c2_;
-    float ray_sun_b = s_sun_b_3;
-    float ray_nu = s_nu_3;
-    float ray_cross2_ = s_cross2_4;
+    float ray_sun_b = s_sun_b_2;
+    float ray_nu = s_nu_2;
+    float ray_cross2_ = s_cross2_3;
     out_dir = dir_8;
     out_ray_start = ray_start;
     out_ray_length = reach_2;
@@ -586,10 +559,6 @@ void main() {
     float table_ray_sun_b = 0.0;
     float table_ray_nu = 0.0;
     float table_ray_cross2_ = 0.0;
-    float line_past_b_1 = 0.0;
-    float line_past_p_1 = 0.0;
-    float line_past_x_closest_1 = 0.0;
-    bool line_past_ground_1 = false;
     vec3 table_ray_dir_1 = vec3(0.0);
     float table_ray_ray_start_1 = 0.0;
     float table_ray_ray_length_1 = 0.0;
@@ -671,128 +640,120 @@ void main() {
                 _fs2p_location0 = vec4(_e138, _e140, _e141, _e142);
                 return;
             }
-            line_past(_e137, view.w, _e18, line_past_b_1, line_past_p_1, line_past_x_closest_1, line_past_ground_1);
-            float _e157 = line_past_b_1;
-            float _e158 = line_past_p_1;
-            float _e159 = line_past_x_closest_1;
-            bool _e160 = line_past_ground_1;
-            line_b = _e157;
-            line_p = _e158;
-            line_x_closest = _e159;
-            line_ground = _e160;
+            line_past(_e137, view.w, _e18, line_b, line_p, line_x_closest, line_ground);
             line_x_closest = _e142;
             line_ground = ground_3;
-            float _e165 = line_b;
-            float _e166 = line_p;
-            float _e167 = line_x_closest;
-            bool _e168 = line_ground;
-            vec2 _e170 = sky_share(_e165, _e166, _e167, _e168, _e137, view.w, _e18, _e19, limb_3);
+            float _e157 = line_b;
+            float _e158 = line_p;
+            float _e159 = line_x_closest;
+            bool _e160 = line_ground;
+            vec2 _e162 = sky_share(_e157, _e158, _e159, _e160, _e137, view.w, _e18, _e19, limb_3);
             if ((answer == 4)) {
-                _fs2p_location0 = vec4(_e170, _e143, _e144);
+                _fs2p_location0 = vec4(_e162, _e143, _e144);
                 return;
             }
-            table_ray(_e170.x, _e170.y, ground_3, view.w, _e18, _e19, limb_3, light.xyz, table_ray_dir_1, table_ray_ray_start_1, table_ray_ray_length_1, table_ray_ray_x_1, table_ray_ray_b_1, table_ray_ray_x_closest_1, table_ray_ray_sun_b_1, table_ray_ray_nu_1, table_ray_ray_cross2_1);
-            vec3 _e187 = table_ray_dir_1;
-            _fs2p_location0 = vec4(_e187, _e145);
+            table_ray(_e162.x, _e162.y, ground_3, view.w, _e18, _e19, limb_3, light.xyz, table_ray_dir_1, table_ray_ray_start_1, table_ray_ray_length_1, table_ray_ray_x_1, table_ray_ray_b_1, table_ray_ray_x_closest_1, table_ray_ray_sun_b_1, table_ray_ray_nu_1, table_ray_ray_cross2_1);
+            vec3 _e179 = table_ray_dir_1;
+            _fs2p_location0 = vec4(_e179, _e145);
             return;
         }
         case 6: {
-            float _e189 = t_altitude_steepness;
-            float _e190 = t_altitude_growth;
-            float _e192 = share_altitude(_e189, _e190, share_5.y, _e19);
-            float _e193 = t_sun_middle;
-            float _e194 = t_sun_width;
-            float _e195 = t_sun_first;
-            float _e196 = t_sun_span;
-            float _e198 = share_sun(_e193, _e194, _e195, _e196, share_5.x);
-            float _e199 = t_altitude_steepness;
-            float _e200 = t_altitude_growth;
-            float _e201 = altitude_share(_e199, _e200, _e192, _e19);
-            float _e202 = t_sun_middle;
-            float _e203 = t_sun_width;
-            float _e204 = t_sun_first;
-            float _e205 = t_sun_span;
-            vec4 _e206 = sun_axis(_e202, _e203, _e204, _e205);
-            float _e207 = sun_share(_e206, _e198);
-            _fs2p_location0 = vec4(_e192, _e201, _e198, _e207);
+            float _e181 = t_altitude_steepness;
+            float _e182 = t_altitude_growth;
+            float _e184 = share_altitude(_e181, _e182, share_5.y, _e19);
+            float _e185 = t_sun_middle;
+            float _e186 = t_sun_width;
+            float _e187 = t_sun_first;
+            float _e188 = t_sun_span;
+            float _e190 = share_sun(_e185, _e186, _e187, _e188, share_5.x);
+            float _e191 = t_altitude_steepness;
+            float _e192 = t_altitude_growth;
+            float _e193 = altitude_share(_e191, _e192, _e184, _e19);
+            float _e194 = t_sun_middle;
+            float _e195 = t_sun_width;
+            float _e196 = t_sun_first;
+            float _e197 = t_sun_span;
+            vec4 _e198 = sun_axis(_e194, _e195, _e196, _e197);
+            float _e199 = sun_share(_e198, _e190);
+            _fs2p_location0 = vec4(_e184, _e193, _e190, _e199);
             return;
         }
         case 7: {
-            float _e209 = t_altitude_steepness;
-            float _e210 = t_altitude_growth;
-            float _e213 = altitude_share(_e209, _e210, min(view.w, _e19), _e19);
-            float _e214 = t_sun_middle;
-            float _e215 = t_sun_width;
-            float _e216 = t_sun_first;
-            float _e217 = t_sun_span;
-            vec4 _e218 = sun_axis(_e214, _e215, _e216, _e217);
-            float _e220 = sun_share(_e218, light.z);
-            float _e221 = t_altitude_steepness;
-            float _e222 = t_altitude_growth;
-            float _e223 = share_altitude(_e221, _e222, _e213, _e19);
-            float _e224 = t_sun_middle;
-            float _e225 = t_sun_width;
-            float _e226 = t_sun_first;
-            float _e227 = t_sun_span;
-            float _e228 = share_sun(_e224, _e225, _e226, _e227, _e220);
-            _fs2p_location0 = vec4(_e213, _e223, _e220, _e228);
+            float _e201 = t_altitude_steepness;
+            float _e202 = t_altitude_growth;
+            float _e205 = altitude_share(_e201, _e202, min(view.w, _e19), _e19);
+            float _e206 = t_sun_middle;
+            float _e207 = t_sun_width;
+            float _e208 = t_sun_first;
+            float _e209 = t_sun_span;
+            vec4 _e210 = sun_axis(_e206, _e207, _e208, _e209);
+            float _e212 = sun_share(_e210, light.z);
+            float _e213 = t_altitude_steepness;
+            float _e214 = t_altitude_growth;
+            float _e215 = share_altitude(_e213, _e214, _e205, _e19);
+            float _e216 = t_sun_middle;
+            float _e217 = t_sun_width;
+            float _e218 = t_sun_first;
+            float _e219 = t_sun_span;
+            float _e220 = share_sun(_e216, _e217, _e218, _e219, _e212);
+            _fs2p_location0 = vec4(_e205, _e215, _e212, _e220);
             return;
         }
         case 8:
         case 9: {
-            vec3 _e233 = columns_ray(share_5.xy, vec2(2.0), _e18, _e19);
+            vec3 _e225 = columns_ray(share_5.xy, vec2(2.0), _e18, _e19);
             if ((answer == 8)) {
-                _fs2p_location0 = vec4(_e233, 0.0);
+                _fs2p_location0 = vec4(_e225, 0.0);
                 return;
             }
-            float _e240 = altitude_of(_e233.x, _e18);
-            vec2 _e243 = columns_share(_e233.x, min(_e240, _e19), _e233.y, _e18, _e19);
-            float _e246 = altitude_of(path.x, _e18);
-            vec2 _e248 = columns_share(path.x, _e246, path.y, _e18, _e19);
-            _fs2p_location0 = vec4(_e243, _e248);
+            float _e232 = altitude_of(_e225.x, _e18);
+            vec2 _e235 = columns_share(_e225.x, min(_e232, _e19), _e225.y, _e18, _e19);
+            float _e238 = altitude_of(path.x, _e18);
+            vec2 _e240 = columns_share(path.x, _e238, path.y, _e18, _e19);
+            _fs2p_location0 = vec4(_e235, _e240);
             return;
         }
         case 10: {
             float h_13 = min(view.w, _e19);
             int node = int(share_5.w);
             node_direction((node / AZIMUTHS), (node % AZIMUTHS), h_13, _e18, d_mu, d_azimuth, d_above, d_weight);
-            float _e262 = d_mu;
-            float _e263 = d_azimuth;
-            bool _e264 = d_above;
+            float _e254 = d_mu;
+            float _e255 = d_azimuth;
+            bool _e256 = d_above;
             bool loop_init = true;
             while(true) {
                 if (!loop_init) {
-                    int _e283 = i;
-                    i = (_e283 + 1);
+                    int _e275 = i;
+                    i = (_e275 + 1);
                 }
                 loop_init = false;
-                int _e266 = i;
-                if ((_e266 < 128)) {
+                int _e258 = i;
+                if ((_e258 < 128)) {
                 } else {
                     break;
                 }
                 {
-                    float _e270 = sphere;
-                    int _e271 = i;
-                    int _e274 = i;
-                    node_direction((_e271 / AZIMUTHS), (_e274 % AZIMUTHS), h_13, _e18, node_direction_mu, node_direction_azimuth, node_direction_above, node_direction_weight);
-                    float _e281 = node_direction_weight;
-                    sphere = (_e270 + _e281);
+                    float _e262 = sphere;
+                    int _e263 = i;
+                    int _e266 = i;
+                    node_direction((_e263 / AZIMUTHS), (_e266 % AZIMUTHS), h_13, _e18, node_direction_mu, node_direction_azimuth, node_direction_above, node_direction_weight);
+                    float _e273 = node_direction_weight;
+                    sphere = (_e262 + _e273);
                 }
             }
-            float _e287 = sphere;
-            _fs2p_location0 = vec4(_e262, _e263, float(_e264), _e287);
+            float _e279 = sphere;
+            _fs2p_location0 = vec4(_e254, _e255, float(_e256), _e279);
             return;
         }
         default: {
             float low_2 = clamp(-(path.y), 0.0, path.z);
-            float _e295 = unwarp(low_2, 0.0);
-            float _e297 = unwarp(low_2, path.z);
-            float u_2 = (_e295 + ((_e297 - _e295) * share_5.x));
-            float _e302 = warp(low_2, u_2);
-            float _e303 = unwarp(low_2, _e302);
-            float _e304 = warp(low_2, _e303);
-            _fs2p_location0 = vec4(_e295, _e297, _e302, _e304);
+            float _e287 = unwarp(low_2, 0.0);
+            float _e289 = unwarp(low_2, path.z);
+            float u_2 = (_e287 + ((_e289 - _e287) * share_5.x));
+            float _e294 = warp(low_2, u_2);
+            float _e295 = unwarp(low_2, _e294);
+            float _e296 = warp(low_2, _e295);
+            _fs2p_location0 = vec4(_e287, _e289, _e294, _e296);
             return;
         }
     }

@@ -141,102 +141,78 @@ float shadow_half2_(float s_cross2_, float s_shadow_b, float s_shadow_c, float s
 }
 
 void sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_3, float radius_4, inout float out_sun_b, inout float out_nu, inout float out_cross2_, inout float out_shadow_b, inout float out_shadow_c, inout float out_shadow_half2_) {
-    float s_sun_b = 0.0;
-    float s_nu = 0.0;
-    float s_cross2_1 = 0.0;
-    float s_shadow_b_1 = 0.0;
-    float s_shadow_c_1 = 0.0;
-    float s_shadow_half2_ = 0.0;
-    s_nu = dot(dir, sun);
-    float _e15 = s_nu;
-    vec3 side = cross((dir - (((_e15 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s_cross2_1 = dot(side, side);
-    s_sun_b = (r_1 * sun.z);
-    s_shadow_b_1 = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+    out_sun_b = 0.0;
+    out_nu = 0.0;
+    out_cross2_ = 0.0;
+    out_shadow_b = 0.0;
+    out_shadow_c = 0.0;
+    out_shadow_half2_ = 0.0;
+    out_nu = dot(dir, sun);
+    float _e21 = out_nu;
+    vec3 side = cross((dir - (((_e21 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    out_cross2_ = dot(side, side);
+    out_sun_b = (r_1 * sun.z);
+    out_shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
     float q = (r_1 * length(sun.xy));
-    float _e39 = s_sun_b;
-    float _e43 = half_chord2_(_e39, x_3, (radius_4 - q), q);
-    s_shadow_c_1 = -(_e43);
-    float _e45 = s_cross2_1;
-    float _e46 = s_shadow_b_1;
-    float _e47 = s_shadow_c_1;
-    float _e49 = shadow_half2_(_e45, _e46, _e47, side.z, r_1, radius_4);
-    s_shadow_half2_ = _e49;
-    float _e50 = s_sun_b;
-    float _e51 = s_nu;
-    float _e52 = s_cross2_1;
-    float _e53 = s_shadow_b_1;
-    float _e54 = s_shadow_c_1;
-    float _e55 = s_shadow_half2_;
-    out_sun_b = _e50;
-    out_nu = _e51;
-    out_cross2_ = _e52;
-    out_shadow_b = _e53;
-    out_shadow_c = _e54;
+    float _e45 = out_sun_b;
+    float _e49 = half_chord2_(_e45, x_3, (radius_4 - q), q);
+    out_shadow_c = -(_e49);
+    float _e51 = out_cross2_;
+    float _e52 = out_shadow_b;
+    float _e53 = out_shadow_c;
+    float _e55 = shadow_half2_(_e51, _e52, _e53, side.z, r_1, radius_4);
     out_shadow_half2_ = _e55;
 }
 
 void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half_, float x_top_1, float radius_5, inout float out_sun_b_1, inout float out_nu_1, inout float out_cross2_1, inout float out_shadow_b_1, inout float out_shadow_c_1, inout float out_shadow_half2_1) {
-    float s_sun_b_1 = 0.0;
-    float s_nu_1 = 0.0;
-    float s_cross2_2 = 0.0;
-    float s_shadow_b_2 = 0.0;
-    float s_shadow_c_2 = 0.0;
-    float s_shadow_half2_1 = 0.0;
-    s_nu_1 = dot(dir_1, sun_1);
-    float _e15 = s_nu_1;
-    float same = ((_e15 >= 0.0) ? 1.0 : -1.0);
+    out_sun_b_1 = 0.0;
+    out_nu_1 = 0.0;
+    out_cross2_1 = 0.0;
+    out_shadow_b_1 = 0.0;
+    out_shadow_c_1 = 0.0;
+    out_shadow_half2_1 = 0.0;
+    out_nu_1 = dot(dir_1, sun_1);
+    float _e21 = out_nu_1;
+    float same = ((_e21 >= 0.0) ? 1.0 : -1.0);
     vec3 apart_4 = (dir_1 - (same * sun_1));
     vec3 side_1 = cross(apart_4, sun_1);
-    s_cross2_2 = dot(side_1, side_1);
+    out_cross2_1 = dot(side_1, side_1);
     vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
     float there = (-(same) * dot(closest, apart_4));
     float here = (r_2 * sun_1.z);
-    float _e41 = s_nu_1;
-    float _e47 = s_nu_1;
-    bool nearer = ((abs(here) + (start * abs(_e41))) < (abs(there) + (half_ * abs(_e47))));
-    float _e53 = s_nu_1;
-    float _e56 = s_nu_1;
-    s_sun_b_1 = (nearer ? (here + (start * _e56)) : (there - (half_ * _e53)));
+    float _e47 = out_nu_1;
+    float _e53 = out_nu_1;
+    bool nearer = ((abs(here) + (start * abs(_e47))) < (abs(there) + (half_ * abs(_e53))));
+    float _e59 = out_nu_1;
+    float _e62 = out_nu_1;
+    out_sun_b_1 = (nearer ? (here + (start * _e62)) : (there - (half_ * _e59)));
     vec3 closest_side = cross(closest, sun_1);
-    float _e62 = s_cross2_2;
-    s_shadow_b_2 = (dot(closest_side, side_1) - (half_ * _e62));
+    float _e68 = out_cross2_1;
+    out_shadow_b_1 = (dot(closest_side, side_1) - (half_ * _e68));
     float q_1 = length((closest_side - (half_ * side_1)));
-    float _e68 = s_sun_b_1;
-    float _e72 = half_chord2_(_e68, x_top_1, (radius_5 - q_1), q_1);
-    s_shadow_c_2 = -(_e72);
-    float _e74 = s_cross2_2;
-    float _e75 = s_shadow_b_2;
-    float _e76 = s_shadow_c_2;
-    float _e78 = shadow_half2_(_e74, _e75, _e76, side_1.z, r_2, radius_5);
-    s_shadow_half2_1 = _e78;
-    float _e79 = s_sun_b_1;
-    float _e80 = s_nu_1;
-    float _e81 = s_cross2_2;
-    float _e82 = s_shadow_b_2;
-    float _e83 = s_shadow_c_2;
-    float _e84 = s_shadow_half2_1;
-    out_sun_b_1 = _e79;
-    out_nu_1 = _e80;
-    out_cross2_1 = _e81;
-    out_shadow_b_1 = _e82;
-    out_shadow_c_1 = _e83;
+    float _e74 = out_sun_b_1;
+    float _e78 = half_chord2_(_e74, x_top_1, (radius_5 - q_1), q_1);
+    out_shadow_c_1 = -(_e78);
+    float _e80 = out_cross2_1;
+    float _e81 = out_shadow_b_1;
+    float _e82 = out_shadow_c_1;
+    float _e84 = shadow_half2_(_e80, _e81, _e82, side_1.z, r_2, radius_5);
     out_shadow_half2_1 = _e84;
 }
 
 void line_past(vec3 dir_2, float h_1, float radius_6, inout float out_b, inout float out_x_closest, inout bool out_ground) {
-    bool unnamed = false;
+    bool local = false;
     float r_3 = (radius_6 + h_1);
     float b_6 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
     float _e14 = excess_of(h_1, radius_6);
     float _e16 = half_chord2_(b_6, _e14, (radius_6 - p_2), p_2);
     if ((b_6 < 0.0)) {
-        unnamed = (_e16 >= 0.0);
+        local = (_e16 >= 0.0);
     } else {
-        unnamed = false;
+        local = false;
     }
-    bool _e25 = unnamed;
+    bool _e25 = local;
     out_b = b_6;
     out_x_closest = -(_e16);
     out_ground = _e25;
@@ -254,7 +230,7 @@ float to_ground(float x_4, float b_3, float root) {
 }
 
 void air_path(float line_b_1, float line_x_closest_1, bool line_ground, float h_3, float radius_8, float thickness_1, inout float out_start, inout float out_length, inout float out_x, inout float out_b_1) {
-    bool unnamed_1 = false;
+    bool local_1 = false;
     float _e6 = excess_of(thickness_1, radius_8);
     float ground_root = sqrt(max(-(line_x_closest_1), 0.0));
     if ((h_3 <= thickness_1)) {
@@ -271,11 +247,11 @@ void air_path(float line_b_1, float line_x_closest_1, bool line_ground, float h_
     float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_8) + thickness_1) + h_3));
     float _e27 = top_half_chord2_(line_b_1, line_x_closest_1, h_3, radius_8, thickness_1);
     if (!((line_b_1 >= 0.0))) {
-        unnamed_1 = (_e27 <= 0.0);
+        local_1 = (_e27 <= 0.0);
     } else {
-        unnamed_1 = true;
+        local_1 = true;
     }
-    bool _e36 = unnamed_1;
+    bool _e36 = local_1;
     if (_e36) {
         out_start = 0.0;
         out_length = -1.0;
@@ -292,13 +268,13 @@ void air_path(float line_b_1, float line_x_closest_1, bool line_ground, float h_
 }
 
 void air_ray(vec3 dir_3, float h_4, float radius_9, float thickness_2, vec3 sun_2, inout float out_start_1, inout float out_length_1, inout float out_x_1, inout float out_b_2, inout float out_x_closest_1, inout float out_sun_b_2, inout float out_nu_2, inout float out_cross2_2, inout float out_shadow_b_2, inout float out_shadow_c_2, inout float out_shadow_half2_2, inout bool out_ground_1) {
-    float s_sun_b_2 = 0.0;
-    float s_nu_2 = 0.0;
-    float s_cross2_3 = 0.0;
-    float s_shadow_b_3 = 0.0;
-    float s_shadow_c_3 = 0.0;
-    float s_shadow_half2_2 = 0.0;
-    bool unnamed_2 = false;
+    float s_sun_b = 0.0;
+    float s_nu = 0.0;
+    float s_cross2_1 = 0.0;
+    float s_shadow_b_1 = 0.0;
+    float s_shadow_c_1 = 0.0;
+    float s_shadow_half2_ = 0.0;
+    bool local_2 = false;
     float line_b_2 = 0.0;
     float line_x_closest_2 = 0.0;
     bool line_ground_1 = false;
@@ -306,18 +282,6 @@ void air_ray(vec3 dir_3, float h_4, float radius_9, float thickness_2, vec3 sun_
     float path_length = 0.0;
     float path_x = 0.0;
     float path_b = 0.0;
-    float sun_side_inside_sun_b = 0.0;
-    float sun_side_inside_nu = 0.0;
-    float sun_side_inside_cross2_ = 0.0;
-    float sun_side_inside_shadow_b = 0.0;
-    float sun_side_inside_shadow_c = 0.0;
-    float sun_side_inside_shadow_half2_ = 0.0;
-    float sun_side_outside_sun_b = 0.0;
-    float sun_side_outside_nu = 0.0;
-    float sun_side_outside_cross2_ = 0.0;
-    float sun_side_outside_shadow_b = 0.0;
-    float sun_side_outside_shadow_c = 0.0;
-    float sun_side_outside_shadow_half2_ = 0.0;
     line_past(dir_3, h_4, radius_9, line_b_2, line_x_closest_2, line_ground_1);
     float _e18 = line_b_2;
     float _e19 = line_x_closest_2;
@@ -328,66 +292,42 @@ void air_ray(vec3 dir_3, float h_4, float radius_9, float thickness_2, vec3 sun_
     float _e28 = path_x;
     float _e29 = path_b;
     if ((h_4 <= thickness_2)) {
-        sun_side_inside(dir_3, sun_2, (radius_9 + h_4), _e28, radius_9, sun_side_inside_sun_b, sun_side_inside_nu, sun_side_inside_cross2_, sun_side_inside_shadow_b, sun_side_inside_shadow_c, sun_side_inside_shadow_half2_);
-        float _e39 = sun_side_inside_sun_b;
-        float _e40 = sun_side_inside_nu;
-        float _e41 = sun_side_inside_cross2_;
-        float _e42 = sun_side_inside_shadow_b;
-        float _e43 = sun_side_inside_shadow_c;
-        float _e44 = sun_side_inside_shadow_half2_;
-        s_sun_b_2 = _e39;
-        s_nu_2 = _e40;
-        s_cross2_3 = _e41;
-        s_shadow_b_3 = _e42;
-        s_shadow_c_3 = _e43;
-        s_shadow_half2_2 = _e44;
+        sun_side_inside(dir_3, sun_2, (radius_9 + h_4), _e28, radius_9, s_sun_b, s_nu, s_cross2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
     } else {
         if ((_e27 > 0.0)) {
-            sun_side_outside(dir_3, sun_2, (radius_9 + h_4), _e26, -(_e29), _e28, radius_9, sun_side_outside_sun_b, sun_side_outside_nu, sun_side_outside_cross2_, sun_side_outside_shadow_b, sun_side_outside_shadow_c, sun_side_outside_shadow_half2_);
-            float _e61 = sun_side_outside_sun_b;
-            float _e62 = sun_side_outside_nu;
-            float _e63 = sun_side_outside_cross2_;
-            float _e64 = sun_side_outside_shadow_b;
-            float _e65 = sun_side_outside_shadow_c;
-            float _e66 = sun_side_outside_shadow_half2_;
-            s_sun_b_2 = _e61;
-            s_nu_2 = _e62;
-            s_cross2_3 = _e63;
-            s_shadow_b_3 = _e64;
-            s_shadow_c_3 = _e65;
-            s_shadow_half2_2 = _e66;
+            sun_side_outside(dir_3, sun_2, (radius_9 + h_4), _e26, -(_e29), _e28, radius_9, s_sun_b, s_nu, s_cross2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
         } else {
-            s_nu_2 = dot(dir_3, sun_2);
+            s_nu = dot(dir_3, sun_2);
         }
     }
     if (_e20) {
-        unnamed_2 = (_e27 >= 0.0);
+        local_2 = (_e27 >= 0.0);
     } else {
-        unnamed_2 = false;
+        local_2 = false;
     }
-    bool ground = unnamed_2;
-    float _e74 = s_sun_b_2;
-    float _e75 = s_nu_2;
-    float _e76 = s_cross2_3;
-    float _e77 = s_shadow_b_3;
-    float _e78 = s_shadow_c_3;
-    float _e79 = s_shadow_half2_2;
+    bool ground = local_2;
+    float _e50 = s_sun_b;
+    float _e51 = s_nu;
+    float _e52 = s_cross2_1;
+    float _e53 = s_shadow_b_1;
+    float _e54 = s_shadow_c_1;
+    float _e55 = s_shadow_half2_;
     out_start_1 = _e26;
     out_length_1 = _e27;
     out_x_1 = _e28;
     out_b_2 = _e29;
     out_x_closest_1 = _e19;
-    out_sun_b_2 = _e74;
-    out_nu_2 = _e75;
-    out_cross2_2 = _e76;
-    out_shadow_b_2 = _e77;
-    out_shadow_c_2 = _e78;
-    out_shadow_half2_2 = _e79;
+    out_sun_b_2 = _e50;
+    out_nu_2 = _e51;
+    out_cross2_2 = _e52;
+    out_shadow_b_2 = _e53;
+    out_shadow_c_2 = _e54;
+    out_shadow_half2_2 = _e55;
     out_ground_1 = ground;
 }
 
 void lowest(float ray_length_1, float ray_x_1, float ray_b_1, float ray_x_closest_1, bool ray_ground_1, float length_, float radius_10, inout float out_t, inout float out_x_2, inout float out_b_3) {
-    bool unnamed_3 = false;
+    bool local_3 = false;
     if ((ray_b_1 >= 0.0)) {
         out_t = 0.0;
         out_x_2 = ray_x_1;
@@ -402,11 +342,11 @@ void lowest(float ray_length_1, float ray_x_1, float ray_b_1, float ray_x_closes
     }
     float b_7 = (ray_b_1 + length_);
     if (ray_ground_1) {
-        unnamed_3 = (length_ >= ray_length_1);
+        local_3 = (length_ >= ray_length_1);
     } else {
-        unnamed_3 = false;
+        local_3 = false;
     }
-    bool _e21 = unnamed_3;
+    bool _e21 = local_3;
     if (_e21) {
         out_t = length_;
         out_x_2 = 0.0;
@@ -578,64 +518,51 @@ void diffuse_source(highp sampler2D table_2, vec2 at_1, vec3 gas, mat3x3 aerosol
     ivec2 c_low_1 = ivec2(0);
     ivec2 c_high_1 = ivec2(0);
     vec2 c_part_1 = vec2(0.0);
-    vec3 source_gas = vec3(0.0);
-    vec3 source_aerosol = vec3(0.0);
-    ivec2 corner_low_1 = ivec2(0);
-    ivec2 corner_high_1 = ivec2(0);
-    vec2 corner_part_1 = vec2(0.0);
+    out_gas = vec3(0.0);
+    out_aerosol = vec3(0.0);
     ivec2 dims = ivec2(uvec2(textureSize(table_2, 0).xy));
-    corner(at_1, ivec2(dims.x, ((dims.y - 1) / MOMENTS)), corner_low_1, corner_high_1, corner_part_1);
-    ivec2 _e20 = corner_low_1;
-    ivec2 _e21 = corner_high_1;
-    vec2 _e22 = corner_part_1;
-    c_low_1 = _e20;
-    c_high_1 = _e21;
-    c_part_1 = _e22;
-    int _e27 = c_low_1.y;
-    c_low_1.y = (_e27 * MOMENTS);
-    int _e31 = c_high_1.y;
-    c_high_1.y = (_e31 * MOMENTS);
-    ivec2 _e34 = c_low_1;
-    ivec2 _e35 = c_high_1;
-    vec2 _e36 = c_part_1;
-    vec4 _e39 = bilinear(table_2, _e34, _e35, _e36, ivec2(0));
-    vec3 mean = exp2(_e39.xyz);
+    corner(at_1, ivec2(dims.x, ((dims.y - 1) / MOMENTS)), c_low_1, c_high_1, c_part_1);
+    int _e21 = c_low_1.y;
+    c_low_1.y = (_e21 * MOMENTS);
+    int _e25 = c_high_1.y;
+    c_high_1.y = (_e25 * MOMENTS);
+    ivec2 _e28 = c_low_1;
+    ivec2 _e29 = c_high_1;
+    vec2 _e30 = c_part_1;
+    vec4 _e33 = bilinear(table_2, _e28, _e29, _e30, ivec2(0));
+    vec3 mean = exp2(_e33.xyz);
     float sin_sun = sqrt(max(((1.0 - mu_sun) * (1.0 + mu_sun)), 1e-12));
     float sin_view = sqrt(max(((1.0 - mu_2) * (1.0 + mu_2)), 0.0));
     float along_2 = clamp(((nu - (mu_2 * mu_sun)) / sin_sun), -(sin_view), sin_view);
-    ivec2 _e66 = c_low_1;
-    ivec2 _e67 = c_high_1;
-    vec2 _e68 = c_part_1;
-    vec4 _e72 = bilinear(table_2, _e66, _e67, _e68, ivec2(0, 3));
-    float _e75 = harmonic(3, mu_2, along_2);
-    ivec2 _e77 = c_low_1;
-    ivec2 _e78 = c_high_1;
-    vec2 _e79 = c_part_1;
-    vec4 _e83 = bilinear(table_2, _e77, _e78, _e79, ivec2(0, 4));
-    float _e86 = harmonic(4, mu_2, along_2);
-    ivec2 _e89 = c_low_1;
-    ivec2 _e90 = c_high_1;
-    vec2 _e91 = c_part_1;
-    vec4 _e95 = bilinear(table_2, _e89, _e90, _e91, ivec2(0, 5));
-    float _e98 = harmonic(5, mu_2, along_2);
-    vec3 l2_ = (((_e72.xyz * _e75) + (_e83.xyz * _e86)) + (_e95.xyz * _e98));
-    source_gas = ((gas * (vec3(0.2820948) + (0.1 * l2_))) * mean);
-    ivec2 _e111 = c_low_1;
-    ivec2 _e112 = c_high_1;
-    vec2 _e113 = c_part_1;
-    vec4 _e117 = bilinear(table_2, _e111, _e112, _e113, ivec2(0, 1));
-    float _e120 = harmonic(1, mu_2, along_2);
-    ivec2 _e122 = c_low_1;
-    ivec2 _e123 = c_high_1;
-    vec2 _e124 = c_part_1;
-    vec4 _e128 = bilinear(table_2, _e122, _e123, _e124, ivec2(0, 2));
-    float _e131 = harmonic(2, mu_2, along_2);
-    vec3 l1_ = ((_e117.xyz * _e120) + (_e128.xyz * _e131));
-    source_aerosol = ((((SH0_ * aerosol[0]) + (l1_ * aerosol[1])) + (l2_ * aerosol[2])) * mean);
-    vec3 _e145 = source_gas;
-    vec3 _e146 = source_aerosol;
-    out_gas = _e145;
-    out_aerosol = _e146;
+    ivec2 _e60 = c_low_1;
+    ivec2 _e61 = c_high_1;
+    vec2 _e62 = c_part_1;
+    vec4 _e66 = bilinear(table_2, _e60, _e61, _e62, ivec2(0, 3));
+    float _e69 = harmonic(3, mu_2, along_2);
+    ivec2 _e71 = c_low_1;
+    ivec2 _e72 = c_high_1;
+    vec2 _e73 = c_part_1;
+    vec4 _e77 = bilinear(table_2, _e71, _e72, _e73, ivec2(0, 4));
+    float _e80 = harmonic(4, mu_2, along_2);
+    ivec2 _e83 = c_low_1;
+    ivec2 _e84 = c_high_1;
+    vec2 _e85 = c_part_1;
+    vec4 _e89 = bilinear(table_2, _e83, _e84, _e85, ivec2(0, 5));
+    float _e92 = harmonic(5, mu_2, along_2);
+    vec3 l2_ = (((_e66.xyz * _e69) + (_e77.xyz * _e80)) + (_e89.xyz * _e92));
+    out_gas = ((gas * (vec3(0.2820948) + (0.1 * l2_))) * mean);
+    ivec2 _e105 = c_low_1;
+    ivec2 _e106 = c_high_1;
+    vec2 _e107 = c_part_1;
+    vec4 _e111 = bilinear(table_2, _e105, _e106, _e107, ivec2(0, 1));
+    float _e114 = harmonic(1, mu_2, along_2);
+    ivec2 _e116 = c_low_1;
+    ivec2 _e117 = c_high_1;
+    vec2 _e118 = c_part_1;
+    vec4 _e122 = bilinear(table_2, _e116, _e117, _e118, ivec2(0, 2));
+    float _e125 = harmonic(2, mu_2, along_2);
+    vec3 l1_ = ((_e111.xyz * _e114) + (_e122.xyz * _e125));
+    out_aerosol = ((((SH0_ * aerosol[0]) + (l1_ * aerosol[1])) + (l2_ * aerosol[2])) * mean);
 }
 
 float warp(float low, float u) {
@@ -722,7 +649,7 @@ float limb_place(float moon_1, float apart_3) {
 
 vec3 sun_left(highp sampler2D shade_1, vec3 s_across, float s_along, float s_radius, float s_tangent, float s_least, vec3 position_1, vec3 sun_3) {
     vec3 share_1 = vec3(0.0);
-    bool unnamed_4 = false;
+    bool local_4 = false;
     float beside = dot(position_1, sun_3);
     float apart_5 = length((s_across - (position_1 - (sun_3 * beside))));
     vec2 _e13 = moon_before_sun(apart_5, (s_along - beside), s_radius, s_tangent);
@@ -731,11 +658,11 @@ vec3 sun_left(highp sampler2D shade_1, vec3 s_across, float s_along, float s_rad
     float _e20 = share_1.x;
     if ((_e20 > 0.0)) {
         float _e24 = share_1.x;
-        unnamed_4 = (_e24 < 1.0);
+        local_4 = (_e24 < 1.0);
     } else {
-        unnamed_4 = false;
+        local_4 = false;
     }
-    bool _e30 = unnamed_4;
+    bool _e30 = local_4;
     if (_e30) {
         vec3 _e31 = share_1;
         float _e34 = limb_place(_e13.x, _e13.y);
@@ -768,100 +695,90 @@ vec2 lit_part(vec2 shadow, float low_2, float t0_, float t1_, float mid) {
     return vec2(((t1_ - t0_) - dark), _e33);
 }
 
-void gather(highp sampler2D columns, highp sampler2D moments, vec3 medium_rayleigh, float medium_rayleigh_inv_height, vec3 medium_mie_scattering, float medium_mie_inv_height, float medium_ozone_center, float medium_ozone_inv_half_width, vec3 medium_ozone, float medium_radius, float medium_thickness, vec3 t_mie_extinction, float t_altitude_steepness, vec3 t_mie_moment0_, float t_altitude_growth, vec3 t_mie_moment1_, float t_sun_middle_1, vec3 t_mie_moment2_, float t_sun_width_1, float t_sun_first_1, float t_sun_span_1, uint t_steps, float ray_start_1, float ray_sun_b_2, float ray_nu_2, float ray_cross2_2, float ray_shadow_b_2, float ray_shadow_c_2, float ray_shadow_half2_2, vec3 dir_5, vec3 sun_5, vec3 eclipse_across, float eclipse_along, float eclipse_radius, float eclipse_tangent, float eclipse_least, float eclipse_rate, highp sampler2D shade_3, float lowest_t, float lowest_x, float lowest_b, float u_from, float u_to, vec3 gas_1, vec3 aerosol_1, float diffuse, inout vec3 out_radiance, inout vec3 out_columns) {
-    vec3 out_radiance_1 = vec3(0.0);
-    vec3 out_transmittance = vec3(1.0);
-    vec3 out_columns_1 = vec3(0.0);
+void gather(highp sampler2D columns, highp sampler2D moments, vec3 medium_rayleigh, float medium_rayleigh_inv_height, vec3 medium_mie_scattering, float medium_mie_inv_height, float medium_ozone_center, float medium_ozone_inv_half_width, vec3 medium_ozone, float medium_radius, float medium_thickness, vec3 t_mie_extinction, float t_altitude_steepness, vec3 t_mie_moment0_, float t_altitude_growth, vec3 t_mie_moment1_, float t_sun_middle_1, vec3 t_mie_moment2_, float t_sun_width_1, float t_sun_first_1, float t_sun_span_1, uint t_steps, float ray_start_1, float ray_sun_b_2, float ray_nu_2, float ray_cross2_2, float ray_shadow_b_2, float ray_shadow_c_2, float ray_shadow_half2_2, vec3 dir_5, vec3 sun_5, vec3 eclipse_across, float eclipse_along, float eclipse_radius, float eclipse_tangent, float eclipse_least, float eclipse_rate, highp sampler2D shade_3, float lowest_t, float lowest_x, float lowest_b, float u_from, float u_to, vec3 gas_1, vec3 aerosol_1, float diffuse, inout vec3 out_radiance, inout vec3 out_transmittance, inout vec3 out_columns) {
     float t0_1 = 0.0;
     uint i = 0u;
     vec3 source = vec3(0.0);
     vec3 before_gas = vec3(0.0);
     vec3 before_aerosol = vec3(0.0);
-    vec3 diffuse_source_gas = vec3(0.0);
-    vec3 diffuse_source_aerosol = vec3(0.0);
-    vec4 _e18 = layers_of(medium_rayleigh_inv_height, medium_mie_inv_height, medium_ozone_center, medium_ozone_inv_half_width);
+    out_radiance = vec3(0.0);
+    out_transmittance = vec3(1.0);
+    out_columns = vec3(0.0);
+    vec4 _e19 = layers_of(medium_rayleigh_inv_height, medium_mie_inv_height, medium_ozone_center, medium_ozone_inv_half_width);
     mat3x3 coefficients_1 = mat3x3(medium_rayleigh, t_mie_extinction, medium_ozone);
-    vec2 _e38 = shadow_stretch(ray_sun_b_2, ray_nu_2, ray_cross2_2, ray_shadow_b_2, ray_shadow_c_2, ray_shadow_half2_2);
-    vec4 _e39 = sun_axis(t_sun_middle_1, t_sun_width_1, t_sun_first_1, t_sun_span_1);
+    vec2 _e39 = shadow_stretch(ray_sun_b_2, ray_nu_2, ray_cross2_2, ray_shadow_b_2, ray_shadow_c_2, ray_shadow_half2_2);
+    vec4 _e40 = sun_axis(t_sun_middle_1, t_sun_width_1, t_sun_first_1, t_sun_span_1);
     ivec2 dims_1 = ivec2(uvec2(textureSize(moments, 0).xy));
     vec2 nodes = (vec2(float(dims_1.x), float(((dims_1.y - 1) / MOMENTS))) - vec2(1.0));
     mat3x3 scattered = mat3x3((medium_mie_scattering * t_mie_moment0_), (medium_mie_scattering * t_mie_moment1_), (medium_mie_scattering * t_mie_moment2_));
     float du = ((u_to - u_from) / float(t_steps));
-    float _e67 = warp(lowest_t, u_from);
-    t0_1 = _e67;
+    float _e68 = warp(lowest_t, u_from);
+    t0_1 = _e68;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e199 = i;
-            i = (_e199 + 1u);
+            uint _e196 = i;
+            i = (_e196 + 1u);
         }
         loop_init = false;
-        uint _e70 = i;
-        if ((_e70 < t_steps)) {
+        uint _e71 = i;
+        if ((_e71 < t_steps)) {
         } else {
             break;
         }
         {
-            uint _e72 = i;
-            float u_1 = (u_from + (du * float(_e72)));
-            float _e77 = warp(lowest_t, (u_1 + du));
-            float _e78 = t0_1;
-            float step_ = (_e77 - _e78);
-            float _e83 = warp(lowest_t, (u_1 + (0.5 * du)));
-            float _e85 = altitude_after(lowest_x, lowest_b, (_e83 - lowest_t), medium_radius);
-            vec3 _e86 = densities(_e18, _e85);
-            vec3 _e87 = extinction(coefficients_1, _e86);
-            vec3 tau_1 = (_e87 * step_);
-            vec3 _e92 = out_transmittance;
-            vec3 _e93 = mean_transmittance(tau_1);
-            vec3 share_2 = (_e92 * _e93);
-            float _e95 = t0_1;
-            vec2 _e96 = lit_part(_e38, lowest_t, _e95, _e77, _e83);
-            if ((_e96.x > 0.0)) {
-                float past = (_e96.y - lowest_t);
+            uint _e73 = i;
+            float u_1 = (u_from + (du * float(_e73)));
+            float _e78 = warp(lowest_t, (u_1 + du));
+            float _e79 = t0_1;
+            float step_ = (_e78 - _e79);
+            float _e84 = warp(lowest_t, (u_1 + (0.5 * du)));
+            float _e86 = altitude_after(lowest_x, lowest_b, (_e84 - lowest_t), medium_radius);
+            vec3 _e87 = densities(_e19, _e86);
+            vec3 _e88 = extinction(coefficients_1, _e87);
+            vec3 tau_1 = (_e88 * step_);
+            vec3 _e93 = out_transmittance;
+            vec3 _e94 = mean_transmittance(tau_1);
+            vec3 share_2 = (_e93 * _e94);
+            float _e96 = t0_1;
+            vec2 _e97 = lit_part(_e39, lowest_t, _e96, _e78, _e84);
+            if ((_e97.x > 0.0)) {
+                float past = (_e97.y - lowest_t);
                 float lit_x = max((lowest_x + (past * ((2.0 * lowest_b) + past))), 0.0);
-                float _e109 = altitude_of(lit_x, medium_radius);
-                vec3 _e110 = densities(_e18, _e109);
-                vec3 _e115 = columns_to_top(columns, medium_radius, medium_thickness, lit_x, _e109, (ray_sun_b_2 + (ray_nu_2 * _e96.y)));
-                vec3 _e123 = extinction(coefficients_1, _e115);
-                source = (((gas_1 * _e110.x) + (aerosol_1 * _e110.y)) * exp(-(_e123)));
-                vec3 _e128 = source;
-                vec3 _e141 = sun_left(shade_3, eclipse_across, eclipse_along, eclipse_radius, eclipse_tangent, eclipse_least, (dir_5 * (ray_start_1 + _e96.y)), sun_5);
-                source = (_e128 * _e141);
-                vec3 _e143 = out_radiance_1;
-                vec3 _e144 = source;
-                out_radiance_1 = (_e143 + ((share_2 * _e144) * _e96.x));
+                float _e110 = altitude_of(lit_x, medium_radius);
+                vec3 _e111 = densities(_e19, _e110);
+                vec3 _e116 = columns_to_top(columns, medium_radius, medium_thickness, lit_x, _e110, (ray_sun_b_2 + (ray_nu_2 * _e97.y)));
+                vec3 _e124 = extinction(coefficients_1, _e116);
+                source = (((gas_1 * _e111.x) + (aerosol_1 * _e111.y)) * exp(-(_e124)));
+                vec3 _e129 = source;
+                vec3 _e142 = sun_left(shade_3, eclipse_across, eclipse_along, eclipse_radius, eclipse_tangent, eclipse_least, (dir_5 * (ray_start_1 + _e97.y)), sun_5);
+                source = (_e129 * _e142);
+                vec3 _e144 = out_radiance;
+                vec3 _e145 = source;
+                out_radiance = (_e144 + ((share_2 * _e145) * _e97.x));
             }
-            float r_4 = (medium_radius + _e85);
-            float mu_4 = clamp((((lowest_b + _e83) - lowest_t) / r_4), -1.0, 1.0);
-            float mu_sun_1 = clamp(((ray_sun_b_2 + (ray_nu_2 * _e83)) / r_4), -1.0, 1.0);
-            float _e162 = altitude_share(t_altitude_steepness, t_altitude_growth, _e85, medium_thickness);
-            float _e163 = sun_share(_e39, mu_sun_1);
-            diffuse_source(moments, (vec2(_e163, _e162) * nodes), medium_rayleigh, scattered, mu_4, mu_sun_1, ray_nu_2, diffuse_source_gas, diffuse_source_aerosol);
-            vec3 _e168 = diffuse_source_gas;
-            vec3 _e169 = diffuse_source_aerosol;
-            before_gas = _e168;
-            before_aerosol = _e169;
-            vec3 _e174 = sun_left_around(shade_3, eclipse_across, eclipse_least, eclipse_rate, (dir_5 * (ray_start_1 + _e83)), sun_5);
-            vec3 _e175 = before_gas;
-            vec3 _e177 = before_aerosol;
-            before_gas = (_e175 * _e174);
-            before_aerosol = (_e177 * _e174);
-            vec3 _e179 = out_radiance_1;
-            vec3 _e183 = before_gas;
-            vec3 _e186 = before_aerosol;
-            out_radiance_1 = (_e179 + ((share_2 * (step_ * diffuse)) * ((_e183 * _e86.x) + (_e186 * _e86.y))));
-            vec3 _e192 = out_transmittance;
-            out_transmittance = (_e192 * exp(-(tau_1)));
-            vec3 _e196 = out_columns_1;
-            out_columns_1 = (_e196 + (_e86 * step_));
-            t0_1 = _e77;
+            float r_4 = (medium_radius + _e86);
+            float mu_4 = clamp((((lowest_b + _e84) - lowest_t) / r_4), -1.0, 1.0);
+            float mu_sun_1 = clamp(((ray_sun_b_2 + (ray_nu_2 * _e84)) / r_4), -1.0, 1.0);
+            float _e163 = altitude_share(t_altitude_steepness, t_altitude_growth, _e86, medium_thickness);
+            float _e164 = sun_share(_e40, mu_sun_1);
+            diffuse_source(moments, (vec2(_e164, _e163) * nodes), medium_rayleigh, scattered, mu_4, mu_sun_1, ray_nu_2, before_gas, before_aerosol);
+            vec3 _e171 = sun_left_around(shade_3, eclipse_across, eclipse_least, eclipse_rate, (dir_5 * (ray_start_1 + _e84)), sun_5);
+            vec3 _e172 = before_gas;
+            vec3 _e174 = before_aerosol;
+            before_gas = (_e172 * _e171);
+            before_aerosol = (_e174 * _e171);
+            vec3 _e176 = out_radiance;
+            vec3 _e180 = before_gas;
+            vec3 _e183 = before_aerosol;
+            out_radiance = (_e176 + ((share_2 * (step_ * diffuse)) * ((_e180 * _e87.x) + (_e183 * _e87.y))));
+            vec3 _e189 = out_transmittance;
+            out_transmittance = (_e189 * exp(-(tau_1)));
+            vec3 _e193 = out_columns;
+            out_columns = (_e193 + (_e87 * step_));
+            t0_1 = _e78;
         }
     }
-    vec3 _e202 = out_radiance_1;
-    vec3 _e203 = out_columns_1;
-    out_radiance = _e202;
-    out_columns = _e203;
 }
 
 float rayleigh_phase(float mu_3) {
@@ -883,11 +800,12 @@ vec3 aerosol_phase(vec3 dir_6, vec3 sun_6, vec3 asymmetry) {
     return _e11;
 }
 
-void all_orders(highp sampler2D columns_1, highp sampler2D moments_1, highp sampler2D shade_4, vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, vec3 m_mie_extinction_1, float m_ozone_center_1, vec3 m_mie_asymmetry, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_thickness, vec3 t_mie_extinction_1, float t_altitude_steepness_1, vec3 t_mie_moment0_1, float t_altitude_growth_1, vec3 t_mie_moment1_1, float t_sun_middle_2, vec3 t_mie_moment2_1, float t_sun_width_2, float t_sun_first_2, float t_sun_span_2, uint t_steps_1, float ray_start_2, float ray_length_2, float ray_x_2, float ray_b_2, float ray_x_closest_2, float ray_sun_b_3, float ray_nu_3, float ray_cross2_3, float ray_shadow_b_3, float ray_shadow_c_3, float ray_shadow_half2_3, bool ray_ground_2, vec3 dir_7, vec3 sun_7, vec3 shadow_across, float shadow_along, float shadow_radius, float shadow_tangent, float shadow_least, float shadow_rate, float length_1, inout vec3 out_radiance_2, inout vec3 out_transmittance_1) {
+void all_orders(highp sampler2D columns_1, highp sampler2D moments_1, highp sampler2D shade_4, vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, vec3 m_mie_extinction_1, float m_ozone_center_1, vec3 m_mie_asymmetry, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_thickness, vec3 t_mie_extinction_1, float t_altitude_steepness_1, vec3 t_mie_moment0_1, float t_altitude_growth_1, vec3 t_mie_moment1_1, float t_sun_middle_2, vec3 t_mie_moment2_1, float t_sun_width_2, float t_sun_first_2, float t_sun_span_2, uint t_steps_1, float ray_start_2, float ray_length_2, float ray_x_2, float ray_b_2, float ray_x_closest_2, float ray_sun_b_3, float ray_nu_3, float ray_cross2_3, float ray_shadow_b_3, float ray_shadow_c_3, float ray_shadow_half2_3, bool ray_ground_2, vec3 dir_7, vec3 sun_7, vec3 shadow_across, float shadow_along, float shadow_radius, float shadow_tangent, float shadow_least, float shadow_rate, float length_1, inout vec3 out_radiance_1, inout vec3 out_transmittance_1) {
     float low_t = 0.0;
     float low_x = 0.0;
     float low_b = 0.0;
     vec3 g_radiance = vec3(0.0);
+    vec3 g_transmittance = vec3(0.0);
     vec3 g_columns = vec3(0.0);
     lowest(ray_length_2, ray_x_2, ray_b_2, ray_x_closest_2, ray_ground_2, length_1, m_radius, low_t, low_x, low_b);
     float _e29 = low_t;
@@ -899,13 +817,13 @@ void all_orders(highp sampler2D columns_1, highp sampler2D moments_1, highp samp
     vec3 aerosol_2 = (m_mie_scattering * _e36);
     float _e39 = unwarp(_e29, 0.0);
     float _e40 = unwarp(_e29, length_1);
-    gather(columns_1, moments_1, m_rayleigh_1, m_rayleigh_inv_height_1, m_mie_scattering, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1, m_ozone_1, m_radius, m_thickness, t_mie_extinction_1, t_altitude_steepness_1, t_mie_moment0_1, t_altitude_growth_1, t_mie_moment1_1, t_sun_middle_2, t_mie_moment2_1, t_sun_width_2, t_sun_first_2, t_sun_span_2, t_steps_1, ray_start_2, ray_sun_b_3, ray_nu_3, ray_cross2_3, ray_shadow_b_3, ray_shadow_c_3, ray_shadow_half2_3, dir_7, sun_7, shadow_across, shadow_along, shadow_radius, shadow_tangent, shadow_least, shadow_rate, shade_4, _e29, _e30, _e31, _e39, _e40, gas_2, aerosol_2, 1.0, g_radiance, g_columns);
-    vec3 _e64 = g_radiance;
-    vec3 _e65 = g_columns;
-    mat3x3 _e66 = coefficients_of(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
-    vec3 _e67 = extinction(_e66, _e65);
-    out_radiance_2 = _e64;
-    out_transmittance_1 = exp(-(_e67));
+    gather(columns_1, moments_1, m_rayleigh_1, m_rayleigh_inv_height_1, m_mie_scattering, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1, m_ozone_1, m_radius, m_thickness, t_mie_extinction_1, t_altitude_steepness_1, t_mie_moment0_1, t_altitude_growth_1, t_mie_moment1_1, t_sun_middle_2, t_mie_moment2_1, t_sun_width_2, t_sun_first_2, t_sun_span_2, t_steps_1, ray_start_2, ray_sun_b_3, ray_nu_3, ray_cross2_3, ray_shadow_b_3, ray_shadow_c_3, ray_shadow_half2_3, dir_7, sun_7, shadow_across, shadow_along, shadow_radius, shadow_tangent, shadow_least, shadow_rate, shade_4, _e29, _e30, _e31, _e39, _e40, gas_2, aerosol_2, 1.0, g_radiance, g_transmittance, g_columns);
+    vec3 _e65 = g_radiance;
+    vec3 _e66 = g_columns;
+    mat3x3 _e67 = coefficients_of(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
+    vec3 _e68 = extinction(_e67, _e66);
+    out_radiance_1 = _e65;
+    out_transmittance_1 = exp(-(_e68));
 }
 
 void main() {

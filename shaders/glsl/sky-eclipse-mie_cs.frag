@@ -137,102 +137,78 @@ float shadow_half2_(float s_cross2_, float s_shadow_b, float s_shadow_c, float s
 }
 
 void sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_3, float radius_4, inout float out_sun_b, inout float out_nu, inout float out_cross2_, inout float out_shadow_b, inout float out_shadow_c, inout float out_shadow_half2_) {
-    float s_sun_b = 0.0;
-    float s_nu = 0.0;
-    float s_cross2_1 = 0.0;
-    float s_shadow_b_1 = 0.0;
-    float s_shadow_c_1 = 0.0;
-    float s_shadow_half2_ = 0.0;
-    s_nu = dot(dir, sun);
-    float _e15 = s_nu;
-    vec3 side = cross((dir - (((_e15 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s_cross2_1 = dot(side, side);
-    s_sun_b = (r_1 * sun.z);
-    s_shadow_b_1 = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+    out_sun_b = 0.0;
+    out_nu = 0.0;
+    out_cross2_ = 0.0;
+    out_shadow_b = 0.0;
+    out_shadow_c = 0.0;
+    out_shadow_half2_ = 0.0;
+    out_nu = dot(dir, sun);
+    float _e21 = out_nu;
+    vec3 side = cross((dir - (((_e21 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    out_cross2_ = dot(side, side);
+    out_sun_b = (r_1 * sun.z);
+    out_shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
     float q = (r_1 * length(sun.xy));
-    float _e39 = s_sun_b;
-    float _e43 = half_chord2_(_e39, x_3, (radius_4 - q), q);
-    s_shadow_c_1 = -(_e43);
-    float _e45 = s_cross2_1;
-    float _e46 = s_shadow_b_1;
-    float _e47 = s_shadow_c_1;
-    float _e49 = shadow_half2_(_e45, _e46, _e47, side.z, r_1, radius_4);
-    s_shadow_half2_ = _e49;
-    float _e50 = s_sun_b;
-    float _e51 = s_nu;
-    float _e52 = s_cross2_1;
-    float _e53 = s_shadow_b_1;
-    float _e54 = s_shadow_c_1;
-    float _e55 = s_shadow_half2_;
-    out_sun_b = _e50;
-    out_nu = _e51;
-    out_cross2_ = _e52;
-    out_shadow_b = _e53;
-    out_shadow_c = _e54;
+    float _e45 = out_sun_b;
+    float _e49 = half_chord2_(_e45, x_3, (radius_4 - q), q);
+    out_shadow_c = -(_e49);
+    float _e51 = out_cross2_;
+    float _e52 = out_shadow_b;
+    float _e53 = out_shadow_c;
+    float _e55 = shadow_half2_(_e51, _e52, _e53, side.z, r_1, radius_4);
     out_shadow_half2_ = _e55;
 }
 
 void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half_, float x_top_1, float radius_5, inout float out_sun_b_1, inout float out_nu_1, inout float out_cross2_1, inout float out_shadow_b_1, inout float out_shadow_c_1, inout float out_shadow_half2_1) {
-    float s_sun_b_1 = 0.0;
-    float s_nu_1 = 0.0;
-    float s_cross2_2 = 0.0;
-    float s_shadow_b_2 = 0.0;
-    float s_shadow_c_2 = 0.0;
-    float s_shadow_half2_1 = 0.0;
-    s_nu_1 = dot(dir_1, sun_1);
-    float _e15 = s_nu_1;
-    float same = ((_e15 >= 0.0) ? 1.0 : -1.0);
+    out_sun_b_1 = 0.0;
+    out_nu_1 = 0.0;
+    out_cross2_1 = 0.0;
+    out_shadow_b_1 = 0.0;
+    out_shadow_c_1 = 0.0;
+    out_shadow_half2_1 = 0.0;
+    out_nu_1 = dot(dir_1, sun_1);
+    float _e21 = out_nu_1;
+    float same = ((_e21 >= 0.0) ? 1.0 : -1.0);
     vec3 apart_4 = (dir_1 - (same * sun_1));
     vec3 side_1 = cross(apart_4, sun_1);
-    s_cross2_2 = dot(side_1, side_1);
+    out_cross2_1 = dot(side_1, side_1);
     vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
     float there = (-(same) * dot(closest, apart_4));
     float here = (r_2 * sun_1.z);
-    float _e41 = s_nu_1;
-    float _e47 = s_nu_1;
-    bool nearer = ((abs(here) + (start * abs(_e41))) < (abs(there) + (half_ * abs(_e47))));
-    float _e53 = s_nu_1;
-    float _e56 = s_nu_1;
-    s_sun_b_1 = (nearer ? (here + (start * _e56)) : (there - (half_ * _e53)));
+    float _e47 = out_nu_1;
+    float _e53 = out_nu_1;
+    bool nearer = ((abs(here) + (start * abs(_e47))) < (abs(there) + (half_ * abs(_e53))));
+    float _e59 = out_nu_1;
+    float _e62 = out_nu_1;
+    out_sun_b_1 = (nearer ? (here + (start * _e62)) : (there - (half_ * _e59)));
     vec3 closest_side = cross(closest, sun_1);
-    float _e62 = s_cross2_2;
-    s_shadow_b_2 = (dot(closest_side, side_1) - (half_ * _e62));
+    float _e68 = out_cross2_1;
+    out_shadow_b_1 = (dot(closest_side, side_1) - (half_ * _e68));
     float q_1 = length((closest_side - (half_ * side_1)));
-    float _e68 = s_sun_b_1;
-    float _e72 = half_chord2_(_e68, x_top_1, (radius_5 - q_1), q_1);
-    s_shadow_c_2 = -(_e72);
-    float _e74 = s_cross2_2;
-    float _e75 = s_shadow_b_2;
-    float _e76 = s_shadow_c_2;
-    float _e78 = shadow_half2_(_e74, _e75, _e76, side_1.z, r_2, radius_5);
-    s_shadow_half2_1 = _e78;
-    float _e79 = s_sun_b_1;
-    float _e80 = s_nu_1;
-    float _e81 = s_cross2_2;
-    float _e82 = s_shadow_b_2;
-    float _e83 = s_shadow_c_2;
-    float _e84 = s_shadow_half2_1;
-    out_sun_b_1 = _e79;
-    out_nu_1 = _e80;
-    out_cross2_1 = _e81;
-    out_shadow_b_1 = _e82;
-    out_shadow_c_1 = _e83;
+    float _e74 = out_sun_b_1;
+    float _e78 = half_chord2_(_e74, x_top_1, (radius_5 - q_1), q_1);
+    out_shadow_c_1 = -(_e78);
+    float _e80 = out_cross2_1;
+    float _e81 = out_shadow_b_1;
+    float _e82 = out_shadow_c_1;
+    float _e84 = shadow_half2_(_e80, _e81, _e82, side_1.z, r_2, radius_5);
     out_shadow_half2_1 = _e84;
 }
 
 void line_past(vec3 dir_2, float h_1, float radius_6, inout float out_b, inout float out_x_closest, inout bool out_ground) {
-    bool unnamed = false;
+    bool local = false;
     float r_3 = (radius_6 + h_1);
     float b_5 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
     float _e14 = excess_of(h_1, radius_6);
     float _e16 = half_chord2_(b_5, _e14, (radius_6 - p_2), p_2);
     if ((b_5 < 0.0)) {
-        unnamed = (_e16 >= 0.0);
+        local = (_e16 >= 0.0);
     } else {
-        unnamed = false;
+        local = false;
     }
-    bool _e25 = unnamed;
+    bool _e25 = local;
     out_b = b_5;
     out_x_closest = -(_e16);
     out_ground = _e25;
@@ -250,7 +226,7 @@ float to_ground(float x_4, float b_3, float root) {
 }
 
 void air_path(float line_b_1, float line_x_closest_1, bool line_ground, float h_3, float radius_8, float thickness_1, inout float out_start, inout float out_length, inout float out_x, inout float out_b_1) {
-    bool unnamed_1 = false;
+    bool local_1 = false;
     float _e6 = excess_of(thickness_1, radius_8);
     float ground_root = sqrt(max(-(line_x_closest_1), 0.0));
     if ((h_3 <= thickness_1)) {
@@ -267,11 +243,11 @@ void air_path(float line_b_1, float line_x_closest_1, bool line_ground, float h_
     float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_8) + thickness_1) + h_3));
     float _e27 = top_half_chord2_(line_b_1, line_x_closest_1, h_3, radius_8, thickness_1);
     if (!((line_b_1 >= 0.0))) {
-        unnamed_1 = (_e27 <= 0.0);
+        local_1 = (_e27 <= 0.0);
     } else {
-        unnamed_1 = true;
+        local_1 = true;
     }
-    bool _e36 = unnamed_1;
+    bool _e36 = local_1;
     if (_e36) {
         out_start = 0.0;
         out_length = -1.0;
@@ -288,13 +264,13 @@ void air_path(float line_b_1, float line_x_closest_1, bool line_ground, float h_
 }
 
 void air_ray(vec3 dir_3, float h_4, float radius_9, float thickness_2, vec3 sun_2, inout float out_start_1, inout float out_length_1, inout float out_x_1, inout float out_b_2, inout float out_x_closest_1, inout float out_sun_b_2, inout float out_nu_2, inout float out_cross2_2, inout float out_shadow_b_2, inout float out_shadow_c_2, inout float out_shadow_half2_2, inout bool out_ground_1) {
-    float s_sun_b_2 = 0.0;
-    float s_nu_2 = 0.0;
-    float s_cross2_3 = 0.0;
-    float s_shadow_b_3 = 0.0;
-    float s_shadow_c_3 = 0.0;
-    float s_shadow_half2_2 = 0.0;
-    bool unnamed_2 = false;
+    float s_sun_b = 0.0;
+    float s_nu = 0.0;
+    float s_cross2_1 = 0.0;
+    float s_shadow_b_1 = 0.0;
+    float s_shadow_c_1 = 0.0;
+    float s_shadow_half2_ = 0.0;
+    bool local_2 = false;
     float line_b_2 = 0.0;
     float line_x_closest_2 = 0.0;
     bool line_ground_1 = false;
@@ -302,18 +278,6 @@ void air_ray(vec3 dir_3, float h_4, float radius_9, float thickness_2, vec3 sun_
     float path_length = 0.0;
     float path_x = 0.0;
     float path_b = 0.0;
-    float sun_side_inside_sun_b = 0.0;
-    float sun_side_inside_nu = 0.0;
-    float sun_side_inside_cross2_ = 0.0;
-    float sun_side_inside_shadow_b = 0.0;
-    float sun_side_inside_shadow_c = 0.0;
-    float sun_side_inside_shadow_half2_ = 0.0;
-    float sun_side_outside_sun_b = 0.0;
-    float sun_side_outside_nu = 0.0;
-    float sun_side_outside_cross2_ = 0.0;
-    float sun_side_outside_shadow_b = 0.0;
-    float sun_side_outside_shadow_c = 0.0;
-    float sun_side_outside_shadow_half2_ = 0.0;
     line_past(dir_3, h_4, radius_9, line_b_2, line_x_closest_2, line_ground_1);
     float _e18 = line_b_2;
     float _e19 = line_x_closest_2;
@@ -324,66 +288,42 @@ void air_ray(vec3 dir_3, float h_4, float radius_9, float thickness_2, vec3 sun_
     float _e28 = path_x;
     float _e29 = path_b;
     if ((h_4 <= thickness_2)) {
-        sun_side_inside(dir_3, sun_2, (radius_9 + h_4), _e28, radius_9, sun_side_inside_sun_b, sun_side_inside_nu, sun_side_inside_cross2_, sun_side_inside_shadow_b, sun_side_inside_shadow_c, sun_side_inside_shadow_half2_);
-        float _e39 = sun_side_inside_sun_b;
-        float _e40 = sun_side_inside_nu;
-        float _e41 = sun_side_inside_cross2_;
-        float _e42 = sun_side_inside_shadow_b;
-        float _e43 = sun_side_inside_shadow_c;
-        float _e44 = sun_side_inside_shadow_half2_;
-        s_sun_b_2 = _e39;
-        s_nu_2 = _e40;
-        s_cross2_3 = _e41;
-        s_shadow_b_3 = _e42;
-        s_shadow_c_3 = _e43;
-        s_shadow_half2_2 = _e44;
+        sun_side_inside(dir_3, sun_2, (radius_9 + h_4), _e28, radius_9, s_sun_b, s_nu, s_cross2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
     } else {
         if ((_e27 > 0.0)) {
-            sun_side_outside(dir_3, sun_2, (radius_9 + h_4), _e26, -(_e29), _e28, radius_9, sun_side_outside_sun_b, sun_side_outside_nu, sun_side_outside_cross2_, sun_side_outside_shadow_b, sun_side_outside_shadow_c, sun_side_outside_shadow_half2_);
-            float _e61 = sun_side_outside_sun_b;
-            float _e62 = sun_side_outside_nu;
-            float _e63 = sun_side_outside_cross2_;
-            float _e64 = sun_side_outside_shadow_b;
-            float _e65 = sun_side_outside_shadow_c;
-            float _e66 = sun_side_outside_shadow_half2_;
-            s_sun_b_2 = _e61;
-            s_nu_2 = _e62;
-            s_cross2_3 = _e63;
-            s_shadow_b_3 = _e64;
-            s_shadow_c_3 = _e65;
-            s_shadow_half2_2 = _e66;
+            sun_side_outside(dir_3, sun_2, (radius_9 + h_4), _e26, -(_e29), _e28, radius_9, s_sun_b, s_nu, s_cross2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
         } else {
-            s_nu_2 = dot(dir_3, sun_2);
+            s_nu = dot(dir_3, sun_2);
         }
     }
     if (_e20) {
-        unnamed_2 = (_e27 >= 0.0);
+        local_2 = (_e27 >= 0.0);
     } else {
-        unnamed_2 = false;
+        local_2 = false;
     }
-    bool ground = unnamed_2;
-    float _e74 = s_sun_b_2;
-    float _e75 = s_nu_2;
-    float _e76 = s_cross2_3;
-    float _e77 = s_shadow_b_3;
-    float _e78 = s_shadow_c_3;
-    float _e79 = s_shadow_half2_2;
+    bool ground = local_2;
+    float _e50 = s_sun_b;
+    float _e51 = s_nu;
+    float _e52 = s_cross2_1;
+    float _e53 = s_shadow_b_1;
+    float _e54 = s_shadow_c_1;
+    float _e55 = s_shadow_half2_;
     out_start_1 = _e26;
     out_length_1 = _e27;
     out_x_1 = _e28;
     out_b_2 = _e29;
     out_x_closest_1 = _e19;
-    out_sun_b_2 = _e74;
-    out_nu_2 = _e75;
-    out_cross2_2 = _e76;
-    out_shadow_b_2 = _e77;
-    out_shadow_c_2 = _e78;
-    out_shadow_half2_2 = _e79;
+    out_sun_b_2 = _e50;
+    out_nu_2 = _e51;
+    out_cross2_2 = _e52;
+    out_shadow_b_2 = _e53;
+    out_shadow_c_2 = _e54;
+    out_shadow_half2_2 = _e55;
     out_ground_1 = ground;
 }
 
 void lowest(float ray_length_1, float ray_x_1, float ray_b_1, float ray_x_closest_1, bool ray_ground_1, float length_, float radius_10, inout float out_t, inout float out_x_2, inout float out_b_3) {
-    bool unnamed_3 = false;
+    bool local_3 = false;
     if ((ray_b_1 >= 0.0)) {
         out_t = 0.0;
         out_x_2 = ray_x_1;
@@ -398,11 +338,11 @@ void lowest(float ray_length_1, float ray_x_1, float ray_b_1, float ray_x_closes
     }
     float b_6 = (ray_b_1 + length_);
     if (ray_ground_1) {
-        unnamed_3 = (length_ >= ray_length_1);
+        local_3 = (length_ >= ray_length_1);
     } else {
-        unnamed_3 = false;
+        local_3 = false;
     }
-    bool _e21 = unnamed_3;
+    bool _e21 = local_3;
     if (_e21) {
         out_t = length_;
         out_x_2 = 0.0;
@@ -624,7 +564,7 @@ float limb_place(float moon_1, float apart_3) {
 
 vec3 sun_left(highp sampler2D shade_1, vec3 s_across, float s_along, float s_radius, float s_tangent, float s_least, vec3 position_1, vec3 sun_3) {
     vec3 share_1 = vec3(0.0);
-    bool unnamed_4 = false;
+    bool local_4 = false;
     float beside = dot(position_1, sun_3);
     float apart_5 = length((s_across - (position_1 - (sun_3 * beside))));
     vec2 _e13 = moon_before_sun(apart_5, (s_along - beside), s_radius, s_tangent);
@@ -633,11 +573,11 @@ vec3 sun_left(highp sampler2D shade_1, vec3 s_across, float s_along, float s_rad
     float _e20 = share_1.x;
     if ((_e20 > 0.0)) {
         float _e24 = share_1.x;
-        unnamed_4 = (_e24 < 1.0);
+        local_4 = (_e24 < 1.0);
     } else {
-        unnamed_4 = false;
+        local_4 = false;
     }
-    bool _e30 = unnamed_4;
+    bool _e30 = local_4;
     if (_e30) {
         vec3 _e31 = share_1;
         float _e34 = limb_place(_e13.x, _e13.y);
@@ -657,8 +597,6 @@ vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_14, fl
 }
 
 void single_scattering(vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, vec3 m_mie_extinction_1, float m_ozone_center_1, vec3 m_mie_asymmetry, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_thickness, float ray_start_1, float ray_length_2, float ray_x_2, float ray_b_2, float ray_x_closest_2, float ray_sun_b_2, float ray_nu_2, float ray_cross2_2, float ray_shadow_b_2, float ray_shadow_c_2, float ray_shadow_half2_2, bool ray_ground_2, float length_1, float away_2, uint view_samples, uint light_samples, vec3 dir_5, vec3 sun_4, vec3 eclipse_across, float eclipse_along, float eclipse_radius, float eclipse_tangent, float eclipse_least, highp sampler2D shade_2, inout vec3 out_radiance, inout vec3 out_transmittance) {
-    vec3 out_radiance_1 = vec3(0.0);
-    vec3 out_transmittance_1 = vec3(0.0);
     float t0_1 = 0.0;
     uint i_1 = 0u;
     float lit_t = 0.0;
@@ -666,96 +604,94 @@ void single_scattering(vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_
     float lowest_t = 0.0;
     float lowest_x = 0.0;
     float lowest_b = 0.0;
-    out_radiance_1 = vec3(0.0);
-    out_transmittance_1 = vec3(1.0);
-    float _e24 = rayleigh_phase((1.0 - away_2));
-    vec3 rayleigh = (m_rayleigh_1 * _e24);
+    out_radiance = vec3(0.0);
+    out_transmittance = vec3(0.0);
+    out_radiance = vec3(0.0);
+    out_transmittance = vec3(1.0);
+    float _e26 = rayleigh_phase((1.0 - away_2));
+    vec3 rayleigh = (m_rayleigh_1 * _e26);
     float toward_2 = ((away_2 > 1.0) ? (ray_cross2_2 / max(away_2, 1.0)) : (2.0 - away_2));
-    vec3 _e46 = cornette_shanks_phase(away_2, toward_2, m_mie_asymmetry);
-    vec3 mie = (m_mie_scattering * _e46);
-    vec4 _e48 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
-    mat3x3 _e49 = coefficients_of(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
+    vec3 _e48 = cornette_shanks_phase(away_2, toward_2, m_mie_asymmetry);
+    vec3 mie = (m_mie_scattering * _e48);
+    vec4 _e50 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
+    mat3x3 _e51 = coefficients_of(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
     lowest(ray_length_2, ray_x_2, ray_b_2, ray_x_closest_2, ray_ground_2, length_1, m_radius, lowest_t, lowest_x, lowest_b);
     float low_4 = lowest_t;
-    float _e55 = lowest_x;
-    float _e56 = lowest_b;
+    float _e57 = lowest_x;
+    float _e58 = lowest_b;
     float u0_1 = -(sqrt(low_4));
     float du_1 = ((sqrt((length_1 - low_4)) - u0_1) / float(view_samples));
-    vec2 _e65 = shadow_stretch(ray_sun_b_2, ray_nu_2, ray_cross2_2, ray_shadow_b_2, ray_shadow_c_2, ray_shadow_half2_2);
+    vec2 _e67 = shadow_stretch(ray_sun_b_2, ray_nu_2, ray_cross2_2, ray_shadow_b_2, ray_shadow_c_2, ray_shadow_half2_2);
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            uint _e176 = i_1;
-            i_1 = (_e176 + 1u);
+            uint _e178 = i_1;
+            i_1 = (_e178 + 1u);
         }
         loop_init_1 = false;
-        uint _e67 = i_1;
-        if ((_e67 < view_samples)) {
+        uint _e69 = i_1;
+        if ((_e69 < view_samples)) {
         } else {
             break;
         }
         {
-            uint _e69 = i_1;
-            float u_2 = (u0_1 + (du_1 * float(_e69)));
-            float _e74 = warp(low_4, (u_2 + du_1));
-            float _e76 = t0_1;
-            float step_ = (_e74 - _e76);
-            float _e81 = warp(low_4, (u_2 + (0.5 * du_1)));
-            float _e83 = altitude_after(_e55, _e56, (_e81 - low_4), m_radius);
-            vec3 _e84 = densities(_e48, _e83);
-            vec3 _e85 = extinction(_e49, _e84);
-            vec3 tau_1 = (_e85 * step_);
-            float _e88 = t0_1;
-            float dark0_ = clamp(_e65.x, _e88, _e74);
-            float _e91 = t0_1;
-            float dark1_ = clamp(_e65.y, _e91, _e74);
-            float dark = ((_e65.y > _e65.x) ? max((dark1_ - dark0_), 0.0) : 0.0);
+            uint _e71 = i_1;
+            float u_2 = (u0_1 + (du_1 * float(_e71)));
+            float _e76 = warp(low_4, (u_2 + du_1));
+            float _e78 = t0_1;
+            float step_ = (_e76 - _e78);
+            float _e83 = warp(low_4, (u_2 + (0.5 * du_1)));
+            float _e85 = altitude_after(_e57, _e58, (_e83 - low_4), m_radius);
+            vec3 _e86 = densities(_e50, _e85);
+            vec3 _e87 = extinction(_e51, _e86);
+            vec3 tau_1 = (_e87 * step_);
+            float _e90 = t0_1;
+            float dark0_ = clamp(_e67.x, _e90, _e76);
+            float _e93 = t0_1;
+            float dark1_ = clamp(_e67.y, _e93, _e76);
+            float dark = ((_e67.y > _e67.x) ? max((dark1_ - dark0_), 0.0) : 0.0);
             if ((dark < step_)) {
-                lit_t = _e81;
+                lit_t = _e83;
                 if ((dark > 0.0)) {
-                    float _e105 = t0_1;
-                    bool first = ((dark0_ - _e105) > (_e74 - dark1_));
-                    float _e109 = t0_1;
-                    float lit0_ = (first ? _e109 : dark1_);
-                    float lit1_ = (first ? dark0_ : _e74);
-                    float _e112 = unwarp(low_4, lit0_);
-                    float _e113 = unwarp(low_4, lit1_);
-                    float _e117 = warp(low_4, (0.5 * (_e112 + _e113)));
-                    lit_t = _e117;
+                    float _e107 = t0_1;
+                    bool first = ((dark0_ - _e107) > (_e76 - dark1_));
+                    float _e111 = t0_1;
+                    float lit0_ = (first ? _e111 : dark1_);
+                    float lit1_ = (first ? dark0_ : _e76);
+                    float _e114 = unwarp(low_4, lit0_);
+                    float _e115 = unwarp(low_4, lit1_);
+                    float _e119 = warp(low_4, (0.5 * (_e114 + _e115)));
+                    lit_t = _e119;
                 }
-                float _e118 = lit_t;
-                float _e122 = lit_t;
-                float x_8 = (_e55 + ((_e118 - low_4) * ((2.0 * _e56) + (_e122 - low_4))));
-                float _e127 = altitude_of(x_8, m_radius);
-                vec3 _e130 = densities(_e48, max(_e127, 0.0));
+                float _e120 = lit_t;
+                float _e124 = lit_t;
+                float x_8 = (_e57 + ((_e120 - low_4) * ((2.0 * _e58) + (_e124 - low_4))));
+                float _e129 = altitude_of(x_8, m_radius);
+                vec3 _e132 = densities(_e50, max(_e129, 0.0));
                 source = vec3(0.0);
-                vec3 _e134 = source;
-                source = (_e134 + (rayleigh * _e130.x));
-                vec3 _e138 = source;
-                source = (_e138 + (mie * _e130.y));
-                vec3 _e142 = source;
-                float _e143 = lit_t;
-                vec3 _e147 = sun_transmittance(_e49, _e48, m_radius, m_thickness, x_8, (ray_sun_b_2 + (ray_nu_2 * _e143)), light_samples);
-                source = (_e142 * _e147);
-                vec3 _e149 = source;
-                float _e150 = lit_t;
-                vec3 _e161 = sun_left(shade_2, eclipse_across, eclipse_along, eclipse_radius, eclipse_tangent, eclipse_least, (dir_5 * (ray_start_1 + _e150)), sun_4);
-                source = (_e149 * _e161);
-                vec3 _e163 = out_radiance_1;
-                vec3 _e164 = out_transmittance_1;
-                vec3 _e165 = mean_transmittance(tau_1);
-                vec3 _e167 = source;
-                out_radiance_1 = (_e163 + (((_e164 * _e165) * _e167) * (step_ - dark)));
+                vec3 _e136 = source;
+                source = (_e136 + (rayleigh * _e132.x));
+                vec3 _e140 = source;
+                source = (_e140 + (mie * _e132.y));
+                vec3 _e144 = source;
+                float _e145 = lit_t;
+                vec3 _e149 = sun_transmittance(_e51, _e50, m_radius, m_thickness, x_8, (ray_sun_b_2 + (ray_nu_2 * _e145)), light_samples);
+                source = (_e144 * _e149);
+                vec3 _e151 = source;
+                float _e152 = lit_t;
+                vec3 _e163 = sun_left(shade_2, eclipse_across, eclipse_along, eclipse_radius, eclipse_tangent, eclipse_least, (dir_5 * (ray_start_1 + _e152)), sun_4);
+                source = (_e151 * _e163);
+                vec3 _e165 = out_radiance;
+                vec3 _e166 = out_transmittance;
+                vec3 _e167 = mean_transmittance(tau_1);
+                vec3 _e169 = source;
+                out_radiance = (_e165 + (((_e166 * _e167) * _e169) * (step_ - dark)));
             }
-            vec3 _e172 = out_transmittance_1;
-            out_transmittance_1 = (_e172 * exp(-(tau_1)));
-            t0_1 = _e74;
+            vec3 _e174 = out_transmittance;
+            out_transmittance = (_e174 * exp(-(tau_1)));
+            t0_1 = _e76;
         }
     }
-    vec3 _e179 = out_radiance_1;
-    vec3 _e180 = out_transmittance_1;
-    out_radiance = _e179;
-    out_transmittance = _e180;
 }
 
 void main() {

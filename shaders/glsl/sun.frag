@@ -78,24 +78,24 @@ float half_chord2_(float b, float above, float depth, float p) {
 }
 
 void line_past(vec3 dir, float h_1, float radius_1, inout bool out_ground) {
-    bool unnamed_1 = false;
+    bool local_1 = false;
     float r = (radius_1 + h_1);
     float b_1 = (r * dir.z);
     float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
     float _e12 = excess_of(h_1, radius_1);
     float _e14 = half_chord2_(b_1, _e12, (radius_1 - p_1), p_1);
     if ((b_1 < 0.0)) {
-        unnamed_1 = (_e14 >= 0.0);
+        local_1 = (_e14 >= 0.0);
     } else {
-        unnamed_1 = false;
+        local_1 = false;
     }
-    bool _e22 = unnamed_1;
+    bool _e22 = local_1;
     out_ground = _e22;
 }
 
 void main() {
     vec4 position = gl_FragCoord;
-    bool unnamed = false;
+    bool local = false;
     vec3 light = vec3(0.0);
     bool line_ground = false;
     float f_medium_radius = _group_0_binding_0_fs.frame.medium.radius;
@@ -115,11 +115,11 @@ void main() {
     bool _e30 = line_ground;
     float _e32 = disk_coverage((dir_1 - f_sun), f_sun_chord, f_pixel_angle);
     if (!(_e30)) {
-        unnamed = (_e32 <= 0.0);
+        local = (_e32 <= 0.0);
     } else {
-        unnamed = true;
+        local = true;
     }
-    bool _e39 = unnamed;
+    bool _e39 = local;
     if (_e39) {
         discard;
     }

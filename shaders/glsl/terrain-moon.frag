@@ -196,7 +196,7 @@ float limb_place(float moon_1, float apart_3) {
 
 vec3 sun_left(highp sampler2D shade_1, vec3 s_across, float s_along, float s_radius, float s_tangent, float s_least, vec3 position, vec3 sun) {
     vec3 share_1 = vec3(0.0);
-    bool unnamed = false;
+    bool local = false;
     float beside = dot(position, sun);
     float apart_4 = length((s_across - (position - (sun * beside))));
     vec2 _e13 = moon_before_sun(apart_4, (s_along - beside), s_radius, s_tangent);
@@ -205,11 +205,11 @@ vec3 sun_left(highp sampler2D shade_1, vec3 s_across, float s_along, float s_rad
     float _e20 = share_1.x;
     if ((_e20 > 0.0)) {
         float _e24 = share_1.x;
-        unnamed = (_e24 < 1.0);
+        local = (_e24 < 1.0);
     } else {
-        unnamed = false;
+        local = false;
     }
-    bool _e30 = unnamed;
+    bool _e30 = local;
     if (_e30) {
         vec3 _e31 = share_1;
         float _e34 = limb_place(_e13.x, _e13.y);

@@ -69,18 +69,18 @@ float half_chord2_(float b, float above, float depth, float p) {
 }
 
 void line_past(vec3 dir, float h_1, float radius_1, inout bool out_ground) {
-    bool unnamed = false;
+    bool local = false;
     float r = (radius_1 + h_1);
     float b_1 = (r * dir.z);
     float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
     float _e12 = excess_of(h_1, radius_1);
     float _e14 = half_chord2_(b_1, _e12, (radius_1 - p_1), p_1);
     if ((b_1 < 0.0)) {
-        unnamed = (_e14 >= 0.0);
+        local = (_e14 >= 0.0);
     } else {
-        unnamed = false;
+        local = false;
     }
-    bool _e22 = unnamed;
+    bool _e22 = local;
     out_ground = _e22;
 }
 
