@@ -10,7 +10,7 @@ use glow::HasContext as _;
 use welkin::gpu::egl::Headless;
 use welkin::gpu::webgl::WebGlBackend;
 use welkin::gpu::wgpu::WgpuBackend;
-use welkin::gpu::{Backend, Format, RowOrder, Target, TextureDesc};
+use welkin::gpu::{Backend, Format, Precision, RowOrder, Target, TextureDesc};
 use welkin::{Error, Method, PictureRenderer, PictureSettings, Scene, SkyRenderer, SkySettings};
 
 const SIZE: u32 = 32;
@@ -40,6 +40,7 @@ fn tables_of_16_bits_hold_the_light() {
     let mut poor = WgpuBackend::from_device(device, queue, "no features").unwrap();
     let mut rich = WgpuBackend::headless().unwrap();
     assert!(!poor.info().filters_f32 && rich.info().filters_f32, "{} {}", poor.info(), rich.info());
+    assert_eq!(rich.info().precision, Precision::Guaranteed);
     let settings = PictureSettings { terrain: None, ..PictureSettings::default() };
     let mut worst = 0.0_f32;
     for (altitude, pitch) in [(2.0, 10.0), (30e3, -4.0), (4e5, -18.0), (1e7, -90.0)] {
@@ -237,6 +238,7 @@ fn a_webgl2_user_gets_the_contexts_state_back() {
     let before = state(&gl);
     let mut backend = WebGlBackend::new(gl.clone()).unwrap();
     assert_eq!(state(&gl), before, "making the backend changed the state");
+    assert_eq!(backend.info().precision, Precision::Full, "{}", backend.info());
 
     // The sky into the user's framebuffer, whose rows run upwards.
     let desc =

@@ -8,6 +8,7 @@ use welkin::frame::lut::TablesUniform;
 use welkin::frame::terrain::TerrainUniform;
 use welkin::frame::tone_map::ToneUniform;
 use welkin::frame::uniforms::{DepthUniform, FrameUniform, MediumUniform};
+use welkin::shaders::struct_lint::struct_values_of;
 use welkin::shaders::{Program, translate};
 
 #[test]
@@ -24,6 +25,34 @@ fn committed_glsl_is_fresh() {
         let name = entry.unwrap().file_name().into_string().unwrap();
         assert!(files.iter().any(|(n, _)| *n == name), "shaders/glsl/{name} belongs to no program");
     }
+}
+
+/// Name and text of both stages of every program.
+fn all_glsl() -> Vec<(String, String)> {
+    let programs = Program::all().into_iter().map(|program| translate::translate(program).unwrap());
+    programs.flat_map(|t| [(format!("{}.vert", t.name), t.vertex), (format!("{}.frag", t.name), t.fragment)]).collect()
+}
+
+#[test]
+fn no_shipped_shader_holds_a_struct_value() {
+    let all = all_glsl();
+    assert!(all.len() > 40, "only {} texts", all.len());
+    let texts = || all.iter().map(|(name, text)| (name.as_str(), text.as_str()));
+    let found: Vec<_> = struct_values_of(texts()).map(|(name, found)| format!("{name}: {found}")).collect();
+    assert!(found.is_empty(), "{}", found.join("\n"));
+    // The same texts with a function that takes one of their blocks' structs fail.
+    let mut seen = 0;
+    for (name, text) in texts() {
+        let Some(struct_name) = text.lines().find_map(|l| l.strip_prefix("struct ")?.strip_suffix(" {")) else {
+            continue;
+        };
+        let bad = text.replace("void main() {", &format!("float f({struct_name} s) {{ return 1.0; }}\nvoid main() {{"));
+        let line = 1 + bad.lines().position(|l| l.starts_with("float f(")).unwrap();
+        let found: Vec<_> = struct_values_of([(name, bad.as_str())]).map(|(_, found)| found.to_string()).collect();
+        assert_eq!(found, [format!("line {line}: s is of struct {struct_name}")], "{name}");
+        seen += 1;
+    }
+    assert!(seen > 20, "only {seen} texts have a struct");
 }
 
 /// The last part of a nested field's name.

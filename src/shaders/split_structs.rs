@@ -295,3 +295,6 @@ fn operands(expression: &mut Expression, f: &mut dyn FnMut(&mut Handle<Expressio
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests;
