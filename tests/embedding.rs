@@ -7,7 +7,7 @@ use glow::HasContext as _;
 use welkin::gpu::egl::Headless;
 use welkin::gpu::webgl::WebGlBackend;
 use welkin::gpu::wgpu::WgpuBackend;
-use welkin::gpu::{Backend, Format, Pass, RowOrder, Target, TextureDesc, TextureId};
+use welkin::gpu::{Backend, Format, Pass, Precision, RowOrder, Target, TextureDesc, TextureId};
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
 use welkin::{Mode, PictureRenderer, PictureSettings, Scene, SkyRenderer, SkySettings};
 
@@ -43,6 +43,7 @@ fn tables_of_16_bits_hold_the_light() {
     let poor = WgpuBackend::from_device(device, queue, "no features").unwrap();
     let rich = WgpuBackend::headless().unwrap();
     assert!(!poor.info().filters_f32 && rich.info().filters_f32, "{} {}", poor.info(), rich.info());
+    assert_eq!(rich.info().precision, Precision::Guaranteed);
     let settings = PictureSettings { terrain: None, ..PictureSettings::default() };
     let mut backends = [poor, rich].map(|backend| (backend, PictureRenderer::default()));
     let mut worst = 0.0_f32;
@@ -246,6 +247,7 @@ fn a_webgl2_user_gets_the_contexts_state_back() {
     let before = state(&gl);
     let mut backend = WebGlBackend::new(gl.clone()).unwrap();
     assert_eq!(state(&gl), before, "making the backend changed the state");
+    assert_eq!(backend.info().precision, Precision::Full, "{}", backend.info());
 
     // The sky into the user's framebuffer, whose rows run upwards.
     let desc = TextureDesc {

@@ -10,6 +10,7 @@ use welkin::frame::terrain::TerrainUniform;
 use welkin::frame::tone_map::ToneUniform;
 use welkin::frame::uniforms::{DepthUniform, FrameUniform, MediumUniform};
 use welkin::gpu::{Program, ProgramInfo};
+use welkin::shaders::struct_lint::struct_values_of;
 use welkin::shaders::{PROGRAMS, translate};
 
 #[test]
@@ -79,6 +80,37 @@ fn every_program_is_valid_with_everything_off() {
     for info in programs() {
         translate::parse(Program::new(info, 0)).unwrap();
     }
+}
+
+/// Name and text of both stages of every program, as they are shipped.
+fn all_glsl() -> Vec<(String, String)> {
+    let texts = programs().flat_map(|info| {
+        let [vertex, fragment] = Program::new(info, info.all()).glsl();
+        [(format!("{}.vert", info.name), vertex), (format!("{}.frag", info.name), fragment)]
+    });
+    texts.collect()
+}
+
+#[test]
+fn no_shipped_shader_holds_a_struct_value() {
+    let all = all_glsl();
+    assert!(all.len() > 40, "only {} texts", all.len());
+    let texts = || all.iter().map(|(name, text)| (name.as_str(), text.as_str()));
+    let found: Vec<_> = struct_values_of(texts()).map(|(name, found)| format!("{name}: {found}")).collect();
+    assert!(found.is_empty(), "{}", found.join("\n"));
+    // The same texts with a function that takes one of their blocks' structs fail.
+    let mut seen = 0;
+    for (name, text) in texts() {
+        let Some(struct_name) = text.lines().find_map(|l| l.strip_prefix("struct ")?.strip_suffix(" {")) else {
+            continue;
+        };
+        let bad = text.replace("void main() {", &format!("float f({struct_name} s) {{ return 1.0; }}\nvoid main() {{"));
+        let line = 1 + bad.lines().position(|l| l.starts_with("float f(")).unwrap();
+        let found: Vec<_> = struct_values_of([(name, bad.as_str())]).map(|(_, found)| found.to_string()).collect();
+        assert_eq!(found, [format!("line {line}: s is of struct {struct_name}")], "{name}");
+        seen += 1;
+    }
+    assert!(seen > 20, "only {seen} texts have a struct");
 }
 
 /// The last part of a nested field's name.

@@ -243,7 +243,7 @@ mod tests {
                 let Error::Unavailable { backend: "webgl2", reason } = error else { panic!("{error}") };
                 assert!(reason.contains("highp"), "{reason}");
                 assert!(reason.contains(&format!("{:?} for 13720002.0", reduced[0])), "{reason}");
-                assert!(reason.contains(&format!("{:?} for 0.2509765625", reduced[1])), "{reason}");
+                assert!(reason.contains(&format!("{:?} for 0.25097656", reduced[1])), "{reason}");
             }
         }
     }

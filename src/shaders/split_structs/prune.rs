@@ -41,12 +41,22 @@ pub(super) fn prune(module: &mut Module, facts: Facts) -> Result<()> {
             for (expression, kind) in function.expressions.iter() {
                 if let Expression::FunctionArgument(i) = *kind
                     && live.expressions[expression.index()]
-                    && (i as usize) < own.first_out
                 {
                     found.push((handle, i as usize));
                 }
             }
             found.extend(live.results);
+            // What a caller passes on to a function that writes it.
+            visit(&function.body, &mut |statement| {
+                let Statement::Call { function: callee, arguments, .. } = statement else { return };
+                for (argument, used) in arguments.iter().zip(&used[callee]) {
+                    if let Expression::FunctionArgument(i) = function.expressions[*argument]
+                        && *used
+                    {
+                        found.push((handle, i as usize));
+                    }
+                }
+            });
         }
         for (entry, own) in module.entry_points.iter().zip(&facts.entry_points) {
             found.extend(Live::of(&entry.function, own, None, &facts, &used)?.results);
@@ -89,7 +99,7 @@ fn target(expressions: &Arena<Expression>, mut pointer: Handle<Expression>) -> &
 }
 
 /// Calls `f` with every statement, those inside others too.
-fn visit(block: &Block, f: &mut dyn FnMut(&Statement)) {
+pub(super) fn visit(block: &Block, f: &mut dyn FnMut(&Statement)) {
     for statement in block {
         f(statement);
         match statement {
@@ -138,9 +148,12 @@ impl Live {
         visit(&function.body, &mut |statement| {
             let Statement::Call { function: callee, arguments, .. } = statement else { return };
             for (i, argument) in arguments.iter().enumerate().skip(facts.functions[callee].first_out) {
-                if let Expression::LocalVariable(local) = arena[*argument]
-                    && live.locals.contains(&local)
-                {
+                let read = match arena[*argument] {
+                    Expression::LocalVariable(local) => live.locals.contains(&local),
+                    Expression::FunctionArgument(i) => own_used.is_none_or(|used| used[i as usize]),
+                    _ => true,
+                };
+                if read {
                     live.results.push((*callee, i));
                 }
             }
@@ -268,28 +281,32 @@ fn apply(
     name(function, own, &live)
 }
 
-fn name(function: &mut Function, own: &FunctionFacts, live: &Live) -> Result<()> {
-    let mut uses = vec![0; function.expressions.len()];
-    for (handle, expression) in function.expressions.iter() {
-        if live.expressions[handle.index()] {
-            operands(&mut expression.clone(), &mut |operand| uses[operand.index()] += 1)?;
-        }
+/// Calls `f` with each use of an expression, by another one or by a statement.
+pub(super) fn uses(function: &Function, f: &mut dyn FnMut(Handle<Expression>)) -> Result<()> {
+    for (_, expression) in function.expressions.iter() {
+        operands(&mut expression.clone(), &mut |operand| f(*operand))?;
     }
-    let mut count = |handle: &Handle<Expression>| uses[handle.index()] += 1;
     visit(&function.body, &mut |statement| match statement {
         Statement::If { condition: one, .. }
         | Statement::Switch { selector: one, .. }
         | Statement::Loop { break_if: Some(one), .. }
-        | Statement::Return { value: Some(one) } => count(one),
-        Statement::Store { pointer, value } => [pointer, value].into_iter().for_each(&mut count),
-        Statement::Call { arguments, .. } => arguments.iter().for_each(&mut count),
+        | Statement::Return { value: Some(one) } => f(*one),
+        Statement::Store { pointer, value } => [*pointer, *value].into_iter().for_each(&mut *f),
+        Statement::Call { arguments, .. } => arguments.iter().copied().for_each(&mut *f),
         _ => {}
     });
+    Ok(())
+}
+
+fn name(function: &mut Function, own: &FunctionFacts, live: &Live) -> Result<()> {
+    let mut counts = vec![0; function.expressions.len()];
+    // What is not used counts too: at worst a number that is used once gets a name.
+    uses(function, &mut |handle| counts[handle.index()] += 1)?;
     for (handle, name, given) in &own.names {
         let expression = &function.expressions[*handle];
         // naga's writer makes a variable of each of these; a name for another would make one more.
         let variable = matches!(expression, Expression::Load { .. } | Expression::ImageLoad { .. });
-        let wanted = *given || variable || (uses[handle.index()] > 1 && !expression.needs_pre_emit());
+        let wanted = *given || variable || (counts[handle.index()] > 1 && !expression.needs_pre_emit());
         if live.expressions[handle.index()] && wanted && !function.named_expressions.contains_key(handle) {
             function.named_expressions.insert(*handle, name.clone());
         }

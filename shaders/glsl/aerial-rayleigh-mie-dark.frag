@@ -1,0 +1,493 @@
+#version 300 es
+
+precision highp float;
+precision highp int;
+
+struct Medium {
+    vec3 rayleigh;
+    float rayleigh_inv_height;
+    vec3 mie_scattering;
+    float mie_inv_height;
+    vec3 mie_extinction;
+    float ozone_center;
+    vec3 mie_asymmetry;
+    float ozone_inv_half_width;
+    vec3 ozone;
+    float radius;
+    vec3 irradiance;
+    float thickness;
+};
+struct DepthCode {
+    float scale;
+    float bias;
+    float log_;
+    float background;
+};
+struct Frame {
+    Medium medium;
+    vec3 ray_forward;
+    float altitude;
+    vec3 ray_right;
+    float sky_weight;
+    vec3 ray_up;
+    float shell_weight;
+    vec3 sun;
+    float sun_chord;
+    vec2 size;
+    float sun_disk;
+    float pixel_angle;
+    DepthCode depth;
+    uint view_samples;
+    uint light_samples;
+    uint low_resolution;
+    float camera_altitude;
+    vec4 limb;
+};
+const float HALF_MAX = 32000.0;
+const float SUBPIXEL = 0.0625;
+const float INV_4PI = 0.07957747;
+
+layout(std140) uniform Frame_block_0Fragment { Frame _group_0_binding_0_fs; };
+
+uniform highp sampler2D _group_0_binding_1_fs;
+
+uniform highp sampler2D _group_0_binding_2_fs;
+
+layout(location = 0) out vec4 _fs2p_location0;
+
+vec3 pixel_ray(vec2 pixel, vec2 size, vec3 forward, vec3 right, vec3 up) {
+    vec2 ndc = (((pixel / size) * vec2(2.0, -2.0)) + vec2(-1.0, 1.0));
+    return ((forward + (right * ndc.x)) + (up * ndc.y));
+}
+
+float depth_distance(float c_scale, float c_bias, float c_log, float c_background, float depth, float ray_length_1) {
+    if ((depth == c_background)) {
+        return -1.0;
+    }
+    if ((c_log > 0.0)) {
+        return (((exp2((depth * c_log)) - 1.0) * 0.001) * ray_length_1);
+    }
+    float inverse_ = ((depth * c_scale) + c_bias);
+    if ((inverse_ <= 0.0)) {
+        return -1.0;
+    }
+    return (ray_length_1 / inverse_);
+}
+
+float scene_reach(float start, float length_, float b, bool ground, float distance_, float radius, float pixel_angle) {
+    float reach = min(length_, (distance_ - start));
+    if (!(ground)) {
+        return reach;
+    }
+    float slant = max((abs((b + length_)) / radius), 0.05);
+    float snap = (((SUBPIXEL * pixel_angle) * distance_) / slant);
+    float before = smoothstep((0.5 * snap), snap, (length_ - reach));
+    return ((length_ * (1.0 - before)) + (reach * before));
+}
+
+float altitude_of(float x, float radius_1) {
+    return (x / (radius_1 + sqrt(max(((radius_1 * radius_1) + x), 0.0))));
+}
+
+float excess_of(float h, float radius_2) {
+    return (h * ((2.0 * radius_2) + h));
+}
+
+float altitude_after(float x_1, float b_1, float t, float radius_3) {
+    float _e9 = altitude_of((x_1 + (t * ((2.0 * b_1) + t))), radius_3);
+    return max(_e9, 0.0);
+}
+
+float distance_to_top(float x_2, float b_2, float x_top) {
+    float c = max((x_top - x_2), 0.0);
+    float root_1 = sqrt(((b_2 * b_2) + c));
+    if ((b_2 > 0.0)) {
+        return (c / (b_2 + root_1));
+    }
+    return (root_1 - b_2);
+}
+
+float half_chord2_(float b_3, float above, float depth_1, float p) {
+    float sphere = (depth_1 + p);
+    if ((abs(b_3) < sphere)) {
+        return ((b_3 * b_3) - above);
+    }
+    return (depth_1 * (sphere + p));
+}
+
+float shadow_half2_(float s_cross2_, float s_shadow_b, float s_shadow_c, float side_z, float r, float radius_4) {
+    float sine = max(sqrt(s_cross2_), 1e-18);
+    float p_1 = ((r * abs(side_z)) / sine);
+    float _e14 = half_chord2_((s_shadow_b / sine), s_shadow_c, (radius_4 - p_1), p_1);
+    return _e14;
+}
+
+void sun_side_inside(vec3 dir, vec3 sun, float r_1, float x_3, float radius_5, inout float out_sun_b, inout float out_nu, inout float out_cross2_, inout float out_shadow_b, inout float out_shadow_c) {
+    out_sun_b = 0.0;
+    out_nu = 0.0;
+    out_cross2_ = 0.0;
+    out_shadow_b = 0.0;
+    out_shadow_c = 0.0;
+    out_nu = dot(dir, sun);
+    float _e18 = out_nu;
+    vec3 side = cross((dir - (((_e18 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    out_cross2_ = dot(side, side);
+    out_sun_b = (r_1 * sun.z);
+    out_shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+    float q = (r_1 * length(sun.xy));
+    float _e42 = out_sun_b;
+    float _e46 = half_chord2_(_e42, x_3, (radius_5 - q), q);
+    out_shadow_c = -(_e46);
+    float _e48 = out_cross2_;
+    float _e49 = out_shadow_b;
+    float _e50 = out_shadow_c;
+    float _e52 = shadow_half2_(_e48, _e49, _e50, side.z, r_1, radius_5);
+}
+
+void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start_1, float half_, float x_top_1, float radius_6, inout float out_sun_b_1, inout float out_nu_1, inout float out_cross2_1, inout float out_shadow_b_1, inout float out_shadow_c_1) {
+    out_sun_b_1 = 0.0;
+    out_nu_1 = 0.0;
+    out_cross2_1 = 0.0;
+    out_shadow_b_1 = 0.0;
+    out_shadow_c_1 = 0.0;
+    out_nu_1 = dot(dir_1, sun_1);
+    float _e18 = out_nu_1;
+    float same = ((_e18 >= 0.0) ? 1.0 : -1.0);
+    vec3 apart = (dir_1 - (same * sun_1));
+    vec3 side_1 = cross(apart, sun_1);
+    out_cross2_1 = dot(side_1, side_1);
+    vec3 closest = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
+    float there = (-(same) * dot(closest, apart));
+    float here = (r_2 * sun_1.z);
+    float _e44 = out_nu_1;
+    float _e50 = out_nu_1;
+    bool nearer = ((abs(here) + (start_1 * abs(_e44))) < (abs(there) + (half_ * abs(_e50))));
+    float _e56 = out_nu_1;
+    float _e59 = out_nu_1;
+    out_sun_b_1 = (nearer ? (here + (start_1 * _e59)) : (there - (half_ * _e56)));
+    vec3 closest_side = cross(closest, sun_1);
+    float _e65 = out_cross2_1;
+    out_shadow_b_1 = (dot(closest_side, side_1) - (half_ * _e65));
+    float q_1 = length((closest_side - (half_ * side_1)));
+    float _e71 = out_sun_b_1;
+    float _e75 = half_chord2_(_e71, x_top_1, (radius_6 - q_1), q_1);
+    out_shadow_c_1 = -(_e75);
+    float _e77 = out_cross2_1;
+    float _e78 = out_shadow_b_1;
+    float _e79 = out_shadow_c_1;
+    float _e81 = shadow_half2_(_e77, _e78, _e79, side_1.z, r_2, radius_6);
+}
+
+void line_past(vec3 dir_2, float h_1, float radius_7, inout float out_b, inout float out_x_closest, inout bool out_ground) {
+    bool local_1 = false;
+    float r_3 = (radius_7 + h_1);
+    float b_5 = (r_3 * dir_2.z);
+    float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
+    float _e14 = excess_of(h_1, radius_7);
+    float _e16 = half_chord2_(b_5, _e14, (radius_7 - p_2), p_2);
+    if ((b_5 < 0.0)) {
+        local_1 = (_e16 >= 0.0);
+    } else {
+        local_1 = false;
+    }
+    bool _e25 = local_1;
+    out_b = b_5;
+    out_x_closest = -(_e16);
+    out_ground = _e25;
+}
+
+float top_half_chord2_(float line_b, float line_x_closest, float h_2, float radius_8, float thickness) {
+    float b2_ = (line_b * line_b);
+    float _e5 = excess_of(thickness, radius_8);
+    float above_1 = ((h_2 - thickness) * (((2.0 * radius_8) + thickness) + h_2));
+    return ((b2_ < _e5) ? (b2_ - above_1) : (_e5 - line_x_closest));
+}
+
+float to_ground(float x_4, float b_4, float root) {
+    return min((x_4 / (root - b_4)), -(b_4));
+}
+
+void air_path(float line_b_1, float line_x_closest_1, bool line_ground, float h_3, float radius_9, float thickness_1, inout float out_start, inout float out_length, inout float out_x, inout float out_b_1) {
+    bool local_2 = false;
+    float _e6 = excess_of(thickness_1, radius_9);
+    float ground_root = sqrt(max(-(line_x_closest_1), 0.0));
+    if ((h_3 <= thickness_1)) {
+        float _e16 = excess_of(h_3, radius_9);
+        float _e17 = distance_to_top(_e16, line_b_1, _e6);
+        float _e18 = to_ground(_e16, line_b_1, ground_root);
+        float reach_1 = (line_ground ? _e18 : _e17);
+        out_start = 0.0;
+        out_length = reach_1;
+        out_x = _e16;
+        out_b_1 = line_b_1;
+        return;
+    }
+    float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_9) + thickness_1) + h_3));
+    float _e27 = top_half_chord2_(line_b_1, line_x_closest_1, h_3, radius_9, thickness_1);
+    if (!((line_b_1 >= 0.0))) {
+        local_2 = (_e27 <= 0.0);
+    } else {
+        local_2 = true;
+    }
+    bool _e36 = local_2;
+    if (_e36) {
+        out_start = 0.0;
+        out_length = -1.0;
+        out_x = 0.0;
+        out_b_1 = 0.0;
+        return;
+    }
+    float half_1 = sqrt(_e27);
+    float _e47 = to_ground(_e6, -(half_1), ground_root);
+    out_start = (above_2 / (half_1 - line_b_1));
+    out_length = (line_ground ? _e47 : (2.0 * half_1));
+    out_x = _e6;
+    out_b_1 = -(half_1);
+}
+
+void air_ray(vec3 dir_3, float h_4, float radius_10, float thickness_2, vec3 sun_2, inout float out_start_1, inout float out_length_1, inout float out_x_1, inout float out_b_2, inout float out_x_closest_1, inout bool out_ground_1) {
+    float s_sun_b = 0.0;
+    float s_nu = 0.0;
+    float s_cross2_1 = 0.0;
+    float s_shadow_b_1 = 0.0;
+    float s_shadow_c_1 = 0.0;
+    bool local_3 = false;
+    float line_b_2 = 0.0;
+    float line_x_closest_2 = 0.0;
+    bool line_ground_1 = false;
+    float path_start = 0.0;
+    float path_length = 0.0;
+    float path_x = 0.0;
+    float path_b = 0.0;
+    line_past(dir_3, h_4, radius_10, line_b_2, line_x_closest_2, line_ground_1);
+    float _e12 = line_b_2;
+    float _e13 = line_x_closest_2;
+    bool _e14 = line_ground_1;
+    air_path(_e12, _e13, _e14, h_4, radius_10, thickness_2, path_start, path_length, path_x, path_b);
+    float _e20 = path_start;
+    float _e21 = path_length;
+    float _e22 = path_x;
+    float _e23 = path_b;
+    if ((h_4 <= thickness_2)) {
+        sun_side_inside(dir_3, sun_2, (radius_10 + h_4), _e22, radius_10, s_sun_b, s_nu, s_cross2_1, s_shadow_b_1, s_shadow_c_1);
+    } else {
+        if ((_e21 > 0.0)) {
+            sun_side_outside(dir_3, sun_2, (radius_10 + h_4), _e20, -(_e23), _e22, radius_10, s_sun_b, s_nu, s_cross2_1, s_shadow_b_1, s_shadow_c_1);
+        } else {
+        }
+    }
+    if (_e14) {
+        local_3 = (_e21 >= 0.0);
+    } else {
+        local_3 = false;
+    }
+    bool ground_1 = local_3;
+    out_start_1 = _e20;
+    out_length_1 = _e21;
+    out_x_1 = _e22;
+    out_b_2 = _e23;
+    out_x_closest_1 = _e13;
+    out_ground_1 = ground_1;
+}
+
+void lowest(float ray_length_2, float ray_x_1, float ray_b_1, float ray_x_closest_1, bool ray_ground_1, float length_1, float radius_11, inout float out_t, inout float out_x_2, inout float out_b_3) {
+    bool local_4 = false;
+    if ((ray_b_1 >= 0.0)) {
+        out_t = 0.0;
+        out_x_2 = ray_x_1;
+        out_b_3 = ray_b_1;
+        return;
+    }
+    if ((-(ray_b_1) <= length_1)) {
+        out_t = -(ray_b_1);
+        out_x_2 = ray_x_closest_1;
+        out_b_3 = 0.0;
+        return;
+    }
+    float b_6 = (ray_b_1 + length_1);
+    if (ray_ground_1) {
+        local_4 = (length_1 >= ray_length_2);
+    } else {
+        local_4 = false;
+    }
+    bool _e21 = local_4;
+    if (_e21) {
+        out_t = length_1;
+        out_x_2 = 0.0;
+        out_b_3 = b_6;
+        return;
+    }
+    bool far = ((-(ray_b_1) * length_1) > (radius_11 * radius_11));
+    out_t = length_1;
+    out_x_2 = (far ? (ray_x_closest_1 + (b_6 * b_6)) : (ray_x_1 + (length_1 * ((2.0 * ray_b_1) + length_1))));
+    out_b_3 = b_6;
+}
+
+vec4 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width) {
+    return vec4(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_center, m_ozone_inv_half_width);
+}
+
+mat3x3 coefficients_of(vec3 m_rayleigh, vec3 m_mie_extinction, vec3 m_ozone) {
+    return mat3x3(m_rayleigh, m_mie_extinction, m_ozone);
+}
+
+vec3 densities(vec4 layers, float h_5) {
+    vec3 d = vec3(0.0);
+    d.x = exp((-(h_5) * layers.x));
+    d.y = exp((-(h_5) * layers.y));
+    vec3 _e15 = d;
+    return _e15;
+}
+
+vec3 extinction(mat3x3 coefficients, vec3 d_1) {
+    vec3 sum = vec3(0.0);
+    vec3 _e3 = sum;
+    sum = (_e3 + (coefficients[0] * d_1.x));
+    vec3 _e10 = sum;
+    sum = (_e10 + (coefficients[1] * d_1.y));
+    vec3 _e15 = sum;
+    return _e15;
+}
+
+float warp(float low, float u) {
+    return (low + (u * abs(u)));
+}
+
+void single_scattering(vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, float m_mie_inv_height_1, vec3 m_mie_extinction_1, float m_ozone_center_1, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float ray_length_3, float ray_x_2, float ray_b_2, float ray_x_closest_2, bool ray_ground_2, float length_2, float away, uint view_samples, uint light_samples, inout vec3 out_radiance, inout vec3 out_transmittance) {
+    float t0_ = 0.0;
+    uint i = 0u;
+    float lowest_t = 0.0;
+    float lowest_x = 0.0;
+    float lowest_b = 0.0;
+    out_radiance = vec3(0.0);
+    out_transmittance = vec3(0.0);
+    out_radiance = vec3(0.0);
+    out_transmittance = vec3(1.0);
+    vec4 _e20 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
+    mat3x3 _e21 = coefficients_of(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
+    lowest(ray_length_3, ray_x_2, ray_b_2, ray_x_closest_2, ray_ground_2, length_2, m_radius, lowest_t, lowest_x, lowest_b);
+    float low_1 = lowest_t;
+    float _e32 = lowest_x;
+    float _e33 = lowest_b;
+    float u0_ = -(sqrt(low_1));
+    float du = ((sqrt((length_2 - low_1)) - u0_) / float(view_samples));
+    bool loop_init = true;
+    while(true) {
+        if (!loop_init) {
+            uint _e67 = i;
+            i = (_e67 + 1u);
+        }
+        loop_init = false;
+        uint _e43 = i;
+        if ((_e43 < view_samples)) {
+        } else {
+            break;
+        }
+        {
+            uint _e45 = i;
+            float u_1 = (u0_ + (du * float(_e45)));
+            float _e50 = warp(low_1, (u_1 + du));
+            float _e52 = t0_;
+            float step_ = (_e50 - _e52);
+            float _e57 = warp(low_1, (u_1 + (0.5 * du)));
+            float _e59 = altitude_after(_e32, _e33, (_e57 - low_1), m_radius);
+            vec3 _e60 = densities(_e20, _e59);
+            vec3 _e61 = extinction(_e21, _e60);
+            vec3 tau = (_e61 * step_);
+            vec3 _e63 = out_transmittance;
+            out_transmittance = (_e63 * exp(-(tau)));
+            t0_ = _e50;
+        }
+    }
+}
+
+void main() {
+    vec4 position = gl_FragCoord;
+    float end = 0.0;
+    float weight = 1.0;
+    bool dims = true;
+    bool local = false;
+    float ray_start = 0.0;
+    float ray_length = 0.0;
+    float ray_x = 0.0;
+    float ray_b = 0.0;
+    float ray_x_closest = 0.0;
+    bool ray_ground = false;
+    vec3 s_radiance = vec3(0.0);
+    vec3 s_transmittance = vec3(0.0);
+    ivec2 pixel_1 = ivec2(position.xy);
+    vec4 behind = texelFetch(_group_0_binding_1_fs, pixel_1, 0);
+    vec2 _e11 = _group_0_binding_0_fs.size;
+    vec3 _e14 = _group_0_binding_0_fs.ray_forward;
+    vec3 _e17 = _group_0_binding_0_fs.ray_right;
+    vec3 _e20 = _group_0_binding_0_fs.ray_up;
+    vec3 _e21 = pixel_ray(position.xy, _e11, _e14, _e17, _e20);
+    float ray_length_4 = length(_e21);
+    float _e26 = _group_0_binding_0_fs.depth.scale;
+    float _e28 = _group_0_binding_0_fs.depth.bias;
+    float _e30 = _group_0_binding_0_fs.depth.log_;
+    float _e32 = _group_0_binding_0_fs.depth.background;
+    vec4 _e35 = texelFetch(_group_0_binding_2_fs, pixel_1, 0);
+    float _e37 = depth_distance(_e26, _e28, _e30, _e32, _e35.x, ray_length_4);
+    vec3 dir_4 = (_e21 / vec3(ray_length_4));
+    vec3 m_rayleigh_2 = _group_0_binding_0_fs.medium.rayleigh;
+    float m_rayleigh_inv_height_2 = _group_0_binding_0_fs.medium.rayleigh_inv_height;
+    float m_mie_inv_height_2 = _group_0_binding_0_fs.medium.mie_inv_height;
+    vec3 m_mie_extinction_2 = _group_0_binding_0_fs.medium.mie_extinction;
+    float m_ozone_center_2 = _group_0_binding_0_fs.medium.ozone_center;
+    float m_ozone_inv_half_width_2 = _group_0_binding_0_fs.medium.ozone_inv_half_width;
+    vec3 m_ozone_2 = _group_0_binding_0_fs.medium.ozone;
+    float m_radius_1 = _group_0_binding_0_fs.medium.radius;
+    vec3 m_irradiance = _group_0_binding_0_fs.medium.irradiance;
+    float m_thickness = _group_0_binding_0_fs.medium.thickness;
+    float _e64 = _group_0_binding_0_fs.altitude;
+    vec3 _e67 = _group_0_binding_0_fs.sun;
+    air_ray(dir_4, _e64, m_radius_1, m_thickness, _e67, ray_start, ray_length, ray_x, ray_b, ray_x_closest, ray_ground);
+    float _e74 = ray_start;
+    float _e75 = ray_length;
+    float _e76 = ray_x;
+    float _e77 = ray_b;
+    float _e78 = ray_x_closest;
+    bool _e79 = ray_ground;
+    end = _e75;
+    if ((_e37 >= 0.0)) {
+        float _e85 = _group_0_binding_0_fs.pixel_angle;
+        float _e86 = scene_reach(_e74, _e75, _e77, _e79, _e37, m_radius_1, _e85);
+        end = _e86;
+    } else {
+        if (!(_e79)) {
+            float _e90 = _group_0_binding_0_fs.shell_weight;
+            weight = _e90;
+            float _e92 = weight;
+            dims = (_e92 >= 1.0);
+        }
+    }
+    float _e96 = end;
+    if (!((_e96 <= 0.0))) {
+        float _e100 = weight;
+        local = (_e100 <= 0.0);
+    } else {
+        local = true;
+    }
+    bool _e106 = local;
+    if (_e106) {
+        _fs2p_location0 = behind;
+        return;
+    }
+    vec3 _e109 = _group_0_binding_0_fs.sun;
+    vec3 offset = (dir_4 - _e109);
+    float _e111 = end;
+    uint _e117 = _group_0_binding_0_fs.view_samples;
+    uint _e120 = _group_0_binding_0_fs.light_samples;
+    single_scattering(m_rayleigh_2, m_rayleigh_inv_height_2, m_mie_inv_height_2, m_mie_extinction_2, m_ozone_center_2, m_ozone_inv_half_width_2, m_ozone_2, m_radius_1, _e75, _e76, _e77, _e78, _e79, _e111, (0.5 * dot(offset, offset)), _e117, _e120, s_radiance, s_transmittance);
+    vec3 _e123 = s_radiance;
+    vec3 _e124 = s_transmittance;
+    bool _e127 = dims;
+    vec3 through = (_e127 ? _e124 : vec3(1.0));
+    float _e130 = weight;
+    vec3 light = ((_e123 * m_irradiance) * _e130);
+    vec3 dimmed = (behind.xyz * through);
+    _fs2p_location0 = vec4((dimmed + min(light, max((vec3(32000.0) - dimmed), vec3(0.0)))), behind.w);
+    return;
+}
+

@@ -1,0 +1,151 @@
+#version 300 es
+
+precision highp float;
+precision highp int;
+
+struct Medium {
+    vec3 rayleigh;
+    float rayleigh_inv_height;
+    vec3 mie_scattering;
+    float mie_inv_height;
+    vec3 mie_extinction;
+    float ozone_center;
+    vec3 mie_asymmetry;
+    float ozone_inv_half_width;
+    vec3 ozone;
+    float radius;
+    vec3 irradiance;
+    float thickness;
+};
+struct DepthCode {
+    float scale;
+    float bias;
+    float log_;
+    float background;
+};
+struct Frame {
+    Medium medium;
+    vec3 ray_forward;
+    float altitude;
+    vec3 ray_right;
+    float sky_weight;
+    vec3 ray_up;
+    float shell_weight;
+    vec3 sun;
+    float sun_chord;
+    vec2 size;
+    float sun_disk;
+    float pixel_angle;
+    DepthCode depth;
+    uint view_samples;
+    uint light_samples;
+    uint low_resolution;
+    float camera_altitude;
+    vec4 limb;
+};
+struct Uniforms {
+    Frame frame;
+    vec4 rect;
+    vec4 moon;
+    vec4 shine;
+};
+const float HALF_MAX = 32000.0;
+const uint STEPS = 128u;
+
+layout(std140) uniform Uniforms_block_0Fragment { Uniforms _group_0_binding_0_fs; };
+
+layout(location = 0) out vec4 _fs2p_location0;
+
+vec3 pixel_ray(vec2 pixel, vec2 size, vec3 forward, vec3 right, vec3 up) {
+    vec2 ndc = (((pixel / size) * vec2(2.0, -2.0)) + vec2(-1.0, 1.0));
+    return ((forward + (right * ndc.x)) + (up * ndc.y));
+}
+
+float disk_coverage(vec3 offset, float chord, float pixel_1) {
+    return clamp((((chord - length(offset)) / pixel_1) + 0.5), 0.0, 1.0);
+}
+
+float excess_of(float h, float radius) {
+    return (h * ((2.0 * radius) + h));
+}
+
+float half_chord2_(float b, float above, float depth, float p) {
+    float sphere = (depth + p);
+    if ((abs(b) < sphere)) {
+        return ((b * b) - above);
+    }
+    return (depth * (sphere + p));
+}
+
+void line_past(vec3 dir, float h_1, float radius_1, inout bool out_ground) {
+    bool local_1 = false;
+    float r = (radius_1 + h_1);
+    float b_1 = (r * dir.z);
+    float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
+    float _e12 = excess_of(h_1, radius_1);
+    float _e14 = half_chord2_(b_1, _e12, (radius_1 - p_1), p_1);
+    if ((b_1 < 0.0)) {
+        local_1 = (_e14 >= 0.0);
+    } else {
+        local_1 = false;
+    }
+    bool _e22 = local_1;
+    out_ground = _e22;
+}
+
+float lommel_seeliger(vec3 normal, vec3 dir_1, vec3 sun, float albedo_over_pi, float earthshine) {
+    float mu = max(-(dot(normal, dir_1)), 0.0001);
+    float mu0_ = max(dot(normal, sun), 0.0);
+    return (albedo_over_pi * (((2.0 * mu0_) / (mu0_ + mu)) + earthshine));
+}
+
+void main() {
+    vec4 position = gl_FragCoord;
+    bool local = false;
+    vec3 light = vec3(0.0);
+    bool line_ground = false;
+    float f_medium_radius = _group_0_binding_0_fs.frame.medium.radius;
+    vec3 f_medium_irradiance = _group_0_binding_0_fs.frame.medium.irradiance;
+    vec3 f_ray_forward = _group_0_binding_0_fs.frame.ray_forward;
+    float f_altitude = _group_0_binding_0_fs.frame.altitude;
+    vec3 f_ray_right = _group_0_binding_0_fs.frame.ray_right;
+    vec3 f_ray_up = _group_0_binding_0_fs.frame.ray_up;
+    vec3 f_sun = _group_0_binding_0_fs.frame.sun;
+    vec2 f_size = _group_0_binding_0_fs.frame.size;
+    float f_pixel_angle = _group_0_binding_0_fs.frame.pixel_angle;
+    vec3 _e23 = pixel_ray(position.xy, f_size, f_ray_forward, f_ray_right, f_ray_up);
+    vec3 dir_2 = normalize(_e23);
+    line_past(dir_2, f_altitude, f_medium_radius, line_ground);
+    bool _e26 = line_ground;
+    vec4 _e29 = _group_0_binding_0_fs.moon;
+    vec3 towards = _e29.xyz;
+    float sine = _group_0_binding_0_fs.moon.w;
+    vec3 apart = (dir_2 - towards);
+    float _e39 = _group_0_binding_0_fs.shine.x;
+    float _e40 = disk_coverage(apart, _e39, f_pixel_angle);
+    if (!(_e26)) {
+        local = (_e40 <= 0.0);
+    } else {
+        local = true;
+    }
+    bool _e47 = local;
+    if (_e47) {
+        discard;
+    }
+    float chord2_ = dot(apart, apart);
+    float reach = ((1.0 - (0.5 * chord2_)) - sqrt(max(((sine * sine) - (chord2_ * (1.0 - (0.25 * chord2_)))), 0.0)));
+    vec3 normal_1 = normalize((apart + ((reach - 1.0) * dir_2)));
+    float _e72 = _group_0_binding_0_fs.shine.y;
+    float _e76 = _group_0_binding_0_fs.shine.z;
+    float _e77 = lommel_seeliger(normal_1, dir_2, f_sun, _e72, _e76);
+    light = (f_medium_irradiance * (_e40 * _e77));
+    vec3 _e81 = light;
+    light = min(_e81, vec3(32000.0));
+    vec3 _e85 = light;
+    float _e87 = light.x;
+    float _e89 = light.y;
+    float _e91 = light.z;
+    _fs2p_location0 = vec4(_e85, (max(_e87, max(_e89, _e91)) * 3.125e-5));
+    return;
+}
+
