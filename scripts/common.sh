@@ -50,8 +50,13 @@ find_chromium() {
     command -v chromium || command -v chromium-browser || command -v google-chrome
 }
 
-# wasm_is_stale DIR: true if the module in DIR is missing or older than what it is built from.
+# wasm_is_stale DIR: true if DIR has no wasm module, or one that is older than what it is built from.
 wasm_is_stale() {
-    local built=$root/$1/welkin_bg.wasm
-    [[ ! -f $built || -n $(cd "$root" && find src shaders Cargo.toml Cargo.lock -newer "$built" -type f -print -quit) ]]
+    local module modules
+    mapfile -t modules < <(find "$root/$1" -name '*_bg.wasm' 2> /dev/null)
+    ((${#modules[@]})) || return 0
+    for module in "${modules[@]}"; do
+        [[ -z $(cd "$root" && find src shaders web/src web/Cargo.toml Cargo.toml Cargo.lock -newer "$module" -type f -print -quit) ]] || return 0
+    done
+    return 1
 }

@@ -50,6 +50,12 @@ pub type Result<T, E = Error> = std::result::Result<T, E>;
 impl Error {
     /// An [`Error::Invalid`] from anything printable.
     pub fn invalid(field: impl fmt::Display, value: impl fmt::Display, allowed: impl fmt::Display) -> Self {
+        Self::invalid_dyn(&field, &value, &allowed)
+    }
+
+    /// One copy in the program, however many kinds of values there are.
+    #[cold]
+    fn invalid_dyn(field: &dyn fmt::Display, value: &dyn fmt::Display, allowed: &dyn fmt::Display) -> Self {
         Self::Invalid { field: field.to_string(), value: value.to_string(), allowed: allowed.to_string() }
     }
 }
@@ -59,20 +65,127 @@ pub fn in_range(field: impl fmt::Display, value: f64, lo: f64, hi: f64, unit: &s
     if value.is_finite() && (lo..=hi).contains(&value) {
         return Ok(value);
     }
-    let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
-    Err(Error::invalid(field, short(value), format_args!("from {} to {}{unit}", short(lo), short(hi))))
+    Err(out_of_range(&field, value, lo, hi, unit))
+}
+
+#[cold]
+fn out_of_range(field: &dyn fmt::Display, value: f64, lo: f64, hi: f64, unit: &str) -> Error {
+    let (lo, hi, space) = (short(lo), short(hi), if unit.is_empty() { "" } else { " " });
+    Error::invalid_dyn(field, &short(value), &format_args!("from {lo} to {hi}{space}{unit}"))
 }
 
 /// A number as people write it: 0.3, 6360000, 1e15.
 pub fn short(v: f64) -> String {
-    if v == 0.0 || !v.is_finite() || (1e-3..1e7).contains(&v.abs()) { v.to_string() } else { format!("{v:e}") }
+    if v == 0.0 || !v.is_finite() || (1e-3..1e7).contains(&v.abs()) { text::decimal(v) } else { text::exponential(v) }
+}
+
+/// A number as `{}` writes it, by [`text::decimal`].
+#[derive(Clone, Copy, Debug)]
+pub struct Decimal(pub f64);
+
+impl fmt::Display for Decimal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&text::decimal(self.0))
+    }
+}
+
+/// A vector as glam writes it: `[1, 0, 0.5]`.
+#[derive(Clone, Copy, Debug)]
+pub struct Vector(pub glam::DVec3);
+
+impl fmt::Display for Vector {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [x, y, z] = self.0.to_array().map(Decimal);
+        write!(f, "[{x}, {y}, {z}]")
+    }
+}
+
+/// A text in quotation marks, with quotation marks, backslashes and control characters escaped. It does what `{:?}`
+/// does for a text, without the tables of all printable characters, which are 4 kB in a browser's module.
+#[derive(Clone, Copy, Debug)]
+pub struct Quoted<'a>(pub &'a str);
+
+impl fmt::Display for Quoted<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("\"")?;
+        for c in self.0.chars() {
+            if c.is_ascii_control() || matches!(c, '"' | '\\') {
+                write!(f, "{}", c.escape_default())?;
+            } else {
+                fmt::Write::write_char(f, c)?;
+            }
+        }
+        f.write_str("\"")
+    }
+}
+
+/// Floating-point numbers as texts. Rust's own conversion is 8 kB of a browser's module, gzipped, and every browser has
+/// one that gives the same digits: the fewest that name the number.
+#[cfg(not(all(target_arch = "wasm32", any(feature = "wgpu", feature = "webgl"))))]
+mod text {
+    /// The digits of a number without an exponent.
+    pub fn decimal(v: f64) -> String {
+        v.to_string()
+    }
+
+    /// A number's digits with an exponent of ten: `1e15`.
+    pub fn exponential(v: f64) -> String {
+        format!("{v:e}")
+    }
+}
+
+#[cfg(all(target_arch = "wasm32", any(feature = "wgpu", feature = "webgl")))]
+mod text {
+    use wasm_bindgen::prelude::*;
+
+    #[wasm_bindgen]
+    extern "C" {
+        type Number;
+        #[wasm_bindgen(method, js_name = toString)]
+        fn decimal(this: &Number) -> String;
+        #[wasm_bindgen(method, js_name = toExponential)]
+        fn exponential(this: &Number) -> String;
+    }
+
+    fn number(v: f64) -> Number {
+        JsValue::from_f64(v).unchecked_into()
+    }
+
+    /// The digits of a number, without an exponent from 1e-6 to 1e21.
+    pub fn decimal(v: f64) -> String {
+        if v.is_infinite() { if v > 0.0 { "inf" } else { "-inf" }.into() } else { number(v).decimal() }
+    }
+
+    /// A number's digits with an exponent of ten: `1e15`.
+    pub fn exponential(v: f64) -> String {
+        number(v).exponential().replace('+', "")
+    }
 }
 
 /// `v` scaled to length 1, or an [`Error::Invalid`] if it has no direction.
 pub fn direction(field: &str, v: glam::DVec3) -> Result<glam::DVec3> {
     let scale = v.abs().max_element();
     if !v.is_finite() || scale < 1e-150 {
-        return Err(Error::invalid(field, v, "a finite vector that is not zero"));
+        return Err(Error::invalid(field, Vector(v), "a finite vector that is not zero"));
     }
     Ok((v / scale).normalize())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_vectors_and_texts_read_as_rust_writes_them() {
+        for v in [0.0, -0.0, 0.3, 6_360_000.0, 1e15, -1.5e-7, 0.1 + 0.2, f64::MIN_POSITIVE, f64::INFINITY, f64::NAN] {
+            assert_eq!(Decimal(v).to_string(), v.to_string());
+            assert_eq!(Vector(glam::DVec3::new(v, 1.0, -2.5)).to_string(), glam::DVec3::new(v, 1.0, -2.5).to_string());
+        }
+        for (v, text) in [(0.3, "0.3"), (6_360_000.0, "6360000"), (1e15, "1e15"), (-1.5e-7, "-1.5e-7")] {
+            assert_eq!(short(v), text);
+        }
+        for text in ["mars", "", "a \"b\" \\ c", "tab\tline\n", "Größe", "火星"] {
+            assert_eq!(Quoted(text).to_string(), format!("{text:?}"));
+        }
+    }
 }

@@ -1,23 +1,20 @@
 //! The moon before the sun: light in the air under its shadow.
-#![cfg(all(feature = "probe", feature = "reference"))]
-#![allow(clippy::needless_range_loop)]
-
-mod common;
 
 use std::f64::consts::PI;
 
-use common::{View, mean, on_both};
-use glam::{DVec2, DVec3};
-use welkin::gpu::{Backend, Format, Target, TextureDesc};
+use glam::DVec3;
+use welkin::gpu::Backend;
 use welkin::model::moon::{Disks, MOON_RADIUS, Moon, limb_darkening};
 use welkin::probe::{self, Case, Probe};
-use welkin::reference::multiple::{Orders, Settings as Solve};
+use welkin::reference::multiple::Settings as Solve;
 use welkin::reference::path::{Settings, path_trace};
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering, transmittance};
 use welkin::render::cpu_picture::render;
-use welkin::{
-    AtmosphereParams, Bound, Composition, EffectPlan, Error, LutSettings, Method, PictureSettings, Scene, SkyRenderer,
-    SkySettings,
+use welkin::{AtmosphereParams, Bound, Composition, Frame, Error, LutSettings, Quality, PictureRenderer, PictureSettings, Scene, SkyRenderer, SkySettings, TerrainStyle};
+
+use crate::harness::{
+    View, aerial_passes, background, background_passes, cleared, draw, frame_textures, free, luts, march,
+    mean, on_both, orders, query, rgb, sky,
 };
 
 /// Of the real one, metres.
@@ -35,8 +32,13 @@ fn light(query: &RayQuery) -> [f64; 3] {
     single_scattering(&AtmosphereParams::earth(), query, Sun::Point, Tolerance::TRUTH).unwrap().per_irradiance
 }
 
-const RAYS: [(f64, f64, f64, f64); 5] =
-    [(2.0, 0.4, 0.6, 0.3), (2.0, 1.5, 0.9, 2.5), (2.0, 1.565, 1.3, 0.0), (4e5, 1.95, 1.2, 1.0), (2e7, 3.0, 2.2, 0.5)];
+const RAYS: [(f64, f64, f64, f64); 5] = [
+    (2.0, 0.4, 0.6, 0.3),
+    (2.0, 1.5, 0.9, 2.5),
+    (2.0, 1.565, 1.3, 0.0),
+    (4e5, 1.95, 1.2, 1.0),
+    (2e7, 3.0, 2.2, 0.5),
+];
 
 #[test]
 fn a_far_moon_dims_all_air_alike() {
@@ -70,9 +72,12 @@ fn a_far_moon_dims_all_air_alike() {
 #[test]
 fn every_point_of_a_ray_has_its_own_share() {
     // Pieces of the ray by differences of its light up to them, each times the share in its middle.
-    for (altitude, view, sun, azimuth, apart) in
-        [(2.0, 1.45, 0.6, 0.3, 0.0), (2.0, 0.8, 0.9, 2.0, 0.5), (2.0, 1.52, 0.3, 1.0, 1.2), (4e5, 1.9, 1.2, 1.0, 1.0)]
-    {
+    for (altitude, view, sun, azimuth, apart) in [
+        (2.0, 1.45, 0.6, 0.3, 0.0),
+        (2.0, 0.8, 0.9, 2.0, 0.5),
+        (2.0, 1.52, 0.3, 1.0, 1.2),
+        (4e5, 1.9, 1.2, 1.0, 1.0),
+    ] {
         let query = RayQuery::new(altitude, view, sun, azimuth);
         let moon = moon(&query, 1.05, apart, query.direction, DISTANCE);
         let p = AtmosphereParams::earth();
@@ -135,9 +140,10 @@ fn what_has_no_shadow_says_so() {
     let query = RayQuery::new(2.0, 0.4, 0.6, 0.3);
     let moon = Moon::new(query.sun * DISTANCE, MOON_RADIUS);
     let field = |e: Error| e.to_string().split(' ').next().unwrap_or_default().to_owned();
-    let disk = single_scattering(&params, &query.eclipsed_by(moon), Sun::Disk { rings: 2 }, Tolerance::PICTURE);
+    let disk =
+        single_scattering(&params, &query.eclipsed_by(moon), Sun::Disk { rings: 2 }, Tolerance::PICTURE);
     assert_eq!(field(disk.unwrap_err()), "sun");
-    let orders = Orders::solve(&params, Solve::QUICK, |_| {}).unwrap();
+    let orders = orders(&params, Solve::QUICK);
     orders.radiance(&query, Tolerance::PICTURE).unwrap();
     assert_eq!(field(orders.radiance(&query.eclipsed_by(moon), Tolerance::PICTURE).unwrap_err()), "ray.moon");
     let inside = Moon { radius: 5e8, ..moon };
@@ -173,7 +179,12 @@ fn shares_in_f32_are_those_of_f64() {
     }
     // Behind the point, and in its plane.
     for along in [-3.6e5, 0.0] {
-        cases.push(Case { direction: [0.0, 0.0, along], altitude: 1737.0, fraction: tangent, ..Case::default() });
+        cases.push(Case {
+            direction: [0.0, 0.0, along],
+            altitude: 1737.0,
+            fraction: tangent,
+            ..Case::default()
+        });
     }
     on_both(|b| {
         let answers = probe::run(b, Probe::Eclipse, &cases).unwrap();
@@ -185,8 +196,9 @@ fn shares_in_f32_are_those_of_f64() {
             let disks = Disks { sun, moon: f64::from(case.altitude) / along, apart: x.hypot(y) / along };
             let uniform = if along > 0.0 { disks.visible() } else { 1.0 };
             worst = worst.max((f64::from(got[0]) - uniform).abs());
-            // The last of the sun keeps its digits, as far as the place of the moon has them: light goes with the depth of
-            // the crescent to the power of 1.5, and that is a difference of numbers rounded to 2^-22 of them.
+            // The last of the sun keeps its digits, as far as the place of the moon has them: light goes with
+            // the depth of the crescent to the power of 1.5, and that is a difference of numbers rounded to
+            // 2^-22 of them.
             let depth = (disks.apart + sun - disks.moon) / sun;
             if uniform < 1e-3 && depth > 9e-5 && disks.moon > 1.04 * sun {
                 let off = (f64::from(got[0]) / uniform - 1.0).abs();
@@ -201,16 +213,9 @@ fn shares_in_f32_are_those_of_f64() {
     });
 }
 
-fn background(backend: &mut dyn Backend, scene: &Scene, settings: SkySettings, n: u32) -> Vec<f32> {
-    let target = backend.create_texture(&TextureDesc::new("target", n, n, Format::Rgba32Float)).unwrap();
-    let mut sky = SkyRenderer::new(settings).unwrap();
-    let black = Target { clear: Some([0.0, 0.0, 0.0, 1.0]), ..Target::color(target) };
-    let passes = sky.background(backend, scene, black).unwrap().to_vec();
-    backend.run(&passes).unwrap();
-    let pixels = backend.read(target).unwrap();
-    sky.destroy(backend);
-    backend.destroy_texture(target);
-    pixels
+/// The background alone over black in a square picture.
+fn black_background(b: &mut dyn Backend, scene: &Scene, settings: SkySettings, n: u32) -> Vec<f32> {
+    background(b, scene, settings, [n, n], [0.0, 0.0, 0.0, 1.0])
 }
 
 /// Above the air, looking at the sun, whose irradiance is 1; degrees of view.
@@ -225,15 +230,17 @@ fn irradiance(pixels: &[f32], fov: f64, n: u32) -> [f64; 3] {
     mean(pixels).map(|v| v * f64::from(n * n) * pixel)
 }
 
-const DARKENED: SkySettings = SkySettings { limb_darkening: true, ..BARE };
+const DARKENED: SkySettings = SkySettings { look: Look { limb_darkening: true, ..BARE.look }, ..BARE };
 const BARE: SkySettings = SkySettings {
-    enabled: true,
-    composition: Composition::Full,
-    method: Method::Single { view_samples: 8, light_samples: 4 },
+    look: Look {
+        enabled: true,
+        composition: Composition::Full,
+        sun_disk: true,
+        limb_darkening: false,
+        foreground: true,
+    },
+    quality: Quality::March { view_samples: 8, light_samples: 4 },
     render_scale: 1.0,
-    sun_disk: true,
-    limb_darkening: false,
-    foreground: true,
     bound: Some(Bound::LINEAR),
 };
 
@@ -243,14 +250,15 @@ fn a_darker_limb_keeps_the_suns_light() {
         // From 140 pixels across to less than one.
         for (n, fov, off) in [(160, 0.6, 5e-3), (64, 1.0, 5e-3), (16, 1.0, 0.02), (9, 3.0, 0.05)] {
             let scene = at_the_sun(fov).scene();
-            let [flat, dark] = [BARE, DARKENED].map(|s| irradiance(&background(b, &scene, s, n), fov, n));
+            let [flat, dark] =
+                [BARE, DARKENED].map(|s| irradiance(&black_background(b, &scene, s, n), fov, n));
             for c in 0..3 {
                 println!("{n} pixels of {fov}°: {} of {}", dark[c], flat[c]);
                 assert!((dark[c] / flat[c] - 1.0).abs() < off, "{n} {fov} {c}: {dark:?} {flat:?}");
             }
         }
         let n = 200;
-        let pixels = background(b, &at_the_sun(0.6).scene(), DARKENED, n);
+        let pixels = black_background(b, &at_the_sun(0.6).scene(), DARKENED, n);
         let pixel = 2.0 * 0.3_f64.to_radians().tan() / f64::from(n);
         let full = 1.0 / (PI * AtmosphereParams::earth().sun_angular_radius.powi(2));
         for x in n / 2..n {
@@ -282,8 +290,8 @@ fn the_moon_hides_the_drawn_sun() {
                 moon: size * p.sun_angular_radius,
                 apart: apart * p.sun_angular_radius,
             };
-            let flat = irradiance(&background(b, &scene, BARE, 256), 0.6, 256);
-            let dark = irradiance(&background(b, &scene, DARKENED, 256), 0.6, 256);
+            let flat = irradiance(&black_background(b, &scene, BARE, 256), 0.6, 256);
+            let dark = irradiance(&black_background(b, &scene, DARKENED, 256), 0.6, 256);
             let (share, shares) = (disks.visible(), disks.visible_limb_darkened());
             for c in 0..3 {
                 assert!((flat[c] - share).abs() < 5e-3, "{size} {apart}: {flat:?} {share}");
@@ -293,9 +301,12 @@ fn the_moon_hides_the_drawn_sun() {
                 assert!(flat == [0.0; 3], "{flat:?}");
             }
             // Of a pixel or two.
-            let coarse = irradiance(&background(b, &scene, BARE, 3), 0.6, 3);
-            let whole = irradiance(&background(b, &view.scene(), BARE, 3), 0.6, 3);
-            assert!((coarse[1] - share * whole[1]).abs() < 0.02, "{size} {apart}: {coarse:?} {share} of {whole:?}");
+            let coarse = irradiance(&black_background(b, &scene, BARE, 3), 0.6, 3);
+            let whole = irradiance(&black_background(b, &view.scene(), BARE, 3), 0.6, 3);
+            assert!(
+                (coarse[1] - share * whole[1]).abs() < 0.02,
+                "{size} {apart}: {coarse:?} {share} of {whole:?}"
+            );
         }
     });
 }
@@ -316,21 +327,23 @@ fn the_moon_has_its_phase_and_the_air_dims_it() {
                 scene.sun_direction.z = -0.8;
             }
             let towards = scene.camera.forward.normalize();
-            let moon = Moon { earthshine: 0.01, ..Moon::new(scene.camera.position + towards * DISTANCE, MOON_RADIUS) };
+            let moon = Moon {
+                earthshine: 0.01,
+                ..Moon::new(scene.camera.position + towards * DISTANCE, MOON_RADIUS)
+            };
             scene.moon = Some(moon);
             let n = 48;
-            let got = background(b, &scene, BARE, n);
+            let got = black_background(b, &scene, BARE, n);
             let mut none = scene.clone();
             none.moon = None;
-            let sky = background(b, &none, BARE, n);
+            let sky = black_background(b, &none, BARE, n);
             let view = scene.validate().unwrap();
             let sun = scene.sun_direction.normalize();
             let mut seen = 0;
             for y in 0..n {
                 for x in 0..n {
-                    let at = |v: u32| (f64::from(v) + 0.5) / f64::from(n) * 2.0 - 1.0;
-                    let dir = view.basis.ray(DVec2::new(at(x), -at(y))).normalize();
-                    let world = view.world_to_zenith.transpose() * dir;
+                    let query = query(&scene, [n, n], (y * n + x) as usize);
+                    let world = view.world_to_zenith.transpose() * query.direction;
                     // Well inside of the disk, where pixels are whole.
                     let offset = (world - towards).length() / (MOON_RADIUS / DISTANCE);
                     let i = 4 * (y * n + x) as usize;
@@ -341,12 +354,16 @@ fn the_moon_has_its_phase_and_the_air_dims_it() {
                         continue;
                     }
                     let radiance = moon.radiance(scene.camera.position, world, sun).unwrap();
-                    let query = RayQuery { altitude, direction: dir, sun: view.sun, length: f64::INFINITY, moon: None };
-                    let through = transmittance(&scene.atmosphere, &query, Tolerance { relative: 1e-6 }).unwrap();
+                    let through =
+                        transmittance(&scene.atmosphere, &query, Tolerance { relative: 1e-6 }).unwrap();
                     for c in 0..3 {
                         let want = radiance * through[c] + f64::from(sky[i + c]);
                         let off = (f64::from(got[i + c]) - want).abs();
-                        assert!(off < 2e-3 * want + 2e-6, "{altitude} {sun_azimuth} {offset}: {} {want}", got[i + c]);
+                        assert!(
+                            off < 2e-3 * want + 2e-6,
+                            "{altitude} {sun_azimuth} {offset}: {} {want}",
+                            got[i + c]
+                        );
                     }
                     seen += 1;
                 }
@@ -360,10 +377,12 @@ fn the_moon_has_its_phase_and_the_air_dims_it() {
 fn without_a_moon_there_is_nothing_of_it() {
     let view = at_the_sun(1.0);
     let mut scene = view.scene();
-    let plan = |scene: &Scene| EffectPlan::new(scene, &SkySettings::default(), [64, 64]).unwrap();
-    let labels = |scene: &Scene| plan(scene).passes().iter().map(|p| p.program.map(|p| p.name())).collect::<Vec<_>>();
+    let plan = |scene: &Scene| Frame::new(scene, &SkySettings::default(), [64, 64]).unwrap();
+    let labels =
+        |scene: &Scene| plan(scene).planned_passes().iter().map(|p| p.program.map(|p| p.name())).collect::<Vec<_>>();
     assert!(labels(&scene).iter().flatten().all(|name| !name.contains("moon")));
-    let towards = |direction: DVec3| Some(Moon::new(scene.camera.position + direction * DISTANCE, MOON_RADIUS));
+    let towards =
+        |direction: DVec3| Some(Moon::new(scene.camera.position + direction * DISTANCE, MOON_RADIUS));
     let (sun, up) = (scene.sun_direction, scene.camera.up);
     let [behind, total, partial, beside] = [-sun, sun, sun + up * 2e-3, up].map(towards);
     for (moon, drawn, hides) in
@@ -377,7 +396,7 @@ fn without_a_moon_there_is_nothing_of_it() {
         assert_eq!(names.iter().any(|n| n.starts_with("sun")), moon != total, "{names:?}");
     }
     scene.moon = Some(Moon { radius: 1e9, ..Moon::new(scene.camera.position + DVec3::X * DISTANCE, 1.0) });
-    let error = EffectPlan::new(&scene, &SkySettings::default(), [64, 64]).unwrap_err().to_string();
+    let error = Frame::new(&scene, &SkySettings::default(), [64, 64]).unwrap_err().to_string();
     assert!(error.starts_with("moon.position"), "{error}");
 }
 
@@ -389,21 +408,24 @@ fn the_processor_draws_the_same_disks() {
     let p = scene.atmosphere.clone();
     let (sin, cos) = (0.7 * p.sun_angular_radius).sin_cos();
     let towards = scene.sun_direction * cos + DVec3::Y * sin;
-    scene.moon =
-        Some(Moon::new(scene.camera.position + towards * DISTANCE, (0.97 * p.sun_angular_radius).sin() * DISTANCE));
+    scene.moon = Some(Moon::new(
+        scene.camera.position + towards * DISTANCE,
+        (0.97 * p.sun_angular_radius).sin() * DISTANCE,
+    ));
     let n = 24;
     let settings = PictureSettings {
-        sky: SkySettings { composition: Composition::SkyDome, ..DARKENED },
+        sky: composed(Composition::SkyDome, DARKENED),
         terrain: None,
         ..PictureSettings::default()
     };
     let cpu = render(&scene, &settings, [n, n], &|_| {}).unwrap().radiance;
     on_both(|b| {
-        let gpu = background(b, &scene, settings.sky, n);
+        let gpu = black_background(b, &scene, settings.sky, n);
         let brightest = f64::from(gpu.iter().copied().fold(0.0, f32::max));
         for (i, (a, b)) in cpu.iter().zip(gpu.chunks_exact(4)).enumerate() {
             for c in 0..3 {
-                // Disks by one formula; the sky behind, under the shadow in one of them only, is 1e-5 of that.
+                // Disks by one formula; the sky behind, under the shadow in one of them only, is 1e-5 of
+                // that.
                 let off = (f64::from(a[c]) - f64::from(b[c])).abs();
                 assert!(off < 2e-3 * f64::from(a[c]) + 5e-3 * brightest, "{i} {c}: {a:?} {b:?}");
             }
@@ -418,16 +440,14 @@ fn under(moon: &Moon, view: View) -> Scene {
     scene
 }
 
-/// What the first pixel of the air's passes has: the background alone, or the air before a scene at a distance.
+/// What the first pixel of the air's passes has: the background alone, or the air before a scene at a
+/// distance.
 fn air(b: &mut dyn Backend, scene: &Scene, sky: SkySettings, distance: Option<f64>) -> [f64; 3] {
-    let make = |b: &mut dyn Backend, format| b.create_texture(&TextureDesc::new("target", 1, 1, format)).unwrap();
-    let [color, out] = [(); 2].map(|()| make(b, Format::Rgba32Float));
-    let depth = make(b, Format::R32Float);
+    let [color, depth, out] = frame_textures(b, [1, 1]);
     let mut renderer = SkyRenderer::new(sky).unwrap();
-    let black = Target { clear: Some([0.0, 0.0, 0.0, 1.0]), ..Target::color(color) };
-    let mut passes = renderer.background(b, scene, black).unwrap().to_vec();
+    let mut passes = background_passes(b, &mut renderer, scene, cleared(color));
     let mut from = color;
-    if sky.composition == Composition::Full {
+    if sky.look.composition == Composition::Full {
         if distance.is_some() {
             // Of the sky nothing is seen.
             passes.clear();
@@ -435,23 +455,26 @@ fn air(b: &mut dyn Backend, scene: &Scene, sky: SkySettings, distance: Option<f6
         }
         let stored = distance.map_or(scene.depth.background(), |z| scene.depth.encode(z)) as f32;
         b.write_texture(depth, &[stored]).unwrap();
-        passes.extend_from_slice(renderer.aerial(b, scene, color, depth, out).unwrap());
+        passes.extend(aerial_passes(b, &mut renderer, scene, [color, depth, out]));
         from = out;
     }
-    assert!(passes.iter().any(|p| ["background sky", "aerial perspective"].contains(&p.label)), "nothing is drawn");
+    assert!(
+        passes.iter().any(|p| ["background sky", "aerial perspective"].contains(&p.label)),
+        "nothing is drawn"
+    );
     b.run(&passes).unwrap();
     let pixel = b.read(from).unwrap();
     renderer.destroy(b);
-    [color, out, depth].into_iter().for_each(|id| b.destroy_texture(id));
-    std::array::from_fn(|c| f64::from(pixel[c]))
+    free(b, [color, out, depth]);
+    rgb(&pixel, 0)
 }
 
-/// Light scattered once under the shadow, against the reference: from the ground, from orbit, and before a scene.
+/// Light scattered once under the shadow, against the reference: from the ground, from orbit, and before a
+/// scene.
 #[test]
 fn light_scattered_once_under_a_shadow() {
     let p = AtmosphereParams { sun_intensity: 1.0, ..AtmosphereParams::earth() };
-    let method = Method::Single { view_samples: 200, light_samples: 40 };
-    let sky = SkySettings { method, sun_disk: false, ..SkySettings::default() };
+    let sky = sky(march(200, 40));
     // Altitude, zenith angle and azimuth from the sun (degrees), distance of a scene.
     let rays = [
         (2.0, 10.0, 30.0, None),
@@ -473,7 +496,8 @@ fn light_scattered_once_under_a_shadow() {
                 let query = RayQuery::new(altitude, z, sun, a);
                 let moon = moon(&query, 1.05, apart, DVec3::Y, DISTANCE);
                 let query = distance.map_or(query, |end| query.ended_at(end)).eclipsed_by(moon);
-                let want = single_scattering(&p, &query, Sun::Point, Tolerance::PICTURE).unwrap().per_irradiance;
+                let want =
+                    single_scattering(&p, &query, Sun::Point, Tolerance::PICTURE).unwrap().per_irradiance;
                 let view = View {
                     params: p.clone(),
                     altitude,
@@ -499,14 +523,9 @@ fn light_scattered_once_under_a_shadow() {
 #[test]
 fn light_of_all_orders_under_a_shadow() {
     let p = AtmosphereParams { sun_intensity: 1.0, ..AtmosphereParams::earth() };
-    let sky = SkySettings {
-        composition: Composition::SkyDome,
-        method: Method::Lut(LutSettings::MEDIUM),
-        sun_disk: false,
-        ..SkySettings::default()
-    };
-    // Distance of the disks' middles as seen from the camera in sun radii (0.0566 is the umbra's edge), and by which
-    // factor light may be off: what is scattered more often is an estimate.
+    let sky = composed(Composition::SkyDome, luts(LutSettings::MEDIUM));
+    // Distance of the disks' middles as seen from the camera in sun radii (0.0566 is the umbra's edge), and
+    // by which factor light may be off: what is scattered more often is an estimate.
     let places = [(0.0, 2.0), (0.04, 2.4), (0.1, 1.6), (0.5, 1.04), (1.0, 1.02)];
     // Zenith angle and azimuth from the sun, degrees.
     let rays: [(f64, f64); 5] = [(0.0, 0.0), (45.0, 90.0), (45.0, 180.0), (80.0, 90.0), (88.0, 180.0)];
@@ -514,10 +533,18 @@ fn light_of_all_orders_under_a_shadow() {
     let mut wanted = Vec::new();
     for (apart, _) in places {
         for (zenith, azimuth) in rays {
-            let query = RayQuery::new(2.0, zenith.to_radians(), (90.0 - elevation).to_radians(), azimuth.to_radians());
+            let query = RayQuery::new(
+                2.0,
+                zenith.to_radians(),
+                (90.0 - elevation).to_radians(),
+                azimuth.to_radians(),
+            );
             let moon = moon(&query, 1.0566, apart, DVec3::Y, DISTANCE);
             let paths = if apart < 0.2 { 60_000 } else { 20_000 };
-            wanted.push((moon, path_trace(&p, &query.eclipsed_by(moon), Settings { paths, seed: 11 }).unwrap()));
+            wanted.push((
+                moon,
+                path_trace(&p, &query.eclipsed_by(moon), Settings { paths, seed: 11 }).unwrap(),
+            ));
         }
     }
     on_both(|b| {
@@ -541,42 +568,54 @@ fn light_of_all_orders_under_a_shadow() {
                 let noise: [f64; 3] = std::array::from_fn(|c| all.std_err[c] / want[c]);
                 let short = |v: [f64; 3], digits: usize| v.map(|v| format!("{v:.digits$}")).join(" ");
                 let light = want.map(|v| format!("{v:.2e}")).join(" ");
-                println!("{apart:4} {zenith:2}° {azimuth:3}°  {light}  {}  {}", short(ratio, 2), short(noise, 3));
+                println!(
+                    "{apart:4} {zenith:2}° {azimuth:3}°  {light}  {}  {}",
+                    short(ratio, 2),
+                    short(noise, 3)
+                );
                 for c in 0..3 {
                     let room = allowed * (1.0 + 4.0 * noise[c]);
-                    assert!(ratio[c] < room && ratio[c] > 1.0 / room, "{apart} {zenith} {azimuth}: {ratio:?}");
+                    assert!(
+                        ratio[c] < room && ratio[c] > 1.0 / room,
+                        "{apart} {zenith} {azimuth}: {ratio:?}"
+                    );
                 }
             }
         }
     });
 }
 
-/// The ground and the air under the shadow from orbit: dark in the umbra, and as without a moon where it does not reach.
+/// The ground and the air under the shadow from orbit: dark in the umbra, and as without a moon where it does
+/// not reach.
 #[test]
 fn the_umbra_is_on_the_planet_and_nowhere_else() {
-    use welkin::{PictureRenderer, TerrainStyle};
     let size = [48, 48];
-    let view = View { altitude: 1.2e7, pitch: -90.0, fov: 44.0, sun_elevation: 70.0, aspect: 1.0, ..View::default() };
+    let view = View {
+        altitude: 1.2e7,
+        pitch: -90.0,
+        fov: 44.0,
+        sun_elevation: 70.0,
+        aspect: 1.0,
+        ..View::default()
+    };
     let clear = view.scene();
     let sun = clear.sun_direction;
-    let draw = |b: &mut dyn Backend, scene: &Scene, method| {
-        let sky = SkySettings { method, sun_disk: false, ..SkySettings::default() };
-        let settings =
-            PictureSettings { sky, terrain: Some(TerrainStyle::earth()), dither: false, ..PictureSettings::default() };
+    let planet = |b: &mut dyn Backend, scene: &Scene, method| {
+        let (sky, terrain) = (sky(method), Some(TerrainStyle::earth()));
+        let settings = PictureSettings { sky, terrain, dither: false, ..PictureSettings::default() };
         let mut renderer = PictureRenderer::default();
-        let drawn = renderer.draw(b, scene, &settings, size).unwrap();
-        let pixels = b.read(drawn.radiance).unwrap();
-        let on = renderer.plan().unwrap().effect("eclipse").unwrap().on;
+        let pixels = draw(b, &mut renderer, scene, &settings, size);
+        let on = renderer.last_frame().unwrap().effect("eclipse").unwrap().on;
         renderer.destroy(b);
         (pixels, on)
     };
     let moon_at = |point: DVec3| Moon::new(point + sun * 3.6e8, MOON_RADIUS * 1.02);
     let ground = clear.planet_center + DVec3::Z * clear.atmosphere.planet_radius;
     on_both(|b| {
-        for method in [Method::Lut(LutSettings::LOW), Method::Single { view_samples: 24, light_samples: 8 }] {
-            let (bright, on) = draw(b, &clear, method);
+        for method in [Quality::Luts(LutSettings::LOW), march(24, 8)] {
+            let (bright, on) = planet(b, &clear, method);
             assert!(!on);
-            let (dark, on) = draw(b, &Scene { moon: Some(moon_at(ground)), ..clear.clone() }, method);
+            let (dark, on) = planet(b, &Scene { moon: Some(moon_at(ground)), ..clear.clone() }, method);
             assert!(on);
             let brightness = |pixels: &[f32], x: usize, y: usize| pixels[4 * (48 * y + x) + 1];
             let share = |x, y| brightness(&dark, x, y) / brightness(&bright, x, y);
@@ -588,11 +627,11 @@ fn the_umbra_is_on_the_planet_and_nowhere_else() {
             assert!(row.iter().all(|s| *s < 1.01) && row[15] > 0.9 && row[6] > 2.0 * row[1], "{row:?}");
             // Beside the planet: no eclipse, and not a bit of a pixel is another.
             let beside = moon_at(ground + sun.any_orthonormal_vector() * 1.2e7);
-            let (missed, on) = draw(b, &Scene { moon: Some(beside), ..clear.clone() }, method);
+            let (missed, on) = planet(b, &Scene { moon: Some(beside), ..clear.clone() }, method);
             assert!(!on && missed == bright);
             // Behind the planet: nothing hides the sun.
             let behind = Moon::new(ground - sun * 3.6e8, MOON_RADIUS);
-            let (missed, on) = draw(b, &Scene { moon: Some(behind), ..clear.clone() }, method);
+            let (missed, on) = planet(b, &Scene { moon: Some(behind), ..clear.clone() }, method);
             assert!(!on && missed == bright);
         }
     });

@@ -1,30 +1,33 @@
-//! In somebody else's frame: the user's own device, encoder and views; the user's own context, with its
-//! state as it was; loss; and nothing left behind.
-#![cfg(all(feature = "egl", feature = "translate", feature = "reference"))]
+//! In somebody else's frame: the user's own device, encoder and views; the user's own context, with its state
+//! as it was; and each of the four modes in a frame of the user's.
+
 #![allow(unsafe_code)] // The test plays the user, who calls OpenGL.
 
-mod common;
-
-use common::{View, on_both};
 use glow::HasContext as _;
 use welkin::gpu::egl::Headless;
 use welkin::gpu::webgl::WebGlBackend;
 use welkin::gpu::wgpu::WgpuBackend;
-use welkin::gpu::{Backend, Format, RowOrder, Target, TextureDesc};
-use welkin::{Error, Method, PictureRenderer, PictureSettings, Scene, SkyRenderer, SkySettings};
+use welkin::gpu::{Backend, Format, Pass, RowOrder, Target, TextureDesc, TextureId};
+use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
+use welkin::{Mode, PictureRenderer, PictureSettings, Scene, SkyRenderer, SkySettings};
+
+use crate::harness::world::BEHIND;
+use crate::harness::{
+    View, aerial_passes, assert_physical, background_passes, cleared, copy_pass, draw, earth, free, picture,
+    picture_passes, query, rgb, shell_passes, texture,
+};
 
 const SIZE: u32 = 32;
 
-fn scene() -> Scene {
+pub fn scene() -> Scene {
     View { pitch: 10.0, ..View::default() }.scene()
 }
 
 /// The background by a backend of welkin's own, RGBA8.
-fn own(backend: &mut dyn Backend) -> Vec<f32> {
-    let color = backend.create_texture(&TextureDesc::new("own", SIZE, SIZE, Format::Rgba8)).unwrap();
-    let target = Target { clear: Some([0.0, 0.0, 0.0, 1.0]), ..Target::color(color) };
+pub fn own(backend: &mut dyn Backend) -> Vec<f32> {
+    let color = texture(backend, "own", [SIZE, SIZE], Format::Rgba8);
     let mut sky = SkyRenderer::new(SkySettings::default()).unwrap();
-    let passes = sky.background(backend, &scene(), target).unwrap().to_vec();
+    let passes = background_passes(backend, &mut sky, &scene(), cleared(color));
     backend.run(&passes).unwrap();
     let pixels = backend.read(color).unwrap();
     backend.destroy_texture(color);
@@ -45,13 +48,7 @@ fn tables_of_16_bits_hold_the_light() {
     for (altitude, pitch) in [(2.0, 10.0), (30e3, -4.0), (4e5, -18.0), (1e7, -90.0)] {
         for sun_elevation in [40.0, 2.0, -4.0] {
             let scene = View { altitude, pitch, sun_elevation, ..View::default() }.scene();
-            let draw = |backend: &mut WgpuBackend| {
-                let mut renderer = PictureRenderer::default();
-                let drawn = renderer.draw(backend, &scene, &settings, [SIZE, SIZE]).unwrap();
-                let pixels = backend.read(drawn.radiance).unwrap();
-                renderer.destroy(backend);
-                pixels
-            };
+            let draw = |backend: &mut WgpuBackend| picture(backend, &scene, &settings, [SIZE, SIZE]);
             let [got, want] = [draw(&mut poor), draw(&mut rich)];
             let brightest = want.chunks_exact(4).flat_map(|p| &p[..3]).fold(0.0_f32, |m, v| m.max(*v));
             for (got, want) in got.iter().zip(&want) {
@@ -88,13 +85,13 @@ fn a_wgpu_user_hands_in_device_queue_encoder_and_view() {
         mapped_at_creation: false,
     });
 
-    let mut backend = WgpuBackend::from_device(device.clone(), queue.clone(), &adapter.get_info().name).unwrap();
+    let mut backend =
+        WgpuBackend::from_device(device.clone(), queue.clone(), &adapter.get_info().name).unwrap();
     let mut sky = SkyRenderer::new(SkySettings::default()).unwrap();
     let desc = TextureDesc::new("user's target", SIZE, SIZE, Format::Bgra8);
     let id = backend.import_view(texture.create_view(&Default::default()), desc).unwrap();
     let mut encoder = device.create_command_encoder(&Default::default());
-    let target = Target { clear: Some([0.0, 0.0, 0.0, 1.0]), ..Target::color(id) };
-    let passes = sky.background(&mut backend, &scene(), target).unwrap().to_vec();
+    let passes = background_passes(&mut backend, &mut sky, &scene(), cleared(id));
     backend.encode(&mut encoder, &passes).unwrap();
     encoder.copy_texture_to_buffer(
         texture.as_image_copy(),
@@ -213,14 +210,24 @@ fn a_webgl2_user_gets_the_contexts_state_back() {
         gl.active_texture(glow::TEXTURE3);
         let framebuffer = gl.create_framebuffer().unwrap();
         gl.bind_framebuffer(glow::FRAMEBUFFER, Some(framebuffer));
-        gl.framebuffer_texture_2d(glow::FRAMEBUFFER, glow::COLOR_ATTACHMENT0, glow::TEXTURE_2D, Some(color), 0);
+        gl.framebuffer_texture_2d(
+            glow::FRAMEBUFFER,
+            glow::COLOR_ATTACHMENT0,
+            glow::TEXTURE_2D,
+            Some(color),
+            0,
+        );
         let buffer = gl.create_buffer().unwrap();
         gl.bind_buffer_base(glow::UNIFORM_BUFFER, 1, Some(buffer));
         gl.viewport(3, 4, 5, 6);
         gl.clear_color(0.1, 0.2, 0.3, 0.4);
-        for switch in
-            [glow::SCISSOR_TEST, glow::DEPTH_TEST, glow::CULL_FACE, glow::STENCIL_TEST, glow::POLYGON_OFFSET_FILL]
-        {
+        for switch in [
+            glow::SCISSOR_TEST,
+            glow::DEPTH_TEST,
+            glow::CULL_FACE,
+            glow::STENCIL_TEST,
+            glow::POLYGON_OFFSET_FILL,
+        ] {
             gl.enable(switch);
         }
         gl.scissor(1, 1, 2, 2);
@@ -239,24 +246,23 @@ fn a_webgl2_user_gets_the_contexts_state_back() {
     assert_eq!(state(&gl), before, "making the backend changed the state");
 
     // The sky into the user's framebuffer, whose rows run upwards.
-    let desc =
-        TextureDesc { rows: RowOrder::BottomUp, ..TextureDesc::new("user's framebuffer", SIZE, SIZE, Format::Rgba8) };
+    let desc = TextureDesc {
+        rows: RowOrder::BottomUp,
+        ..TextureDesc::new("user's framebuffer", SIZE, SIZE, Format::Rgba8)
+    };
     let id = backend.import_framebuffer(Some(framebuffer), desc).unwrap();
-    let target = Target { clear: Some([0.0, 0.0, 0.0, 1.0]), ..Target::color(id) };
     let mut sky = SkyRenderer::new(SkySettings::default()).unwrap();
-    let passes = sky.background(&mut backend, &scene(), target).unwrap().to_vec();
+    let passes = background_passes(&mut backend, &mut sky, &scene(), cleared(id));
     backend.run(&passes).unwrap();
     assert_eq!(state(&gl), before, "drawing changed the state");
 
-    let mut picture = PictureRenderer::default();
-    let drawn = picture.draw(&mut backend, &scene(), &PictureSettings::default(), [16, 16]).unwrap();
-    let _ = backend.read(drawn.radiance).unwrap();
-    let (passes, _) = picture.passes(&mut backend, &scene(), &PictureSettings::default(), [16, 16]).unwrap();
-    let passes = passes.to_vec();
+    let mut renderer = PictureRenderer::default();
+    let _ = draw(&mut backend, &mut renderer, &scene(), &PictureSettings::default(), [16, 16]);
+    let passes = picture_passes(&mut backend, &mut renderer, &scene(), &PictureSettings::default(), [16, 16]);
     let _ = backend.times(&passes).unwrap();
     let scratch = backend.create_texture(&TextureDesc::new("scratch", 2, 2, Format::Rgba32Float)).unwrap();
     backend.write_texture(scratch, &[1.0; 16]).unwrap();
-    picture.destroy(&mut backend);
+    renderer.destroy(&mut backend);
     assert_eq!(state(&gl), before, "a whole picture, reading and timing changed the state");
 
     // The user's framebuffer holds the picture upside down in memory, which is the right way up there.
@@ -274,69 +280,241 @@ fn a_webgl2_user_gets_the_contexts_state_back() {
     }
 }
 
-#[test]
-fn a_lost_device_is_an_error_and_a_new_one_works() {
-    let mut backend = WgpuBackend::headless().unwrap();
-    let want = own(&mut backend);
-    backend.device().destroy();
-    let color = TextureDesc::new("after", 4, 4, Format::Rgba8);
-    let lost = backend.create_texture(&color).map(|_| ()).or_else(|_| {
-        let mut sky = PictureRenderer::default();
-        sky.draw(&mut backend, &scene(), &PictureSettings::default(), [4, 4]).map(|_| ())
-    });
-    println!("{lost:?}");
-    assert!(matches!(lost, Err(Error::Lost { .. } | Error::Driver { .. })), "{lost:?}");
-    assert!(matches!(backend.run(&[]), Err(Error::Lost { .. })), "the loss is not remembered");
-    assert_eq!(own(&mut WgpuBackend::headless().unwrap()), want);
+// --- the four modes
 
-    let mut headless = Headless::new().unwrap();
-    let want = own(&mut headless.backend);
-    headless.backend.set_lost("told by the browser");
-    assert!(matches!(headless.backend.run(&[]), Err(Error::Lost { .. })));
-    drop(headless);
-    assert_eq!(own(&mut Headless::new().unwrap().backend), want);
+/// A user with a device and textures of their own.
+trait User {
+    fn backend(&mut self) -> &mut dyn Backend;
+    /// A texture of the user's with four values in each texel (or one), made known.
+    fn texture(&mut self, channels: usize, texels: &[f32]) -> TextureId;
+    /// Records passes into a frame of the user's and submits it.
+    fn frame(&mut self, passes: &[Pass]);
 }
 
-#[test]
-fn a_window_less_context_outlives_those_that_come_and_go() {
-    let mut first = Headless::new().unwrap();
-    let want = own(&mut first.backend);
-    for _ in 0..3 {
-        assert_eq!(own(&mut Headless::new().unwrap().backend), want);
-        let mut second = Headless::new().unwrap();
-        first.make_current().unwrap();
-        assert_eq!(own(&mut first.backend), want);
-        second.make_current().unwrap();
-        assert_eq!(own(&mut second.backend), want);
-        drop(second);
-        first.make_current().unwrap();
-        assert_eq!(own(&mut first.backend), want);
-    }
-    // One that is dropped while another is current leaves that one what it draws with, once it is asked for.
-    let second = Headless::new().unwrap();
-    drop(first);
-    second.make_current().unwrap();
+const SIDE: u32 = 8;
+const TEXELS: usize = 64;
+
+struct WgpuUser {
+    device: wgpu::Device,
+    queue: wgpu::Queue,
+    backend: WgpuBackend,
 }
 
-#[test]
-fn nothing_leaks_over_many_sizes_and_settings() {
-    on_both(|backend| {
-        let mut renderer = PictureRenderer::default();
-        let mut settings = PictureSettings { terrain: None, ..Default::default() };
-        settings.sky.method = Method::Single { view_samples: 2, light_samples: 1 };
-        let mut draw = |backend: &mut dyn Backend, i: u32| {
-            settings.sky.render_scale = if i.is_multiple_of(2) { 1.0 } else { 0.5 };
-            renderer.draw(backend, &scene(), &settings, [1 + i % 13, 1 + i % 7]).unwrap();
+impl WgpuUser {
+    fn new() -> Self {
+        let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
+        let adapter =
+            pollster::block_on(instance.request_adapter(&Default::default())).expect("a Vulkan driver");
+        let desc = wgpu::DeviceDescriptor {
+            required_features: adapter.features() & wgpu::Features::FLOAT32_BLENDABLE,
+            ..Default::default()
         };
-        (0..4).for_each(|i| draw(backend, i));
-        let after_few = backend.live();
-        (0..1000).for_each(|i| draw(backend, i));
-        (0..4).for_each(|i| draw(backend, i));
-        assert_eq!(backend.live(), after_few);
-        renderer.destroy(backend);
-        let left = backend.live();
-        assert_eq!((left.textures, left.framebuffers), (0, 0));
-        // Passes without textures (the sky's and the sun's) keep their bind groups with their programs.
-        assert!(left.bind_groups <= 2, "{left:?}");
-    });
+        let (device, queue) = pollster::block_on(adapter.request_device(&desc)).unwrap();
+        let backend =
+            WgpuBackend::from_device(device.clone(), queue.clone(), &adapter.get_info().name).unwrap();
+        Self { device, queue, backend }
+    }
+}
+
+impl User for WgpuUser {
+    fn backend(&mut self) -> &mut dyn Backend {
+        &mut self.backend
+    }
+
+    fn texture(&mut self, channels: usize, texels: &[f32]) -> TextureId {
+        let (format, own) = if channels == 1 {
+            (Format::R32Float, wgpu::TextureFormat::R32Float)
+        } else {
+            (Format::Rgba32Float, wgpu::TextureFormat::Rgba32Float)
+        };
+        let extent = wgpu::Extent3d { width: SIDE, height: SIDE, depth_or_array_layers: 1 };
+        let texture = self.device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("user's"),
+            size: extent,
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: own,
+            usage: wgpu::TextureUsages::RENDER_ATTACHMENT
+                | wgpu::TextureUsages::TEXTURE_BINDING
+                | wgpu::TextureUsages::COPY_DST,
+            view_formats: &[],
+        });
+        let bytes: Vec<u8> = texels.iter().flat_map(|v| v.to_ne_bytes()).collect();
+        let row = Some(SIDE * 4 * channels as u32);
+        let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: row, rows_per_image: None };
+        self.queue.write_texture(texture.as_image_copy(), &bytes, layout, extent);
+        let view = texture.create_view(&Default::default());
+        self.backend.import_view(view, TextureDesc::new("user's", SIDE, SIDE, format)).unwrap()
+    }
+
+    fn frame(&mut self, passes: &[Pass]) {
+        let mut encoder = self.device.create_command_encoder(&Default::default());
+        self.backend.encode(&mut encoder, passes).unwrap();
+        self.queue.submit([encoder.finish()]);
+    }
+}
+
+struct GlUser {
+    backend: WebGlBackend,
+    _context: Headless,
+}
+
+impl User for GlUser {
+    fn backend(&mut self) -> &mut dyn Backend {
+        &mut self.backend
+    }
+
+    fn texture(&mut self, channels: usize, texels: &[f32]) -> TextureId {
+        let gl = self.backend.context().clone();
+        let bytes: Vec<u8> = texels.iter().flat_map(|v| v.to_ne_bytes()).collect();
+        let (format, internal, layout) = if channels == 1 {
+            (Format::R32Float, glow::R32F, glow::RED)
+        } else {
+            (Format::Rgba32Float, glow::RGBA32F, glow::RGBA)
+        };
+        let side = SIDE as i32;
+        // SAFETY: plain calls on the current context; the slice holds as many bytes as the texture.
+        let texture = unsafe {
+            let texture = gl.create_texture().unwrap();
+            gl.bind_texture(glow::TEXTURE_2D, Some(texture));
+            gl.tex_storage_2d(glow::TEXTURE_2D, 1, internal, side, side);
+            for filter in [glow::TEXTURE_MIN_FILTER, glow::TEXTURE_MAG_FILTER] {
+                gl.tex_parameter_i32(glow::TEXTURE_2D, filter, glow::NEAREST as i32);
+            }
+            let data = glow::PixelUnpackData::Slice(Some(&bytes));
+            gl.tex_sub_image_2d(glow::TEXTURE_2D, 0, 0, 0, side, side, layout, glow::FLOAT, data);
+            gl.bind_texture(glow::TEXTURE_2D, None);
+            texture
+        };
+        self.backend.import_texture(texture, TextureDesc::new("user's", SIDE, SIDE, format)).unwrap()
+    }
+
+    fn frame(&mut self, passes: &[Pass]) {
+        self.backend.run(passes).unwrap();
+    }
+}
+
+/// A copy of a user's texture, read.
+fn content(user: &mut dyn User, id: TextureId) -> Vec<f32> {
+    let b = user.backend();
+    let copy = texture(b, "copy", [SIDE; 2], Format::Rgba32Float);
+    let pass = copy_pass(b, id, copy);
+    b.run(&[pass]).unwrap();
+    let pixels = b.read(copy).unwrap();
+    b.destroy_texture(copy);
+    pixels
+}
+
+/// What is behind the air in the user's frame.
+/// The left half of the picture shows a plane so far away, m.
+const PLANE: f64 = 20e3;
+
+#[test]
+fn each_mode_draws_in_a_users_own_frame() {
+    let view = View { altitude: 30e3, pitch: -5.0, fov: 60.0, sun_elevation: 35.0, ..View::default() };
+    let scene = view.scene();
+    let size = [SIDE; 2];
+    let is_plane = |i: usize| i % 8 < 4;
+    // The reference's light and transmittance: once scattered, and of all orders.
+    let want: Vec<_> = (0..TEXELS)
+        .map(|i| {
+            let mut q = query(&scene, size, i);
+            if is_plane(i) {
+                q = q.ended_at(PLANE / q.direction.dot(scene.validate().unwrap().basis.forward));
+            }
+            let tolerance = Tolerance { relative: 1e-4 };
+            let once = single_scattering(&scene.atmosphere, &q, Sun::Point, tolerance).unwrap();
+            let all = earth().radiance(&q, tolerance).unwrap();
+            let sun = scene.atmosphere.sun_intensity;
+            let air = std::array::from_fn(|c| (all.per_irradiance[c] - all.ground[c]) * sun);
+            ([once.radiance, air], once.transmittance, q)
+        })
+        .collect();
+    let is_ground = |i: usize| !is_plane(i) && hits(&scene, &want[i].2);
+    assert!((0..TEXELS).any(is_ground) && (0..TEXELS).any(|i| !is_plane(i) && !is_ground(i)));
+    let plain: Vec<f32> = BEHIND.repeat(TEXELS);
+    let stored: Vec<f32> = (0..TEXELS)
+        .map(|i| if is_plane(i) { scene.depth.encode(PLANE) } else { scene.depth.background() } as f32)
+        .collect();
+    let users: [Box<dyn User>; 2] = [Box::new(WgpuUser::new()), {
+        let context = Headless::new().expect("EGL with OpenGL ES 3");
+        let backend = WebGlBackend::new(context.backend.context().clone()).unwrap();
+        Box::new(GlUser { backend, _context: context })
+    }];
+    for mut user in users {
+        let user = user.as_mut();
+        let name = user.backend().info().backend;
+        for mode in Mode::ALL {
+            let mut sky = SkyRenderer::new(without_disk(mode.settings())).unwrap();
+            let (color, depth) = (user.texture(4, &plain), user.texture(1, &stored));
+            let out = user.texture(4, &[0.0; 4 * TEXELS]);
+            let passes = background_passes(user.backend(), &mut sky, &scene, Target::color(color));
+            let expected = [1, 0, 0, 1][mode as usize];
+            assert_eq!(passes.len() - tables_in(&passes), expected, "{}: background", mode.name());
+            assert_eq!(tables_in(&passes) > 0, mode == Mode::Lut);
+            user.frame(&passes);
+            // Then the user draws the plane.
+            let mut drawn = content(user, color);
+            (0..TEXELS)
+                .filter(|&i| is_plane(i))
+                .for_each(|i| drawn[4 * i..4 * i + 4].copy_from_slice(&BEHIND));
+            let drawn_color = user.texture(4, &drawn);
+            let passes = aerial_passes(user.backend(), &mut sky, &scene, [drawn_color, depth, out]);
+            assert_eq!(
+                passes.len() - tables_in(&passes),
+                [0, 1, 0, 1][mode as usize],
+                "{}: aerial",
+                mode.name()
+            );
+            user.frame(&passes);
+            let after = passes.last().map_or(drawn_color, |p| p.target.color);
+            let passes = shell_passes(user.backend(), &mut sky, &scene, depth, Target::color(after));
+            assert_eq!(passes.len(), usize::from(mode == Mode::Planet), "{}: shell", mode.name());
+            user.frame(&passes);
+            let pixels = content(user, after);
+            assert_physical(&pixels, mode.name());
+            let mut worst = 0.0_f64;
+            for (i, (light, through, _)) in want.iter().enumerate() {
+                let light = light[usize::from(mode == Mode::Lut)];
+                let grey = through.iter().sum::<f64>() / 3.0;
+                let got = rgb(&pixels, i);
+                for c in 0..3 {
+                    let behind = f64::from(BEHIND[c]);
+                    let want = match mode {
+                        Mode::SkyDome if is_plane(i) || is_ground(i) => behind,
+                        Mode::SkyDome | Mode::Planet => behind * grey + light[c],
+                        Mode::AtmospherePost => behind * through[c] + light[c],
+                        Mode::Lut if is_plane(i) || is_ground(i) => behind * through[c] + light[c],
+                        Mode::Lut => behind * grey + light[c],
+                    };
+                    worst = worst.max((got[c] / want - 1.0).abs());
+                    assert!(
+                        (got[c] / want - 1.0).abs() < 0.03,
+                        "{name} {} {i} {c}: {got:?} {want}",
+                        mode.name()
+                    );
+                }
+            }
+            println!("{name} {}: largest deviation {worst:.4}", mode.name());
+            let b = user.backend();
+            sky.destroy(b);
+            free(b, [color, depth, out, drawn_color]);
+            assert_eq!(b.live().textures, 0, "{}", mode.name());
+        }
+    }
+}
+
+/// How many passes fill tables.
+
+/// How many passes fill tables.
+fn tables_in(passes: &[Pass]) -> usize {
+    passes.iter().filter(|p| p.label.ends_with("LUT")).count()
+}
+
+/// Whether a ray ends on the ground.
+fn hits(scene: &Scene, q: &RayQuery) -> bool {
+    let radius = scene.atmosphere.planet_radius;
+    let horizon = -(1.0 - (radius / (radius + q.altitude)).powi(2)).sqrt();
+    q.direction.z < horizon
 }

@@ -1,24 +1,18 @@
-//! Light for a scene of one's own: the seven behaviours of the constants, and the physical light against other
-//! programs' numbers, on both backends.
-#![cfg(all(feature = "egl", feature = "translate", feature = "reference"))]
-#![allow(clippy::needless_range_loop)] // Loops over the three channels index several arrays.
+//! Light for a scene of one's own: the seven behaviours of the constants, and the physical light against
+//! other programs' numbers, on both backends.
 
-mod common;
-#[path = "support/tables.rs"]
-mod tables;
-
-use common::{View, on_both};
 use glam::{DVec3, Vec3};
-use tables::{Differences, Table, medium};
-use welkin::gpu::Backend;
-use welkin::reference::multiple::{Orders, Settings};
+use welkin::gpu::{Backend, Format, Target};
+use welkin::reference::multiple::Settings;
 use welkin::reference::single::{RayQuery, Tolerance};
-use welkin::render::sky_light::{
-    AtmosphereConfig, LightingContext, LightingContextUniform, SkyHarmonics, SkyLight, lighting_context_at_altitude,
-    modulate_ambient_by_sun, sunlight,
-};
+use welkin::model::lighting::{lighting_context_at_altitude, modulate_ambient_by_sun};
+use welkin::model::sunlight::sunlight;
+use welkin::render::sky_light::SkyHarmonics;
 use welkin::shaders::{LIGHTING_WGSL, translate};
-use welkin::{AtmosphereParams, Error, LutSettings, Method, SkyRenderer, SkySettings};
+use welkin::{AtmosphereParams, Error, LutSettings, Quality, PictureRenderer, PictureSettings, SkyRenderer, SkySettings, TerrainStyle};
+
+use crate::harness::tables::{Differences, Table, medium};
+use crate::harness::{View, background_passes, draw, on_both, orders, rgb, target};
 
 // --- by constants
 
@@ -26,7 +20,10 @@ use welkin::{AtmosphereParams, Error, LutSettings, Method, SkyRenderer, SkySetti
 fn ambient_light_is_zero_in_space() {
     let space = LightingContext::space();
     assert_eq!(space.ambient_color * space.ambient_intensity, Vec3::ZERO);
-    assert_eq!((space.ambient_color, space.ambient_intensity, space.atmosphere_density), (Vec3::ZERO, 0.0, 0.0));
+    assert_eq!(
+        (space.ambient_color, space.ambient_intensity, space.atmosphere_density),
+        (Vec3::ZERO, 0.0, 0.0)
+    );
 }
 
 #[test]
@@ -71,7 +68,10 @@ fn transition_altitude_is_configurable() {
 fn assert_valid(c: &LightingContext) {
     assert!(c.ambient_color.is_finite() && c.ambient_color.cmpge(Vec3::ZERO).all(), "{c:?}");
     assert!(c.ambient_intensity.is_finite() && c.ambient_intensity >= 0.0, "{c:?}");
-    assert!((0.0..=1.0).contains(&c.shadow_min_light) && (0.0..=1.0).contains(&c.atmosphere_density), "{c:?}");
+    assert!(
+        (0.0..=1.0).contains(&c.shadow_min_light) && (0.0..=1.0).contains(&c.atmosphere_density),
+        "{c:?}"
+    );
 }
 
 #[test]
@@ -106,11 +106,16 @@ fn transition_is_smooth() {
 #[test]
 fn gpu_uniform_struct_size() {
     assert_eq!(size_of::<LightingContextUniform>(), 32);
-    let (members, size) = translate::module_layout(LIGHTING_WGSL, "LightingContext").unwrap().unwrap();
-    let ours: Vec<_> = LightingContextUniform::offsets().into_iter().map(|(n, o)| (n.to_owned(), o)).collect();
+    let text = LIGHTING_WGSL;
+    let (members, size) = translate::module_layout(text, "LightingContext").unwrap().unwrap();
+    let ours: Vec<_> =
+        LightingContextUniform::offsets().into_iter().map(|(n, o)| (n.to_owned(), o)).collect();
     assert_eq!((members, size), (ours, 32));
     let uniform = LightingContextUniform::from(&LightingContext::earth_like_surface());
-    assert!((Vec3::from_slice(&uniform.ambient_shadow) - Vec3::new(0.06, 0.075, 0.105)).abs().max_element() < 1e-7);
+    assert!(
+        (Vec3::from_slice(&uniform.ambient_shadow) - Vec3::new(0.06, 0.075, 0.105)).abs().max_element()
+            < 1e-7
+    );
     assert_eq!((uniform.ambient_shadow[3], uniform.atmosphere_padding), (0.08, [1.0, 0.0, 0.0, 0.0]));
 }
 
@@ -118,15 +123,14 @@ fn gpu_uniform_struct_size() {
 
 /// The light of a medium's sky, from the tables of a frame.
 fn sky_light(b: &mut dyn Backend, params: &AtmosphereParams, lut: LutSettings) -> SkyLight {
-    use welkin::gpu::{Format, Target, TextureDesc};
     let scene = View { params: params.clone(), pitch: 30.0, ..View::default() }.scene();
-    let settings = SkySettings { method: Method::Lut(lut), ..SkySettings::default() };
+    let settings = SkySettings { quality: Quality::Luts(lut), ..SkySettings::default() };
     let mut sky = SkyRenderer::new(settings).unwrap();
-    assert!(sky.begin_sky_light(b, &scene).unwrap().is_none(), "light before there are tables");
-    let target = b.create_texture(&TextureDesc::new("target", 4, 4, Format::Rgba32Float)).unwrap();
-    let passes = sky.background(b, &scene, Target::color(target)).unwrap().to_vec();
+    assert!(sky.begin_sky_light(b).unwrap().is_none(), "light before there are tables");
+    let target = target(b, [4, 4]);
+    let passes = background_passes(b, &mut sky, &scene, Target::color(target));
     b.run(&passes).unwrap();
-    let read = sky.begin_sky_light(b, &scene).unwrap().unwrap();
+    let read = sky.begin_sky_light(b).unwrap().unwrap();
     let light = read.poll(b).unwrap().unwrap();
     sky.destroy(b);
     b.destroy_texture(target);
@@ -155,8 +159,10 @@ fn ground_irradiance_is_the_monte_carlos() {
                     let beam = sunlight(&params, 0.0, sine).unwrap()[c] * sine;
                     let want = table.number(row, "direct_horizontal_irradiance_rel");
                     direct.add((beam - want).abs() / want.max(1e-3), row);
-                    let (sky, want) =
-                        (light.ground_irradiance(sine).unwrap()[c], table.number(row, "mc_diffuse_irradiance_rel"));
+                    let (sky, want) = (
+                        light.ground_irradiance(sine).unwrap()[c],
+                        table.number(row, "mc_diffuse_irradiance_rel"),
+                    );
                     diffuse.add((sky / want - 1.0).abs(), row);
                 }
             }
@@ -173,7 +179,7 @@ fn ground_irradiance_is_the_monte_carlos() {
 #[test]
 fn harmonics_are_the_references() {
     let params = AtmosphereParams { sun_intensity: 1.0, ..AtmosphereParams::rayleigh() };
-    let orders = Orders::solve(&params, Settings::QUICK.for_medium(&params), |_| {}).unwrap();
+    let orders = orders(&params, Settings::QUICK.for_medium(&params));
     // Gauss's rule would straddle the horizon: midpoints on either side of it.
     let truth = |altitude: f64, sun: f64| {
         let mut sum = [[0.0; 3]; 9];
@@ -185,8 +191,8 @@ fn harmonics_are_the_references() {
                 let u = (f64::from(z) + 0.5) / f64::from(zeniths);
                 let (near, far) = if to == horizon { (to, from) } else { (from, to) };
                 let mu = near + (far - near) * u * u;
-                let weight =
-                    (far - near).abs() * 2.0 * u / f64::from(zeniths) * std::f64::consts::PI / f64::from(azimuths);
+                let weight = (far - near).abs() * 2.0 * u / f64::from(zeniths) * std::f64::consts::PI
+                    / f64::from(azimuths);
                 for a in 0..azimuths {
                     let azimuth = (f64::from(a) + 0.5) / f64::from(azimuths) * std::f64::consts::PI;
                     let q = RayQuery::new(altitude, mu.acos(), sun.to_radians(), azimuth);
@@ -224,12 +230,13 @@ fn harmonics_are_the_references() {
     });
 }
 
-/// Light of the Earth's sky on level ground at ten elevations of the sun, against the f64 reference of all orders.
+/// Light of the Earth's sky on level ground at ten elevations of the sun, against the f64 reference of all
+/// orders.
 #[test]
 fn ambient_light_is_the_references_at_ten_elevations() {
     use std::f64::consts::PI;
     let params = AtmosphereParams { sun_intensity: 1.0, ..AtmosphereParams::earth() };
-    let orders = Orders::solve(&params, Settings::QUICK.for_medium(&params), |_| {}).unwrap();
+    let orders = orders(&params, Settings::QUICK.for_medium(&params));
     // Midpoints, denser around the sun's azimuth.
     let (zeniths, azimuths) = (48, 24);
     let truth = |elevation: f64| {
@@ -283,7 +290,10 @@ fn physical_contexts_follow_altitude_and_sun() {
         assert!(noon.ambient_color.z > 1.5 * noon.ambient_color.x, "a blue sky: {noon:?}");
         assert!((0.05..0.4).contains(&noon.shadow_min_light), "{noon:?}");
         // After sunset all light is the sky's.
-        assert!(dusk.shadow_min_light > 0.999 && dusk.ambient_color.z < 0.05 * noon.ambient_color.z, "{dusk:?}");
+        assert!(
+            dusk.shadow_min_light > 0.999 && dusk.ambient_color.z < 0.05 * noon.ambient_color.z,
+            "{dusk:?}"
+        );
         assert!(night.ambient_color.max_element() < 1e-6 * noon.ambient_color.max_element(), "{night:?}");
         assert!(space.atmosphere_density == 0.0 && noon.atmosphere_density == 1.0);
         // The sun through more air is redder, and gone behind the planet.
@@ -304,11 +314,10 @@ fn physical_contexts_follow_altitude_and_sun() {
     });
 }
 
-/// What the demonstration's ground looks like from just above: its albedo times all light that falls on it, over pi.
+/// What the demonstration's ground looks like from just above: its albedo times all light that falls on it,
+/// over pi.
 #[test]
 fn the_ground_has_the_light_of_its_sky() {
-    use welkin::gpu::Format;
-    use welkin::{PictureRenderer, PictureSettings, TerrainStyle};
     let table = Table::read("mc_ground_irradiance.csv");
     // White and flat, without a sea.
     let style = TerrainStyle {
@@ -322,12 +331,16 @@ fn the_ground_has_the_light_of_its_sky() {
     on_both(|b| {
         let mut all = Differences::default();
         for (name, albedo) in [("rayleigh", "0"), ("earth", "0.3")] {
-            let params =
-                AtmosphereParams { ground_albedo: [albedo.parse().unwrap(); 3], sun_intensity: 1.0, ..medium(name) };
+            let params = AtmosphereParams {
+                ground_albedo: [albedo.parse().unwrap(); 3],
+                sun_intensity: 1.0,
+                ..medium(name)
+            };
             let mut renderer = PictureRenderer::default();
             for row in &table.rows {
                 let sun = table.number(row, "sun_zenith_deg");
-                if table.text(row, "atmosphere") != name || table.text(row, "albedo") != albedo || sun > 89.0 {
+                if table.text(row, "atmosphere") != name || table.text(row, "albedo") != albedo || sun > 89.0
+                {
                     continue;
                 }
                 let view = View {
@@ -342,9 +355,9 @@ fn the_ground_has_the_light_of_its_sky() {
                     radiance: Format::Rgba32Float,
                     ..PictureSettings::default()
                 };
-                let drawn = renderer.draw(b, &view.scene(), &settings, [8, 8]).unwrap();
+                let pixels = draw(b, &mut renderer, &view.scene(), &settings, [8, 8]);
                 let c = table.channel(row);
-                let got = f64::from(b.read(drawn.radiance).unwrap()[4 * 27 + c]);
+                let got = rgb(&pixels, 27)[c];
                 let want = table.number(row, "direct_horizontal_irradiance_rel")
                     + table.number(row, "mc_diffuse_irradiance_rel");
                 all.add((got * std::f64::consts::PI / want - 1.0).abs(), row);

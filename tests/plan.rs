@@ -1,17 +1,16 @@
 //! What a plan leaves out: why, how little it changes, and that nothing is made for it. On both backends.
 //!
-//! `WELKIN_PLAN_SCENES=2000 cargo test --release --features cli --test plan -- --nocapture` tries more random scenes
-//! and prints the largest changes.
-#![cfg(all(feature = "egl", feature = "translate", feature = "reference"))]
-
-mod common;
+//! `WELKIN_SCENES=2000 cargo test --test all plan -- --nocapture` tries more random scenes and prints the
+//! largest changes.
 
 use std::collections::BTreeMap;
 
-use common::{View, on_both};
-use welkin::gpu::{Backend, DepthUse, Format, Inputs, Pass, Target, TextureDesc, Uniform};
-use welkin::{
-    AtmosphereParams, Bound, Composition, EffectPlan, LutSettings, Method, MiePhase, SkyRenderer, SkySettings,
+use welkin::gpu::{Backend, Target};
+use welkin::{AtmosphereParams, Bound, Composition, Frame, LutSettings, Quality, MiePhase, SkyRenderer, SkySettings};
+
+use crate::harness::{
+    View, aerial_passes, airless, asked_for, background_passes, clear_pass, frame_textures, free, march,
+    on_both, shell_passes,
 };
 
 const SIZE: [u32; 2] = [12, 9];
@@ -26,43 +25,29 @@ struct Case {
 }
 
 impl Case {
-    fn plan(&self) -> EffectPlan {
-        EffectPlan::new(&self.view.scene(), &self.sky, SIZE).unwrap()
+    fn plan(&self) -> Frame {
+        Frame::new(&self.view.scene(), &self.sky, SIZE).unwrap()
     }
 
     /// Radiance, and the bound that the plan had.
     fn draw(&self, b: &mut dyn Backend, sky: &mut SkyRenderer, bound: Option<Bound>) -> Vec<f32> {
         sky.set_settings(SkySettings { bound, ..self.sky }).unwrap();
         let scene = self.view.scene();
-        let make = |b: &mut dyn Backend, label, format| {
-            b.create_texture(&TextureDesc::new(label, SIZE[0], SIZE[1], format)).unwrap()
-        };
-        let color = make(b, "color", Format::Rgba32Float);
-        let depth = make(b, "depth", Format::R32Float);
-        let out = make(b, "out", Format::Rgba32Float);
-        let stored = |z: f64| if z.is_finite() { scene.depth.encode(z) } else { scene.depth.background() } as f32;
+        let [color, depth, out] = frame_textures(b, SIZE);
+        let stored =
+            |z: f64| if z.is_finite() { scene.depth.encode(z) } else { scene.depth.background() } as f32;
         let texels = (SIZE[0] * SIZE[1]) as usize;
         // Columns of the plane and of what is behind it.
         let depths: Vec<f32> =
             (0..texels).map(|i| stored(if i % 3 == 0 { self.plane } else { f64::INFINITY })).collect();
         b.write_texture(depth, &depths).unwrap();
         let clear = [self.behind, self.behind, self.behind, 1.0];
-        let mut passes = vec![Pass {
-            label: "clear",
-            program: None,
-            inputs: Inputs::NONE,
-            uniform: Uniform::NONE,
-            target: Target { clear: Some(clear), ..Target::color(color) },
-            depth: DepthUse::Always,
-        }];
-        passes.extend_from_slice(sky.background(b, &scene, Target::color(color)).unwrap());
-        let over = sky.aerial(b, &scene, color, depth, out).unwrap();
-        let done = if over.is_empty() { color } else { out };
-        passes.extend_from_slice(over);
-        passes.extend_from_slice(sky.shell(b, &scene, depth, Target::color(color)).unwrap());
+        let mut passes = vec![clear_pass(color, clear)];
+        let (drawn, done) = frame_passes(b, sky, &scene, Target::color(color), [color, depth, out]);
+        passes.extend(drawn);
         b.run(&passes).unwrap();
         let pixels = b.read(done).unwrap();
-        [color, depth, out].into_iter().for_each(|id| b.destroy_texture(id));
+        free(b, [color, depth, out]);
         pixels
     }
 }
@@ -79,14 +64,20 @@ fn change(b: &mut dyn Backend, case: &Case, renderers: &mut [SkyRenderer; 2]) ->
         (a - b).abs() / ((bound.relative + rounding) * a.max(b) + bound.absolute)
     };
     let worst = some.iter().zip(&all).map(share).fold(0.0, f64::max);
-    let full = EffectPlan::new(&case.view.scene(), &SkySettings { bound: None, ..case.sky }, SIZE).unwrap();
+    let full = Frame::new(&case.view.scene(), &SkySettings { bound: None, ..case.sky }, SIZE).unwrap();
     let plan = case.plan();
-    let off: Vec<_> =
-        plan.effects().iter().zip(full.effects()).filter(|(a, b)| b.on && !a.on).map(|(e, _)| e.name).collect();
+    let off: Vec<_> = plan
+        .effects()
+        .iter()
+        .zip(full.effects())
+        .filter(|(a, b)| b.on && !a.on)
+        .map(|(e, _)| e.name)
+        .collect();
     (worst, off.join(", "))
 }
 
-/// Runs cases on both backends, prints the largest change for every set of effects that was left out, and checks them.
+/// Runs cases on both backends, prints the largest change for every set of effects that was left out, and
+/// checks them.
 fn check(name: &str, cases: &[Case]) -> BTreeMap<String, usize> {
     let mut seen = BTreeMap::new();
     on_both(|b| {
@@ -120,27 +111,23 @@ fn check(name: &str, cases: &[Case]) -> BTreeMap<String, usize> {
     seen
 }
 
-fn single() -> Method {
-    Method::Single { view_samples: 32, light_samples: 8 }
-}
-
 /// Small tables: how exact they are does not matter here.
-fn tables() -> Method {
-    Method::Lut(LutSettings {
-        columns: [24, 12],
-        moments: [12, 8],
-        moment_steps: 4,
+pub fn tables() -> Quality {
+    Quality::Luts(LutSettings {
+        transmittance: [24, 12],
+        multi_scattering: [12, 8],
+        multi_scattering_steps: 4,
         orders: 3,
-        sky: [12, 20],
-        sky_steps: 6,
-        air: [4, 10, 4],
-        air_steps: 1,
+        sky_view: [12, 20],
+        sky_view_steps: 6,
+        aerial: [4, 10, 4],
+        aerial_steps: 1,
     })
 }
 
 /// From the ground to the moon's distance, around to the night side and back down.
-fn flight(method: Method) -> Vec<Case> {
-    let sky = SkySettings { method, bound: Some(Bound::eight_bit(1.0)), ..SkySettings::default() };
+fn flight(method: Quality) -> Vec<Case> {
+    let sky = SkySettings { quality: method, bound: Some(Bound::eight_bit(1.0)), ..SkySettings::default() };
     let up = [2.0, 500.0, 5e3, 14e3, 16e3, 30e3, 49e3, 51e3, 99e3, 101e3, 4e5, 6e6, 3.8e8];
     let leg = |altitude: f64, sun_elevation: f64, pitch: f64| Case {
         view: View { altitude, sun_elevation, pitch, ..View::default() },
@@ -157,10 +144,13 @@ fn flight(method: Method) -> Vec<Case> {
 
 #[test]
 fn a_flight_changes_by_no_more_than_the_bound() {
-    for method in [single(), tables()] {
+    for method in [march(32, 8), tables()] {
         let seen = check(method.name(), &flight(method));
         assert!(seen.keys().any(|off| off.contains("sunlight")), "no night in {seen:?}");
-        assert!(seen.keys().any(|off| off.contains("background sky")), "no sky out of the picture in {seen:?}");
+        assert!(
+            seen.keys().any(|off| off.contains("background sky")),
+            "no sky out of the picture in {seen:?}"
+        );
         assert!(seen.keys().any(|off| off.contains("atmosphere")), "never without the planet in {seen:?}");
     }
 }
@@ -175,7 +165,8 @@ fn random(count: usize) -> Vec<Case> {
             let thickness = params.thickness();
             if i % 3 > 0 {
                 // Every constituent from a billionth of the preset's to twice as much; some have none.
-                let mut scale = || if uniform(0.0, 1.0) < 0.15 { 0.0 } else { 10_f64.powf(uniform(-9.0, 0.3)) };
+                let mut scale =
+                    || if uniform(0.0, 1.0) < 0.15 { 0.0 } else { 10_f64.powf(uniform(-9.0, 0.3)) };
                 params.rayleigh_scattering = params.rayleigh_scattering.map(|v| v * scale());
                 let haze = scale();
                 params.mie_scattering = params.mie_scattering.map(|v| v * haze);
@@ -203,12 +194,20 @@ fn random(count: usize) -> Vec<Case> {
                 sun_elevation: if i % 2 == 0 { uniform(-90.0, 0.0) } else { uniform(-20.0, 90.0) },
                 aspect: 4.0 / 3.0,
             };
-            let method = [single(), tables()][usize::from(uniform(0.0, 1.0) < 0.3)];
+            let method = [march(32, 8), tables()][usize::from(uniform(0.0, 1.0) < 0.3)];
             let composition =
-                [Composition::Full, Composition::SkyDome, Composition::AtmospherePost, Composition::Planet][i / 3 % 4];
-            let bound = [Bound::LINEAR, Bound::eight_bit(1.0), Bound::eight_bit(0.01), Bound::EXACT][i / 7 % 4];
+                [Composition::Full, Composition::SkyDome, Composition::AtmospherePost, Composition::Planet]
+                    [i / 3 % 4];
+            let bound =
+                [Bound::LINEAR, Bound::eight_bit(1.0), Bound::eight_bit(0.01), Bound::EXACT][i / 7 % 4];
             let foreground = i % 5 > 0;
-            let sky = SkySettings { method, composition, foreground, bound: Some(bound), ..SkySettings::default() };
+            let sky =
+                SkySettings {
+                look: Look { composition, foreground, ..Look::default() },
+                quality: method,
+                bound: Some(bound),
+                ..SkySettings::default()
+            };
             let plane = if foreground { 10_f64.powf(uniform(0.0, 7.0)) } else { f64::INFINITY };
             Case { view, sky, plane, behind: [0.0, 0.5][i / 2 % 2] }
         })
@@ -217,23 +216,25 @@ fn random(count: usize) -> Vec<Case> {
 
 #[test]
 fn random_scenes_change_by_no_more_than_the_bound() {
-    let count = std::env::var("WELKIN_PLAN_SCENES").ok().and_then(|n| n.parse().ok()).unwrap_or(160);
+    let count = asked_for("WELKIN_SCENES", 160);
     let seen = check("random", &random(count));
-    for effect in ["rayleigh", "mie", "ozone", "sunlight", "multiple scattering", "sun disk", "background sky"] {
+    for effect in
+        ["rayleigh", "mie", "ozone", "sunlight", "multiple scattering", "sun disk", "background sky"]
+    {
         assert!(seen.keys().any(|off| off.contains(effect)), "{effect} was never left out");
     }
 }
 
-fn plan(view: View, sky: SkySettings) -> EffectPlan {
-    EffectPlan::new(&view.scene(), &sky, SIZE).unwrap()
+fn plan(view: View, sky: SkySettings) -> Frame {
+    Frame::new(&view.scene(), &sky, SIZE).unwrap()
 }
 
 /// Name of every effect that is on.
-fn on(plan: &EffectPlan) -> Vec<&'static str> {
+fn on(plan: &Frame) -> Vec<&'static str> {
     plan.effects().iter().filter(|e| e.on).map(|e| e.name).collect()
 }
 
-fn why(plan: &EffectPlan, name: &str) -> String {
+fn why(plan: &Frame, name: &str) -> String {
     plan.effect(name).unwrap().reason.to_string()
 }
 
@@ -243,33 +244,38 @@ fn scenes_call_for_what_they_should() {
     let ground = View { pitch: 10.0, heading: 180.0, ..View::default() };
     // Day, from the ground.
     let day = plan(ground.clone(), sky);
-    for name in ["rayleigh", "mie", "ozone", "sunlight", "multiple scattering", "background sky", "aerial perspective"]
-    {
+    for name in [
+        "rayleigh",
+        "mie",
+        "ozone",
+        "sunlight",
+        "multiple scattering",
+        "background sky",
+        "aerial perspective",
+    ] {
         assert!(on(&day).contains(&name), "{name}: {}", why(&day, name));
     }
     assert_eq!(why(&day, "planet shell"), "below 15 km the background is all of the sky; camera at 0.1 km");
     assert_eq!(why(&day, "sun disk"), "outside the picture");
     // No air, and no sun in sight: nothing at all.
-    let mut airless = ground.clone();
-    let a = &mut airless.params;
-    for c in [&mut a.rayleigh_scattering, &mut a.mie_scattering, &mut a.mie_absorption, &mut a.ozone_absorption] {
-        *c = [0.0; 3];
-    }
-    let none = plan(airless, sky);
-    assert!(none.passes().is_empty() && on(&none).is_empty(), "{none:?}");
+    let none = plan(View { params: airless(ground.params.clone()), ..ground.clone() }, sky);
+    assert!(none.planned_passes().is_empty() && on(&none).is_empty(), "{none:?}");
     assert_eq!(why(&none, "atmosphere"), "no constituent has a coefficient above 0");
     let off = plan(ground.clone(), SkySettings { enabled: false, ..sky });
-    assert!(off.passes().is_empty() && why(&off, "atmosphere") == "switched off");
+    assert!(off.planned_passes().is_empty() && why(&off, "atmosphere") == "switched off");
     // The hand-over.
     let shell = |altitude| {
         let plan = plan(View { altitude, pitch: -5.0, ..ground.clone() }, sky);
         ["background sky", "planet shell"].map(|n| on(&plan).contains(&n))
     };
-    assert_eq!([14.9e3, 15.1e3, 49.9e3, 50.1e3].map(shell), [[true, false], [true, true], [true, true], [false, true]]);
+    assert_eq!(
+        [14.9e3, 15.1e3, 49.9e3, 50.1e3].map(shell),
+        [[true, false], [true, true], [true, true], [false, true]]
+    );
     // The planet outside the picture: nothing, from just above the air to the moon's distance.
     for altitude in [1.5e5, 4e5, 3.8e8] {
         let away = plan(View { altitude, pitch: 50.0, ..ground.clone() }, sky);
-        assert!(away.passes().is_empty(), "{altitude}: {away:?}");
+        assert!(away.planned_passes().is_empty(), "{altitude}: {away:?}");
         assert_eq!(why(&away, "atmosphere"), "outside the picture");
         let there = plan(View { altitude, pitch: -90.0, ..ground.clone() }, sky);
         assert!(on(&there).contains(&"aerial perspective"), "{altitude}");
@@ -277,9 +283,9 @@ fn scenes_call_for_what_they_should() {
     // Straight down there is no sky; straight up, without a scene, there is nothing before it.
     let down = plan(View { pitch: -90.0, ..ground.clone() }, sky);
     assert_eq!(why(&down, "background sky"), "the planet fills the picture");
-    let up = plan(View { pitch: 60.0, ..ground.clone() }, SkySettings { foreground: false, ..sky });
+    let up = plan(View { pitch: 60.0, ..ground.clone() }, SkySettings { look: Look { foreground: false, ..sky.look }, ..sky });
     assert_eq!(why(&up, "aerial perspective"), "nothing lies before the sky");
-    assert!(!on(&up).contains(&"air table"));
+    assert!(!on(&up).contains(&"aerial LUT"));
     // The sun behind the planet.
     let set = plan(View { heading: 0.0, sun_elevation: -5.0, ..ground.clone() }, sky);
     assert_eq!(why(&set, "sun disk"), "behind the planet");
@@ -287,7 +293,7 @@ fn scenes_call_for_what_they_should() {
 
 #[test]
 fn night_begins_where_the_light_does_not_count() {
-    let sky = |method, bound| SkySettings { method, bound: Some(bound), ..SkySettings::default() };
+    let sky = |method, bound| SkySettings { quality: method, bound: Some(bound), ..SkySettings::default() };
     // Degrees of the sun below the horizontal at which the night begins.
     let begins = |altitude: f64, sky: SkySettings| {
         let pitch = if altitude > 1e5 { -90.0 } else { 0.0 };
@@ -299,12 +305,13 @@ fn night_begins_where_the_light_does_not_count() {
     let seen = Bound::eight_bit(1.0);
     let from_ground = begins(1.7, sky(tables(), seen)).unwrap();
     assert!((16.0..19.0).contains(&from_ground), "{from_ground}");
-    // Marching: where the shadow covers all air in sight, acos(6360 / 6460) twice, even if nothing may change.
-    let covered = begins(0.0, sky(single(), Bound::EXACT)).unwrap();
+    // Marching: where the shadow covers all air in sight, acos(6360 / 6460) twice, even if nothing may
+    // change.
+    let covered = begins(0.0, sky(march(32, 8), Bound::EXACT)).unwrap();
     assert!((covered - 2.0 * (6360.0_f64 / 6460.0).acos().to_degrees()).abs() < 0.2, "{covered}");
     // Deeper for a camera that sees over the horizon, by its dip.
     let dip = (6360.0_f64 / 6390.0).acos().to_degrees();
-    let high = begins(30e3, sky(single(), Bound::EXACT)).unwrap();
+    let high = begins(30e3, sky(march(32, 8), Bound::EXACT)).unwrap();
     assert!((high - covered - dip).abs() < 0.2, "{high} {covered} {dip}");
     // Later in a longer exposure, never in one without end, and never from far away.
     assert!(begins(1.7, sky(tables(), Bound::eight_bit(1e4))).unwrap() > from_ground + 4.0);
@@ -326,7 +333,8 @@ fn eight_bits_show_no_more_than_half_a_step() {
                 for tint in [[1.0, 1.0, 1.0], [0.3, 0.6, 1.0], [1.0, 0.4, 0.1]] {
                     let color = tint.map(|t| t * radiance);
                     let more = color.map(|v| v * (1.0 + bound.relative) + bound.absolute);
-                    let [a, b] = [color, more].map(|c| tone_map(curve, c.map(|v| v * exposure)).map(srgb_encode));
+                    let [a, b] =
+                        [color, more].map(|c| tone_map(curve, c.map(|v| v * exposure)).map(srgb_encode));
                     worst = (0..3).map(|c| (a[c] - b[c]).abs() * 255.0).fold(worst, f64::max);
                 }
             }
@@ -339,20 +347,23 @@ fn eight_bits_show_no_more_than_half_a_step() {
 /// What is off is not compiled, allocated, bound or drawn; and what is drawn is what the plan says.
 #[test]
 fn nothing_is_made_for_what_is_off() {
-    let sky = |method| SkySettings { method, ..SkySettings::default() };
+    let sky = |method| SkySettings { quality: method, ..SkySettings::default() };
     let ground = View { pitch: 10.0, ..View::default() };
     let thin = |scale: f64| {
         let mut view = ground.clone();
         view.params.rayleigh_scattering = view.params.rayleigh_scattering.map(|v| v * scale);
         view.params.ground_albedo = [0.0; 3];
-        View { params: AtmosphereParams { mie_scattering: [0.0; 3], mie_absorption: [0.0; 3], ..view.params }, ..view }
+        View {
+            params: AtmosphereParams { mie_scattering: [0.0; 3], mie_absorption: [0.0; 3], ..view.params },
+            ..view
+        }
     };
     let cases = [
         ("day", ground.clone(), sky(tables())),
-        ("march", ground.clone(), sky(single())),
-        ("half", ground.clone(), SkySettings { render_scale: 0.5, ..sky(single()) }),
+        ("march", ground.clone(), sky(march(32, 8))),
+        ("half", ground.clone(), SkySettings { render_scale: 0.5, ..sky(march(32, 8)) }),
         ("night", View { sun_elevation: -60.0, ..ground.clone() }, sky(tables())),
-        ("night, marched", View { sun_elevation: -60.0, ..ground.clone() }, sky(single())),
+        ("night, marched", View { sun_elevation: -60.0, ..ground.clone() }, sky(march(32, 8))),
         ("away", View { altitude: 4e5, pitch: 60.0, ..ground.clone() }, sky(tables())),
         ("down", View { altitude: 4e5, pitch: -90.0, ..ground.clone() }, sky(tables())),
         ("thin", thin(1e-7), SkySettings { bound: Some(Bound::eight_bit(1.0)), ..sky(tables()) }),
@@ -361,28 +372,24 @@ fn nothing_is_made_for_what_is_off() {
     for (name, view, settings) in cases {
         on_both(|b| {
             let scene = view.scene();
-            let make = |b: &mut dyn Backend, label, format| {
-                b.create_texture(&TextureDesc::new(label, SIZE[0], SIZE[1], format)).unwrap()
-            };
-            let color = make(b, "color", Format::Rgba32Float);
-            let depth = make(b, "depth", Format::R32Float);
-            let out = make(b, "out", Format::Rgba32Float);
+            let [color, depth, out] = frame_textures(b, SIZE);
             let before = b.live();
             let mut renderer = SkyRenderer::new(settings).unwrap();
             let plan = renderer.plan(&scene, SIZE).unwrap();
-            let mut passes = renderer.background(b, &scene, Target::color(color)).unwrap().to_vec();
-            passes.extend_from_slice(renderer.aerial(b, &scene, color, depth, out).unwrap());
+            let (passes, _) =
+                frame_passes(b, &mut renderer, &scene, Target::color(color), [color, depth, out]);
             b.run(&passes).unwrap();
             let live = b.live();
             // The passes, and how often each; the order within the tables is the renderer's.
             let mut wanted: Vec<&str> =
-                plan.passes().iter().flat_map(|p| std::iter::repeat_n(p.label, p.times as usize)).collect();
+                plan.planned_passes().iter().flat_map(|p| std::iter::repeat_n(p.label, p.times as usize)).collect();
             let mut drawn: Vec<&str> = passes.iter().map(|p| p.label).collect();
             wanted.sort_unstable();
             drawn.sort_unstable();
             assert_eq!(drawn, wanted, "{name}");
             // A program for each that the plan names, and no other.
-            let programs: std::collections::HashSet<_> = plan.passes().iter().filter_map(|p| p.program).collect();
+            let programs: std::collections::HashSet<_> =
+                plan.planned_passes().iter().filter_map(|p| p.program).collect();
             assert_eq!(live.programs - before.programs, programs.len(), "{name}: programs");
             // Textures: what the passes draw to and read, besides the user's.
             let mut used: Vec<_> = passes.iter().map(|p| p.target.color).collect();
@@ -391,51 +398,24 @@ fn nothing_is_made_for_what_is_off() {
             used.sort_unstable();
             used.dedup();
             assert_eq!(live.textures - before.textures, used.len(), "{name}: textures");
-            if plan.passes().is_empty() {
+            if plan.planned_passes().is_empty() {
                 assert_eq!(live, before, "{name}: something was made for nothing");
             }
             println!("{} {name}: {} programs, {} textures", b.info().backend, programs.len(), used.len());
             renderer.destroy(b);
-            [color, depth, out].into_iter().for_each(|id| b.destroy_texture(id));
+            free(b, [color, depth, out]);
             assert_eq!(b.live().textures, before.textures - 3, "{name}");
         });
     }
 }
 
-/// Tables that the plan has no use for are freed after a while, and made again when it has.
-#[test]
-fn tables_go_when_the_camera_stays_away() {
-    on_both(|b| {
-        let mut renderer = SkyRenderer::new(SkySettings { method: tables(), ..SkySettings::default() }).unwrap();
-        let color = b.create_texture(&TextureDesc::new("color", 4, 4, Format::Rgba32Float)).unwrap();
-        let before = b.live().textures;
-        let day = View { pitch: 20.0, ..View::default() }.scene();
-        let away = View { altitude: 4e5, pitch: 60.0, heading: 180.0, ..View::default() }.scene();
-        assert!(!renderer.background(b, &day, Target::color(color)).unwrap().is_empty());
-        let with = b.live().textures;
-        assert!(with > before + 4);
-        for _ in 0..100 {
-            assert!(renderer.background(b, &away, Target::color(color)).unwrap().is_empty());
-        }
-        assert_eq!(b.live().textures, with, "gone at once: turning back would make them again");
-        for _ in 0..1000 {
-            assert!(renderer.background(b, &away, Target::color(color)).unwrap().is_empty());
-        }
-        assert_eq!(b.live().textures, before);
-        let again = renderer.background(b, &day, Target::color(color)).unwrap();
-        assert!(again.iter().any(|p| p.label == "moments table"));
-        renderer.destroy(b);
-        b.destroy_texture(color);
-    });
-}
-
 /// A scene on a threshold does not switch in every frame, and either way it is within the bound.
 #[test]
 fn a_scene_on_a_threshold_switches_once() {
-    let sky = SkySettings { method: tables(), bound: Some(Bound::eight_bit(1.0)), ..SkySettings::default() };
-    let lit = |plan: &EffectPlan| plan.effect("sunlight").unwrap().on;
+    let sky = SkySettings { quality: tables(), bound: Some(Bound::eight_bit(1.0)), ..SkySettings::default() };
+    let lit = |plan: &Frame| plan.effect("sunlight").unwrap().on;
     let at = |elevation: f64| View { sun_elevation: elevation, pitch: 10.0, ..View::default() }.scene();
-    let fresh = |elevation: f64| lit(&EffectPlan::new(&at(elevation), &sky, SIZE).unwrap());
+    let fresh = |elevation: f64| lit(&Frame::new(&at(elevation), &sky, SIZE).unwrap());
     // Where a plan without a past switches.
     let (mut day, mut night) = (0.0, -60.0);
     for _ in 0..40 {
@@ -443,11 +423,11 @@ fn a_scene_on_a_threshold_switches_once() {
         if fresh(middle) { day = middle } else { night = middle }
     }
     let mut switches = 0;
-    let mut plan = EffectPlan::new(&at(day + 1.0), &sky, SIZE).unwrap();
+    let mut plan = Frame::new(&at(day + 1.0), &sky, SIZE).unwrap();
     for i in 0..200 {
         // Down through the threshold, trembling.
         let elevation = day + 0.5 - 0.01 * f64::from(i) + if i % 2 == 0 { 0.05 } else { -0.05 };
-        let next = EffectPlan::after(&plan, &at(elevation), &sky, SIZE).unwrap();
+        let next = Frame::after(&plan, &at(elevation), &sky, SIZE).unwrap();
         switches += usize::from(lit(&next) != lit(&plan));
         // Never brighter than the bound without light, and off by the time half of it is left.
         assert!(lit(&next) || !fresh(elevation), "dark at {elevation}");
@@ -456,48 +436,18 @@ fn a_scene_on_a_threshold_switches_once() {
     assert_eq!((switches, lit(&plan)), (1, false));
     // On again only above the threshold itself.
     for (elevation, want) in [(day - 0.05, false), (day + 0.05, true), (day - 0.05, true)] {
-        plan = EffectPlan::after(&plan, &at(elevation), &sky, SIZE).unwrap();
+        plan = Frame::after(&plan, &at(elevation), &sky, SIZE).unwrap();
         assert_eq!(lit(&plan), want, "{elevation}");
     }
-}
-
-/// Night and day in turn make nothing anew but the tables of the camera; what night has no use for goes after a while.
-#[test]
-fn a_night_keeps_the_tables_of_the_medium_for_a_while() {
-    on_both(|b| {
-        let mut renderer = SkyRenderer::new(SkySettings { method: tables(), ..SkySettings::default() }).unwrap();
-        let color = b.create_texture(&TextureDesc::new("color", 4, 4, Format::Rgba32Float)).unwrap();
-        let scene = |sun_elevation| View { sun_elevation, pitch: 20.0, heading: 180.0, ..View::default() }.scene();
-        let [day, night] = [30.0, -60.0].map(scene);
-        let mut labels = |b: &mut dyn Backend, scene| -> Vec<&str> {
-            let passes = renderer.background(b, scene, Target::color(color)).unwrap().to_vec();
-            b.run(&passes).unwrap();
-            passes.iter().map(|p| p.label).collect()
-        };
-        assert!(labels(b, &day).contains(&"moments table"));
-        let with = b.live().textures;
-        for _ in 0..3 {
-            assert_eq!(labels(b, &night), ["sky table", "background sky"]);
-            assert_eq!(labels(b, &day), ["sky table", "sky table", "background sky"]);
-        }
-        assert_eq!(b.live().textures, with);
-        for _ in 0..700 {
-            labels(b, &night);
-        }
-        assert_eq!(b.live().textures, with - 4, "gathered radiance, two tables of moments, the aerosol's light");
-        assert!(labels(b, &day).contains(&"moments table"));
-        renderer.destroy(b);
-        b.destroy_texture(color);
-    });
 }
 
 /// After a warm-up no frame of a flight makes a program or a pipeline; and nothing of it is left.
 #[test]
 fn pipelines_are_made_ahead() {
     let terrain = [None, Some(welkin::TerrainStyle::earth())];
-    for (i, method) in [single(), tables()].into_iter().enumerate() {
+    for (i, method) in [march(32, 8), tables()].into_iter().enumerate() {
         on_both(|b| {
-            let sky = SkySettings { method, bound: Some(Bound::eight_bit(1.0)), ..SkySettings::default() };
+            let sky = SkySettings { quality: method, bound: Some(Bound::eight_bit(1.0)), ..SkySettings::default() };
             let settings = welkin::PictureSettings { sky, terrain: terrain[i], ..Default::default() };
             let views: Vec<_> = flight(method).into_iter().map(|case| case.view.scene()).collect();
             let before = b.live();
@@ -506,7 +456,10 @@ fn pipelines_are_made_ahead() {
             let mut made = b.live();
             while warm_up.step(b).unwrap() {
                 let now = b.live();
-                assert!(now.programs <= made.programs + 1 && now.pipelines <= made.pipelines + 1, "too much at once");
+                assert!(
+                    now.programs <= made.programs + 1 && now.pipelines <= made.pipelines + 1,
+                    "too much at once"
+                );
                 (made, steps) = (now, steps + 1);
             }
             let ready = b.live();

@@ -1,5 +1,5 @@
-//! Whatever numbers come in: checks answer and never panic, and what they accept becomes finite uniform blocks.
-#![cfg(feature = "probe")]
+//! Whatever numbers come in: checks answer and never panic, and what they accept becomes finite uniform
+//! blocks.
 
 use std::cell::Cell;
 
@@ -7,7 +7,7 @@ use glam::DVec3;
 use proptest::num::f64::{ANY, NORMAL};
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
-use welkin::frame::lut::TablesUniform;
+use welkin::frame::luts::TablesUniform;
 use welkin::frame::uniforms::{FrameOptions, FrameUniform};
 use welkin::gpu::RowOrder;
 use welkin::model::scene::Tangents;
@@ -38,7 +38,8 @@ fn vector(scale: f64) -> impl Strategy<Value = DVec3> {
 fn air() -> impl Strategy<Value = AtmosphereParams> {
     let body = (near(1e2, 1e9), near(1e-6, 4.0), three(0.0, 1.0), near(0.1, 1e7));
     let aerosol = (three(0.0, 1.0), three(0.0, 1.0), near(0.1, 1e7), three(-0.999, 0.999), any::<bool>());
-    let rest = (three(0.0, 1.0), near(0.0, 1e7), near(1.0, 1e7), three(0.0, 1.0), near(0.0, 1e6), near(1e-5, 0.5));
+    let rest =
+        (three(0.0, 1.0), near(0.0, 1e7), near(1.0, 1e7), three(0.0, 1.0), near(0.0, 1e6), near(1e-5, 0.5));
     (body, aerosol, rest).prop_map(|(body, aerosol, rest)| AtmosphereParams {
         planet_radius: body.0,
         atmosphere_radius: body.0 * (1.0 + body.1),
@@ -73,7 +74,13 @@ fn depth() -> impl Strategy<Value = DepthConvention> {
 
 fn scenes() -> impl Strategy<Value = Scene> {
     let tangent = || prop_oneof![8 => -2.0..2.0f64, 1 => Just(1e4), 1 => Just(-1e4), 1 => ANY];
-    let camera = (vector(1.0), near(0.4, 1e12), vector(1.0), vector(1.0), [tangent(), tangent(), tangent(), tangent()]);
+    let camera = (
+        vector(1.0),
+        near(0.4, 1e12),
+        vector(1.0),
+        vector(1.0),
+        [tangent(), tangent(), tangent(), tangent()],
+    );
     (air(), camera, vector(1e12), vector(1.0), near(1e-150, 1e150), depth()).prop_map(
         |(atmosphere, (up, radii, forward, head, t), planet_center, sun, length, depth)| {
             let turned = |a: f64, b: f64| if a < b { (a, b) } else { (b, a) };
@@ -102,25 +109,32 @@ fn finite(block: &[u8], what: &str) -> Result<(), TestCaseError> {
     Ok(())
 }
 
+fn config() -> ProptestConfig {
+    ProptestConfig { cases: 4000, failure_persistence: None, ..ProptestConfig::default() }
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 4000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(config())]
 
     #[test]
     fn anything_at_all_is_answered(v in prop::collection::vec(prop_oneof![ANY, NORMAL, -2.0..2.0f64], 24)) {
         let xyz = |i: usize| DVec3::new(v[i], v[i + 1], v[i + 2]);
         let tangents = Tangents { left: v[9], right: v[10], bottom: v[11], top: v[12] };
-        let atmosphere = AtmosphereParams { planet_radius: v[13], atmosphere_radius: v[14], ..AtmosphereParams::earth() };
+        let earth = AtmosphereParams::earth();
+        let atmosphere = AtmosphereParams { planet_radius: v[13], atmosphere_radius: v[14], ..earth.clone() };
         let camera = Camera { position: xyz(0), forward: xyz(3), up: xyz(6), tangents };
         for depth in [
             DepthConvention::Reversed { near: v[15], far: v[16] },
             DepthConvention::Logarithmic { far: v[17] },
             DepthConvention::default(),
         ] {
-            for air in [&atmosphere, &AtmosphereParams::earth()] {
+            for air in [&atmosphere, &earth] {
                 let (planet_center, sun_direction) = (xyz(18), xyz(21));
-                let scene = Scene { camera, planet_center, atmosphere: air.clone(), sun_direction, depth, moon: None };
+                let atmosphere = air.clone();
+                let scene = Scene { camera, planet_center, atmosphere, sun_direction, depth, moon: None };
                 if let Ok(view) = scene.validate() {
-                    prop_assert!(view.altitude.is_finite() && view.sun.is_finite() && view.basis.forward.is_finite());
+                    prop_assert!(view.altitude.is_finite() && view.sun.is_finite());
+                    prop_assert!(view.basis.forward.is_finite());
                 }
             }
         }
@@ -130,7 +144,6 @@ proptest! {
 #[test]
 fn what_is_accepted_becomes_finite_blocks() {
     let accepted = Cell::new(0);
-    let config = ProptestConfig { cases: 4000, failure_persistence: None, ..ProptestConfig::default() };
     let inputs = (scenes(), [1..5000u32, 1..5000u32], 0.0..=1.0f64);
     let blocks = |(scene, size, sky_weight): (Scene, [u32; 2], f64)| {
         let view = match scene.validate() {
@@ -145,7 +158,8 @@ fn what_is_accepted_becomes_finite_blocks() {
         prop_assert!(view.altitude.is_finite() && (view.sun.length() - 1.0).abs() < 1e-9, "{view:?}");
         prop_assert!(view.sun.x >= -1e-9 && view.sun.y.abs() < 1e-8, "{view:?}");
         let rows = RowOrder::TopDown;
-        let options = FrameOptions { size, rows, view_samples: 1, light_samples: 1, sky_weight, reduced: false };
+        let options =
+            FrameOptions { size, rows, view_samples: 1, light_samples: 1, sky_weight, low_resolution: false };
         finite(bytemuck::bytes_of(&FrameUniform::new(&scene, &view, &options)), "frame")?;
         let tables = TablesUniform::new(&scene.atmosphere, &LutSettings::default());
         finite(bytemuck::bytes_of(&tables), "tables")?;
@@ -153,10 +167,13 @@ fn what_is_accepted_becomes_finite_blocks() {
         prop_assert!(tables.mie_extinction.iter().all(|e| *e >= 0.0), "{tables:?}");
         prop_assert!(tables.mie_moment0.iter().all(|m| (0.0..=1.000_001).contains(m)), "{tables:?}");
         prop_assert!(tables.mie_asymmetry.iter().all(|g| (-1.0..=1.0).contains(g)), "{tables:?}");
-        prop_assert!(tables.sun_span > 0.0 && tables.sun_width > 0.0 && tables.altitude_growth > 0.0, "{tables:?}");
+        prop_assert!(
+            tables.sun_span > 0.0 && tables.sun_width > 0.0 && tables.altitude_growth > 0.0,
+            "{tables:?}"
+        );
         Ok(())
     };
-    TestRunner::new(config).run(&inputs, blocks).unwrap();
+    TestRunner::new(config()).run(&inputs, blocks).unwrap();
     println!("{} of 4000 scenes were accepted", accepted.get());
     assert!(accepted.get() > 400, "too few scenes are accepted to learn from: {}", accepted.get());
 }

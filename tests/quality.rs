@@ -1,22 +1,15 @@
 //! Choosing a quality: what was promised is rendered and compared with the f64 reference.
-#![cfg(all(feature = "egl", feature = "translate", feature = "reference"))]
-
-mod common;
-// The scenes that the table was measured over.
-#[allow(dead_code)]
-#[path = "../cli/src/accuracy/scenes.rs"]
-mod scenes;
 
 use std::time::Duration;
 
-use common::on_both;
-use glam::DVec2;
-use scenes::{Frame, SETUPS, Setup};
-use welkin::gpu::{Backend, Format};
+use welkin::gpu::Backend;
+use welkin::probe::scenes::{self, Frame, SETUPS, Setup};
 use welkin::reference::multiple::{Orders, Settings};
-use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
-use welkin::settings::quality::{Front, MEDIA};
-use welkin::{PictureRenderer, PictureSettings, Quality, Scene, SkySettings};
+use welkin::reference::single::{Sun, Tolerance, single_scattering};
+use welkin::settings::front::{ParetoFront, MEDIA};
+use welkin::{PictureRenderer, Quality, Scene};
+
+use crate::harness::{draw, sky, on_both, orders, over_black, query};
 
 /// The reference's radiance at a frame's pixels: of all orders of scattering, and scattered once.
 struct Truth {
@@ -26,14 +19,11 @@ struct Truth {
 
 fn truth(setup: &Setup, frame: &Frame, orders: &Orders) -> Truth {
     let scene = setup.scene(frame.aspect()).unwrap();
-    let view = scene.validate().unwrap();
     let values = frame.pixels().into_iter().map(|[x, y]| {
-        let share = |i: u32, n: u32| (f64::from(i) + 0.5) / f64::from(n) * 2.0 - 1.0;
-        let ndc = DVec2::new(share(x, frame.size[0]), -share(y, frame.size[1]));
-        let direction = view.basis.ray(ndc).normalize();
-        let query = RayQuery { altitude: view.altitude, direction, sun: view.sun, length: f64::INFINITY, moon: None };
+        let query = query(&scene, frame.size, (y * frame.size[0] + x) as usize);
         let all = orders.radiance(&query, Tolerance { relative: 1e-4 }).unwrap();
-        let once = single_scattering(&scene.atmosphere, &query, Sun::Point, Tolerance { relative: 1e-4 }).unwrap();
+        let once =
+            single_scattering(&scene.atmosphere, &query, Sun::Point, Tolerance { relative: 1e-4 }).unwrap();
         (std::array::from_fn(|c| all.per_irradiance[c] - all.ground[c]), once.per_irradiance)
     });
     let (all, once) = values.unzip();
@@ -43,16 +33,10 @@ fn truth(setup: &Setup, frame: &Frame, orders: &Orders) -> Truth {
 /// Mean relative error in the worst channel over some scenes, as the table defines it; against both truths.
 fn mean_error(backend: &mut dyn Backend, quality: Quality, frame: &Frame, truths: &[Truth]) -> [f64; 2] {
     let mut renderer = PictureRenderer::default();
-    let settings = PictureSettings {
-        sky: SkySettings { sun_disk: false, ..quality.into() },
-        terrain: None,
-        radiance: Format::Rgba32Float,
-        ..PictureSettings::default()
-    };
+    let settings = over_black(sky(quality));
     let mut sums = [[0.0; 3]; 2];
     for t in truths {
-        let drawn = renderer.draw(backend, &t.scene, &settings, frame.size).unwrap();
-        let pixels = backend.read(drawn.radiance).unwrap();
+        let pixels = draw(backend, &mut renderer, &t.scene, &settings, frame.size);
         for (values, sum) in t.values.iter().zip(&mut sums) {
             for c in 0..3 {
                 let floor = 1e-3 * values.iter().map(|v| v[c]).fold(0.0, f64::max);
@@ -70,17 +54,20 @@ fn mean_error(backend: &mut dyn Backend, quality: Quality, frame: &Frame, truths
 
 #[test]
 fn what_is_chosen_by_error_is_that_exact() {
-    let front = Front::committed();
+    let front = ParetoFront::committed();
     let quick = front.measured[0].errors_from.contains("quick scenes");
-    // The table's own pixels and its own truth: a coarser one would be as far off as the tables of the sky are.
+    // The table's own pixels and its own truth: a coarser one would be as far off as the tables of the sky
+    // are.
     let slack = 1.01;
-    let (frame, truth_settings) = if quick { (Frame::QUICK, Settings::QUICK) } else { (Frame::WHOLE, Settings::FINE) };
-    let setups: Vec<_> = SETUPS.iter().filter(|s| MEDIA[s.medium] == "earth" && (s.quick || !quick)).collect();
-    let orders = Orders::solve(&scenes::medium(0).unwrap(), truth_settings, |_| ()).unwrap();
+    let (frame, truth_settings) =
+        if quick { (Frame::QUICK, Settings::QUICK) } else { (Frame::WHOLE, Settings::FINE) };
+    let setups: Vec<_> =
+        SETUPS.iter().filter(|s| MEDIA[s.medium] == "earth" && (s.quick || !quick)).collect();
+    let orders = orders(&scenes::medium(0).unwrap(), truth_settings);
     let truths: Vec<_> = setups.iter().map(|s| truth(s, &frame, &orders)).collect();
     on_both(|backend| {
         let name = backend.info().backend;
-        for q in Quality::ALL {
+        for (name, q) in Quality::PRESETS {
             let cost = front.on(name).unwrap().cost(q).unwrap();
             // Asking for what a quality has gives it or something cheaper, and that is as exact as asked.
             let asked = front.cost(q).unwrap().error;
@@ -109,7 +96,7 @@ fn a_front_is_measured_on_any_backend_and_answers_for_it() {
     on_both(|backend| {
         let before = backend.live().textures;
         let some = [Quality::SINGLE_LOW, Quality::SINGLE_ULTRA];
-        let front = Front::measure(backend, &some, [160, 90]).unwrap();
+        let front = ParetoFront::measure(backend, &some, [160, 90]).unwrap();
         assert_eq!(backend.live().textures, before, "something was left behind");
         let [m] = &front.measured[..] else { panic!("{front}") };
         assert_eq!((m.backend.as_str(), m.size), (backend.info().backend, [160, 90]));
@@ -119,7 +106,7 @@ fn a_front_is_measured_on_any_backend_and_answers_for_it() {
         // Eight times the samples.
         assert!(ultra.time > 2 * low.time && low.copies > 1.0 && m.copy > Duration::ZERO, "{front}");
         assert!(front.cost(&Quality::SINGLE_HIGH).is_none());
-        let committed = Front::committed().on(&m.backend).unwrap();
+        let committed = ParetoFront::committed().on(&m.backend).unwrap();
         assert_eq!(
             low.error,
             committed.cost(&Quality::SINGLE_LOW).unwrap().error,
@@ -131,7 +118,7 @@ fn a_front_is_measured_on_any_backend_and_answers_for_it() {
         let message = front.within_budget(Duration::from_nanos(1)).unwrap_err().to_string();
         assert!(message.contains("160×90") && message.contains(&m.adapter), "{message}");
         // Kept as text and read again: times to a tenth of a microsecond.
-        let again: Front = front.to_string().parse().unwrap();
+        let again: ParetoFront = front.to_string().parse().unwrap();
         assert_eq!(again.to_string(), front.to_string());
     });
 }

@@ -1,18 +1,18 @@
 //! The f64 reference against numbers from other programs (`tests/data/README.md`).
 //!
-//! `cargo test --test reference_data -- --nocapture` prints the differences file by file. The same for the fine
-//! settings of multiple scattering: `cargo run --release --features reference --example reference_table`.
+//! `cargo test --test all reference_data -- --nocapture` prints the differences file by file. The same for
+//! the fine settings of multiple scattering: `cargo run --release --features reference --example
+//! reference_table`.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use welkin::reference::multiple::{self, Orders};
+use welkin::reference::multiple;
 use welkin::reference::path::{self, path_trace};
 use welkin::reference::single::{RayQuery, Sun, Tolerance, optical_depth, single_scattering, transmittance};
 use welkin::{AtmosphereParams, MiePhase};
 
-#[path = "support/tables.rs"]
-mod tables;
-use tables::{Differences, Table, against_noise, medium, ray};
+use crate::harness::orders;
+use crate::harness::tables::{Differences, Table, against_noise, medium, ray};
 
 #[test]
 fn transmittance_is_the_quadrature() {
@@ -20,7 +20,8 @@ fn transmittance_is_the_quadrature() {
     let (mut depth, mut through) = (Differences::default(), Differences::default());
     for row in &table.rows {
         let params = medium(table.text(row, "atmosphere"));
-        let query = RayQuery::new(table.number(row, "altitude_m"), table.angle(row, "view_zenith_deg"), 1.0, 0.0);
+        let query =
+            RayQuery::new(table.number(row, "altitude_m"), table.angle(row, "view_zenith_deg"), 1.0, 0.0);
         let c = table.channel(row);
         let exact = table.number(row, "slant_optical_depth");
         let ours = optical_depth(&params, &query, Tolerance::TRUTH).unwrap()[c];
@@ -55,8 +56,11 @@ fn single_scattering_is_the_quadrature() {
             let query = ray(&table, row, params.planet_radius);
             let exact = table.number(row, "exact_single_per_sr");
             let c = table.channel(row);
-            for (tolerance, differences) in [(Tolerance::TRUTH, &mut truth), (Tolerance::PICTURE, &mut picture)] {
-                let ours = single_scattering(&params, &query, Sun::Point, tolerance).unwrap().per_irradiance[c];
+            for (tolerance, differences) in
+                [(Tolerance::TRUTH, &mut truth), (Tolerance::PICTURE, &mut picture)]
+            {
+                let ours =
+                    single_scattering(&params, &query, Sun::Point, tolerance).unwrap().per_irradiance[c];
                 if exact == 0.0 {
                     assert_eq!(ours, 0.0, "{row:?}");
                 } else {
@@ -142,7 +146,7 @@ fn ground_irradiance_of_single_scattering_is_the_quadrature() {
 /// All orders of scattering: sky, limb, twilight and the light on the ground, for one medium and albedo.
 fn multiple_scattering(name: &str, albedo: f64) {
     let params = AtmosphereParams { ground_albedo: [albedo; 3], ..medium(name) };
-    let orders = Orders::solve(&params, multiple::Settings::QUICK, |_| {}).unwrap();
+    let orders = orders(&params, multiple::Settings::QUICK);
     for file in [format!("sky_{name}.csv"), "limb.csv".into(), "mc_twilight.csv".into()] {
         let table = Table::read(&file);
         let (mut relative, mut noise) = (Differences::default(), Differences::default());
@@ -153,7 +157,8 @@ fn multiple_scattering(name: &str, albedo: f64) {
             }
             let light = orders.radiance(&ray(&table, row, params.planet_radius), Tolerance::PICTURE).unwrap();
             let ours = light.per_irradiance[table.channel(row)];
-            let (mean, std_err) = (table.number(row, "mc_total_per_sr"), table.number(row, "mc_total_std_err_per_sr"));
+            let (mean, std_err) =
+                (table.number(row, "mc_total_per_sr"), table.number(row, "mc_total_std_err_per_sr"));
             relative.add((ours / mean - 1.0).abs(), row);
             noise.add(against_noise(ours, mean, std_err), row);
         }
@@ -171,7 +176,8 @@ fn multiple_scattering(name: &str, albedo: f64) {
         let c = table.channel(row);
         let direct = table.number(row, "direct_horizontal_irradiance_rel");
         assert!((ours.direct[c] - direct).abs() <= 2e-6 * direct + 1e-15, "{row:?} {ours:?}");
-        let (mean, std_err) = (table.number(row, "mc_diffuse_irradiance_rel"), table.number(row, "mc_std_err"));
+        let (mean, std_err) =
+            (table.number(row, "mc_diffuse_irradiance_rel"), table.number(row, "mc_std_err"));
         noise.add(against_noise(ours.diffuse[c], mean, std_err), row);
     }
     noise.report(&format!("mc_ground_irradiance.csv: {name}, albedo {albedo}, of max(0.5 %, 4 σ)"));

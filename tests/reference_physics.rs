@@ -10,11 +10,13 @@ use welkin::reference::single::{RayQuery, Sun, Tolerance, optical_depth, single_
 
 /// Length of the gas's column over its length straight up.
 fn air_mass(params: &AtmosphereParams, zenith_angle: f64) -> f64 {
-    let depth = |angle| optical_depth(params, &RayQuery::new(0.0, angle, 1.0, 0.0), Tolerance::TRUTH).unwrap()[0];
+    let depth =
+        |angle| optical_depth(params, &RayQuery::new(0.0, angle, 1.0, 0.0), Tolerance::TRUTH).unwrap()[0];
     depth(zenith_angle) / depth(0.0)
 }
 
-/// Kasten & Young 1989, eq. 3: relative optical air mass of a refracting standard atmosphere, 37.92 at the horizon.
+/// Kasten & Young 1989, eq. 3: relative optical air mass of a refracting standard atmosphere, 37.92 at the
+/// horizon.
 ///
 /// We have neither refraction nor a stratosphere with a temperature of its own, so this is no identity. It
 /// shows the shape: the same to 0.1 % down to 60°, 0.7 % below it at 80° and 7 % at the horizon, where an
@@ -40,8 +42,8 @@ fn air_mass_is_kasten_youngs_as_far_as_it_can_be() {
     }
 }
 
-/// Chapman 1931: the grazing column of an exponential atmosphere is `x exp(x) K1(x)` scale heights, x = R / H;
-/// asymptotically `sqrt(π x / 2) (1 + 3/(8x) - 15/(128x²) + …)` (Abramowitz & Stegun 9.7.2 for K1).
+/// Chapman 1931: the grazing column of an exponential atmosphere is `x exp(x) K1(x)` scale heights, x = R /
+/// H; asymptotically `sqrt(π x / 2) (1 + 3/(8x) - 15/(128x²) + …)` (Abramowitz & Stegun 9.7.2 for K1).
 #[test]
 fn grazing_column_is_the_chapman_function() {
     for scale_height in [2000.0, 8000.0, 60_000.0] {
@@ -67,7 +69,8 @@ fn grazing_column_is_the_chapman_function() {
     }
 }
 
-/// A plane-parallel limit with a closed form: thin air on a huge planet, `p / μ (1 - exp(-τ m)) / m`, `m = 1/μ + 1/μs`.
+/// A plane-parallel limit with a closed form: thin air on a huge planet, `p / μ (1 - exp(-τ m)) / m`, `m =
+/// 1/μ + 1/μs`.
 #[test]
 fn single_scattering_has_the_plane_parallel_limit() {
     let params = AtmosphereParams {
@@ -85,7 +88,11 @@ fn single_scattering_has_the_plane_parallel_limit() {
         let tau = params.rayleigh_scattering[c] * 1000.0 * -f64::exp_m1(-20.0);
         let path = 1.0 / mu + 1.0 / mu_sun;
         let exact = welkin::model::phase::rayleigh(nu) / mu * -(-tau * path).exp_m1() / path;
-        assert!((ours.per_irradiance[c] / exact - 1.0).abs() < 1e-4, "{c}: {} {exact}", ours.per_irradiance[c]);
+        assert!(
+            (ours.per_irradiance[c] / exact - 1.0).abs() < 1e-4,
+            "{c}: {} {exact}",
+            ours.per_irradiance[c]
+        );
     }
 }
 
@@ -111,7 +118,10 @@ fn transmittance_is_reciprocal_and_multiplicative() {
         for c in 0..3 {
             let one = through(&there)[c];
             assert!((through(&back)[c] / one - 1.0).abs() < 1e-8, "{altitude} {view} {c}");
-            assert!((through(&first)[c] * through(&second)[c] / one - 1.0).abs() < 1e-8, "{altitude} {view} {c}");
+            assert!(
+                (through(&first)[c] * through(&second)[c] / one - 1.0).abs() < 1e-8,
+                "{altitude} {view} {c}"
+            );
         }
     }
 }
@@ -126,7 +136,8 @@ fn what_comes_in_goes_out() {
         mie_scale_height: 3000.0,
         ..white.clone()
     };
-    let settings = Settings { altitudes: 10, sun_angles: 28, zeniths: 8, azimuths: 8, degree: 6, ..Settings::QUICK };
+    let settings =
+        Settings { altitudes: 10, sun_angles: 28, zeniths: 8, azimuths: 8, degree: 6, ..Settings::QUICK };
     for (name, params) in [("gas", white.clone()), ("haze", hazy)] {
         let orders = Orders::solve(&params, Settings { tolerance: 3e-4, ..settings }, |_| {}).unwrap();
         let share = orders.escaping_share(8);
@@ -167,9 +178,12 @@ fn orders_and_paths_agree_off_earth() {
     {
         let orders = Orders::solve(&params, settings, |_| {}).unwrap();
         let top = params.thickness();
-        for (altitude, view, sun, azimuth) in
-            [(0.0, 0.5, 0.8, 1.0), (0.0, 1.5, 1.5, 3.0), (0.3 * top, 2.0, 1.2, 0.5), (2.0 * top, 2.9, 0.5, 0.0)]
-        {
+        for (altitude, view, sun, azimuth) in [
+            (0.0, 0.5, 0.8, 1.0),
+            (0.0, 1.5, 1.5, 3.0),
+            (0.3 * top, 2.0, 1.2, 0.5),
+            (2.0 * top, 2.9, 0.5, 0.0),
+        ] {
             let query = RayQuery::new(altitude, view, sun, azimuth);
             let tabled = orders.radiance(&query, Tolerance::PICTURE).unwrap();
             let traced = path_trace(&params, &query, path::Settings { paths: 40_000, seed: 5 }).unwrap();
@@ -180,7 +194,10 @@ fn orders_and_paths_agree_off_earth() {
                     a / b - 1.0,
                     (a - b) / e
                 );
-                assert!((a - b).abs() < (0.005 * b).max(4.5 * e), "{name} {altitude} {view} {sun} {c}: {a} {b} ± {e}");
+                assert!(
+                    (a - b).abs() < (0.005 * b).max(4.5 * e),
+                    "{name} {altitude} {view} {sun} {c}: {a} {b} ± {e}"
+                );
             }
         }
     }
@@ -229,9 +246,11 @@ fn accepted_parameters_give_finite_light() {
     );
     let view = (-0.1..3.0, 0.0..=PI, 0.0..=PI, 0.0..=PI, prop_oneof![Just(f64::INFINITY), power(1e-3, 1e9)]);
     let lit = std::cell::Cell::new(0);
-    let config = Config { cases: 3000, rng_seed: RngSeed::Fixed(1), failure_persistence: None, ..Config::default() };
+    let config =
+        Config { cases: 3000, rng_seed: RngSeed::Fixed(1), failure_persistence: None, ..Config::default() };
     let result = TestRunner::new(config).run(&(medium, view), |(medium, view)| {
-        let ((radius, thickness), (gas, aerosol, middle, width), (a, b, c, g), (present, cornette, albedo)) = medium;
+        let ((radius, thickness), (gas, aerosol, middle, width), (a, b, c, g), (present, cornette, albedo)) =
+            medium;
         let on = |bit: u32, v: f64| if present & (1 << bit) != 0 { v } else { 0.0 };
         let params = AtmosphereParams {
             planet_radius: radius,
@@ -258,7 +277,8 @@ fn accepted_parameters_give_finite_light() {
             prop_assert!((0.0..=1.0).contains(&light.transmittance[c]), "{light:?}");
         }
         let camera = DVec3::Z * (params.planet_radius + query.altitude.max(0.0));
-        let march = welkin::reference::compute_single_scatter(camera, query.direction, query.sun, &params, 16, 8);
+        let march =
+            welkin::reference::compute_single_scatter(camera, query.direction, query.sun, &params, 16, 8);
         prop_assert!(march.iter().all(|v| v.is_finite() && *v >= 0.0), "{march:?}");
         let n = lit.get();
         lit.set(n + u32::from(light.per_irradiance[0] > 0.0));
@@ -272,7 +292,8 @@ fn accepted_parameters_give_finite_light() {
                 max_iterations: 6,
                 tolerance: 0.01,
             };
-            let all = Orders::solve(&params, least, |_| {}).unwrap().radiance(&query, Tolerance::PICTURE).unwrap();
+            let all =
+                Orders::solve(&params, least, |_| {}).unwrap().radiance(&query, Tolerance::PICTURE).unwrap();
             prop_assert!(all.per_irradiance.iter().all(|v| v.is_finite() && *v >= 0.0), "{all:?}");
             let traced = path_trace(&params, &query, path::Settings { paths: 16, seed: 1 }).unwrap();
             prop_assert!(traced.per_irradiance.iter().all(|v| v.is_finite() && *v >= 0.0), "{traced:?}");

@@ -1,20 +1,15 @@
 //! Wrong input: each is refused with a message that names field, value and range, before anything is made.
-#![cfg(all(feature = "egl", feature = "translate", feature = "reference"))]
-
-mod common;
 
 use std::time::Duration;
 
-use common::{View, on_both};
 use glam::DVec3;
 use welkin::gpu::Program;
 use welkin::gpu::{Backend, Format, Inputs, Pass, Target, TextureDesc, Uniform};
-use welkin::settings::quality::Front;
+use welkin::settings::front::ParetoFront;
 use welkin::shaders::copy;
-use welkin::{
-    AtmosphereParams, DepthConvention, Error, Method, PictureRenderer, PictureSettings, Quality, Scene, SkySettings,
-    ToneMap,
-};
+use welkin::{AtmosphereParams, DepthConvention, Error, PictureRenderer, PictureSettings, Quality, Scene, SkySettings, ToneMap};
+
+use crate::harness::{View, march, on_both};
 
 fn scene(change: impl FnOnce(&mut Scene)) -> Result<(), Error> {
     let mut scene = View::default().scene();
@@ -26,10 +21,6 @@ fn air(change: impl FnOnce(&mut AtmosphereParams)) -> Result<(), Error> {
     let mut params = AtmosphereParams::earth();
     change(&mut params);
     params.validate()
-}
-
-fn single(view_samples: u32, light_samples: u32) -> Method {
-    Method::Single { view_samples, light_samples }
 }
 
 fn sky(change: impl FnOnce(&mut SkySettings)) -> Result<(), Error> {
@@ -50,14 +41,22 @@ fn wrong_scenes_are_refused_by_name_value_and_range() {
     let cases: Vec<Case> = vec![
         ("negative radius", air(|p| p.planet_radius = -6.0), ["atmosphere.planet_radius", "= -6 "]),
         ("radius not a number", air(|p| p.planet_radius = f64::NAN), ["atmosphere.planet_radius", "NaN"]),
-        ("top below surface", air(|p| p.atmosphere_radius = 6e6), ["atmosphere.atmosphere_radius", "6000000"]),
+        (
+            "top below surface",
+            air(|p| p.atmosphere_radius = 6e6),
+            ["atmosphere.atmosphere_radius", "6000000"],
+        ),
         (
             "top at the surface",
             air(|p| p.atmosphere_radius = p.planet_radius),
             ["atmosphere.atmosphere_radius", "6360000"],
         ),
         ("shell too thick", air(|p| p.atmosphere_radius *= 9.0), ["atmosphere.atmosphere_radius", "× 5"]),
-        ("negative scattering", air(|p| p.rayleigh_scattering[2] = -1e-6), ["rayleigh_scattering[2]", "-1e-6"]),
+        (
+            "negative scattering",
+            air(|p| p.rayleigh_scattering[2] = -1e-6),
+            ["rayleigh_scattering[2]", "-1e-6"],
+        ),
         ("endless extinction", air(|p| p.mie_absorption[0] = f64::INFINITY), ["mie_absorption[0]", "inf"]),
         ("scale height 0", air(|p| p.rayleigh_scale_height = 0.0), ["rayleigh_scale_height", "= 0 "]),
         ("asymmetry 1", air(|p| p.mie_asymmetry[1] = 1.0), ["mie_asymmetry[1]", "0.999"]),
@@ -81,17 +80,33 @@ fn wrong_scenes_are_refused_by_name_value_and_range() {
             scene(|s| s.camera.tangents.top = s.camera.tangents.bottom),
             ["camera.tangents", "bottom < top"],
         ),
-        ("field of view of 180°", scene(|s| s.camera.tangents.top = f64::INFINITY), ["camera.tangents.top", "inf"]),
+        (
+            "field of view of 180°",
+            scene(|s| s.camera.tangents.top = f64::INFINITY),
+            ["camera.tangents.top", "inf"],
+        ),
         ("near plane 0", depth(DepthConvention::ReversedInfinite { near: 0.0 }), ["depth.near", "= 0 "]),
         ("far before near", depth(DepthConvention::ZeroToOne { near: 1.0, far: 0.5 }), ["depth.far", "0.5"]),
-        ("no samples", sky(|s| s.method = single(0, 8)), ["view_samples", "from 1 to 1024"]),
-        ("too many samples", sky(|s| s.method = single(16, 100_000)), ["light_samples", "100000"]),
+        ("no samples", sky(|s| s.quality = march(0, 8)), ["view_samples", "from 1 to 1024"]),
+        ("too many samples", sky(|s| s.quality = march(16, 100_000)), ["light_samples", "100000"]),
         ("scale 0", sky(|s| s.render_scale = 0.0), ["render_scale", "0.125"]),
         ("unknown planet", AtmosphereParams::preset("vulcan").map(|_| ()), ["planet", "vulcan"]),
-        ("unknown quality", Quality::from_name("best").map(|_| ()), ["quality = \"best\"", "low, medium, high"]),
+        (
+            "unknown quality",
+            Quality::from_name("best").map(|_| ()),
+            ["quality = \"best\"", "low, medium, high"],
+        ),
         ("an error of 0", Quality::within_error(0.0).map(|_| ()), ["within_error = 0 ", "or more: quality "]),
-        ("an error that is no number", Quality::within_error(f64::NAN).map(|_| ()), ["within_error = NaN", "a number"]),
-        ("no time", Quality::within_budget(Duration::ZERO).map(|_| ()), ["within_budget = 0 ms", "or more: quality "]),
+        (
+            "an error that is no number",
+            Quality::within_error(f64::NAN).map(|_| ()),
+            ["within_error = NaN", "a number"],
+        ),
+        (
+            "no time",
+            Quality::within_budget(Duration::ZERO).map(|_| ()),
+            ["within_budget = 0 ms", "or more: quality "],
+        ),
         ("unknown tone map", ToneMap::from_name("linear").map(|_| ()), ["tone_map", "agx"]),
     ];
     for (what, result, words) in cases {
@@ -120,21 +135,27 @@ fn wrong_requests_of_a_backend_are_refused_and_leave_nothing_behind() {
         }
         let mut renderer = PictureRenderer::default();
         let settings = PictureSettings::default();
-        let draw = |b: &mut dyn Backend, r: &mut PictureRenderer, scene: &Scene, s: &PictureSettings, size| {
-            r.draw(b, scene, s, size).map(|_| ())
-        };
+        let draw =
+            |b: &mut dyn Backend, r: &mut PictureRenderer, scene: &Scene, s: &PictureSettings, size| {
+                r.draw(b, scene, s, size).map(|_| ())
+            };
         let good = View::default().scene();
         say("zero-size picture", draw(backend, &mut renderer, &good, &settings, [0, 4]), "picture.width = 0");
         let mut bad = good.clone();
         bad.sun_direction = DVec3::splat(f64::NAN);
         say("NaN sun", draw(backend, &mut renderer, &bad, &settings, [4, 4]), "sun_direction");
-        let measure = |b: &mut dyn Backend, q: &[Quality], size| Front::measure(b, q, size).map(|_| ());
+        let presets: Vec<_> = Quality::PRESETS.iter().map(|(_, quality)| *quality).collect();
+        let measure = |b: &mut dyn Backend, q: &[Quality], size| ParetoFront::measure(b, q, size).map(|_| ());
         say("no qualities", measure(backend, &[], [4, 4]), "qualities = none");
-        say("front of no size", measure(backend, Quality::ALL, [4, 0]), "front.height = 0");
-        say("front too large", measure(backend, Quality::ALL, [max + 1, 4]), "front.width");
-        let mut unknown = Quality { method: single(9, 9), ..Quality::SINGLE_LOW };
-        say("quality without a known error", measure(backend, &[Quality::SINGLE_LOW, unknown], [4, 4]), "single 9 × 9");
-        unknown.method = single(0, 9);
+        say("front of no size", measure(backend, &presets, [4, 0]), "front.height = 0");
+        say("front too large", measure(backend, &presets, [max + 1, 4]), "front.width");
+        let mut unknown = march(9, 9);
+        say(
+            "quality without a known error",
+            measure(backend, &[Quality::SINGLE_LOW, unknown], [4, 4]),
+            "single 9 × 9",
+        );
+        unknown = march(0, 9);
         say("quality that is none", measure(backend, &[unknown], [4, 4]), "view_samples = 0");
         let dark = PictureSettings { exposure: f64::NAN, ..settings };
         say("NaN exposure", draw(backend, &mut renderer, &good, &dark, [4, 4]), "exposure");

@@ -1,11 +1,10 @@
 //! Shaders: the committed GLSL is fresh, and every uniform block's Rust twin has naga's layout.
-#![cfg(feature = "translate")]
 
 use std::path::Path;
 
 use welkin::frame::disks::DiskUniform;
 use welkin::frame::eclipse::{EclipseUniform, ShadowUniform};
-use welkin::frame::lut::{FrameTables, MediumTables, TablesUniform};
+use welkin::frame::luts::{FrameTables, MediumTables, TablesUniform};
 use welkin::frame::terrain::TerrainUniform;
 use welkin::frame::tone_map::ToneUniform;
 use welkin::frame::uniforms::{DepthUniform, FrameUniform, MediumUniform};
@@ -19,7 +18,7 @@ fn committed_glsl_is_fresh() {
     assert!(files.len() > 25, "only {} files were generated", files.len());
     for (path, text) in &files {
         let found = std::fs::read_to_string(root.join(path)).unwrap_or_default();
-        assert!(found == *text, "{path} is stale: run `cargo run -- shaders`");
+        assert!(found == *text, "{path} is stale: run `cargo lab shaders`");
     }
     for entry in std::fs::read_dir(root.join("shaders/glsl")).unwrap() {
         let path = format!("shaders/glsl/{}", entry.unwrap().file_name().into_string().unwrap());
@@ -88,7 +87,8 @@ fn own_name(field: &str) -> &str {
 
 /// A struct's fields in Rust, nested ones flattened as naga's are.
 fn rust_layout(name: &str) -> (Vec<(String, u32)>, u32) {
-    let own = |fields: Vec<(&str, u32)>| fields.into_iter().map(|(n, o)| (n.to_owned(), o)).collect::<Vec<_>>();
+    let own =
+        |fields: Vec<(&str, u32)>| fields.into_iter().map(|(n, o)| (n.to_owned(), o)).collect::<Vec<_>>();
     let nest = |fields: Vec<(String, u32)>, field: &str, inner: Vec<(String, u32)>| {
         let mut out = Vec::new();
         for (n, offset) in fields {
@@ -160,7 +160,9 @@ fn uniform_blocks_have_the_layout_that_naga_gives_them() {
     let mut checked = 0;
     for program in programs() {
         for name in ["Frame", "Luts", "MoonShadow", "Terrain", "Tone"] {
-            let Some((mut members, size)) = translate::struct_layout(program, name).unwrap() else { continue };
+            let Some((mut members, size)) = translate::struct_layout(program, name).unwrap() else {
+                continue;
+            };
             let (mut ours, our_size) = rust_layout(name);
             // Padding is one array in Rust and three scalars in WGSL.
             members.retain(|(n, _)| !own_name(n).starts_with("pad"));

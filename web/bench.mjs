@@ -1,40 +1,43 @@
 // How long a frame takes in a browser, from the first call to the last pixel: prints Markdown tables.
 //
-// Usage: node web/bench.mjs [--backend webgl2|webgpu] [--only TEXT] [--rounds N] [--seconds S]
+// Usage: node web/bench.mjs [--backend webgl2|webgpu] [--only TEXT] [--rounds N] [--seconds S] [--old DIR]
 //
 //   --backend NAME   only this one
 //   --rounds N       how often all is timed, in turn; the best frame of all rounds counts (default 3)
 //   --only TEXT      only the cases whose name begins with it: --only 'sky alone'
 //   --seconds S      at most so long for each measurement in a round, but two frames at least (default 1)
+//   --old DIR        also times the page in DIR, the folder web/ of an earlier checkout with its module built, in turn
+//                    with this one, and prints what it takes and this page's time as a ratio to it
 //
 // Headless Chromium draws with its software GPU, 1280 × 720, Earth, the sun 20° high. Run scripts/build-web before.
 //
 // Beside the viewer, and on canvases of the same size, it times a full-screen triangle that copies a half-float texture,
 // and three.js's Sky (Preetham, Shirley & Smits 1999), tone-mapped with ACES: Sky on WebGL2, SkyMesh on WebGPU.
+import { existsSync } from 'node:fs';
+import { join, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
-import { launch } from './test/browser.mjs';
+import { BACKENDS, launch } from './test/browser.mjs';
 
 const SIZE = { width: 1280, height: 720 };
-const BACKENDS = ['webgl2', 'webgpu'];
 const VIEWS = [
   { name: '500 m', alt: 500, pitch: 12 },
   { name: '400 km', alt: 4e5, pitch: -17 },
   { name: '12,000 km', alt: 1.2e7, pitch: -90 },
 ];
-const TABLES = { quality: 'medium' };
+const LUTS = { quality: 'medium' };
 const SINGLE = { samples: [24, 8] };
 const CASES = [
-  { name: 'sky alone, tables', mode: 'sky-dome', terrain: false, ...TABLES },
-  { name: 'sky alone, tables, moving sun', mode: 'sky-dome', terrain: false, ...TABLES, change: 'sun' },
+  { name: 'sky alone, LUTs', mode: 'sky-dome', terrain: false, ...LUTS },
+  { name: 'sky alone, LUTs, moving sun', mode: 'sky-dome', terrain: false, ...LUTS, change: 'sun' },
   { name: 'sky alone, single scattering', mode: 'sky-dome', terrain: false, ...SINGLE },
-  { name: 'sky and air, tables', mode: 'lut', terrain: false, ...TABLES },
-  { name: 'sky and air, tables, moving sun', mode: 'lut', terrain: false, ...TABLES, change: 'sun' },
+  { name: 'sky and air, LUTs', mode: 'lut', terrain: false, ...LUTS },
+  { name: 'sky and air, LUTs, moving sun', mode: 'lut', terrain: false, ...LUTS, change: 'sun' },
   { name: 'sky and air, single scattering', mode: 'lut', terrain: false, ...SINGLE },
-  { name: 'full picture, tables', mode: 'lut', terrain: true, ...TABLES },
-  { name: 'full picture, tables, moving sun', mode: 'lut', terrain: true, ...TABLES, change: 'sun' },
-  { name: 'full picture, tables, new medium', mode: 'lut', terrain: true, ...TABLES, change: 'medium' },
+  { name: 'full picture, LUTs', mode: 'lut', terrain: true, ...LUTS },
+  { name: 'full picture, LUTs, moving sun', mode: 'lut', terrain: true, ...LUTS, change: 'sun' },
+  { name: 'full picture, LUTs, new medium', mode: 'lut', terrain: true, ...LUTS, change: 'medium' },
   { name: 'full picture, single scattering', mode: 'lut', terrain: true, ...SINGLE },
-  { name: 'terrain without an atmosphere', mode: 'lut', terrain: true, ...TABLES, off: true },
+  { name: 'terrain without an atmosphere', mode: 'lut', terrain: true, ...LUTS, off: true },
 ];
 
 // ---------------------------------------------------------------- a copy
@@ -108,9 +111,9 @@ async function timeViewer({ view, one, seconds }) {
     ? () => finishGl(canvas.getContext('webgl2'))
     : () => window.device_.queue.onSubmittedWorkDone();
   const before = {
-    // One sun after another: tables that know the sun are made again each frame.
+    // One sun after another: LUTs that know the sun are made again each frame.
     sun: (i) => { viewer.set_sun(20 + 0.01 * (i % 7), 40); },
-    // Away and back: all tables are made again.
+    // Away and back: all LUTs are made again.
     medium: () => { viewer.set_planet('mars'); viewer.render(); viewer.set_planet('earth'); return true; },
   }[one.change];
   return bestFrame(seconds, before, () => viewer.render(), finish);
@@ -237,20 +240,28 @@ async function timeThree({ backend, size: { width, height }, view, seconds }) {
 // ---------------------------------------------------------------- all of it
 
 function options() {
-  const { values } = parseArgs({ options: { backend: { type: 'string' }, only: { type: 'string' }, rounds: { type: 'string' }, seconds: { type: 'string' } } });
+  const { values } = parseArgs({ options: {
+    backend: { type: 'string' }, only: { type: 'string' }, rounds: { type: 'string' }, seconds: { type: 'string' },
+    old: { type: 'string' },
+  } });
   const number = (key, usual, min, max) => {
     const value = values[key] === undefined ? usual : Number(values[key] || NaN);
     if (!(value >= min && value <= max)) throw new Error(`--${key} ${values[key]} is not allowed: must be from ${min} to ${max}`);
     return value;
   };
   if (values.backend !== undefined && !BACKENDS.includes(values.backend)) {
-    throw new Error(`--backend ${values.backend} is not allowed: must be webgl2 or webgpu`);
+    throw new Error(`--backend ${values.backend} is not allowed: must be ${BACKENDS.join(' or ')}`);
   }
   const cases = CASES.filter(({ name }) => name.startsWith(values.only ?? ''));
   if (!cases.length) {
     throw new Error(`--only ${values.only} is not allowed: must begin one of ${CASES.map((c) => c.name).join('; ')}`);
   }
+  const old = values.old && resolve(values.old);
+  if (old !== undefined && !['viewer.js', 'pkg'].every((file) => existsSync(join(old, file)))) {
+    throw new Error(`--old ${values.old} is not allowed: must be a folder with viewer.js and a built module in pkg`);
+  }
   return {
+    old,
     backends: values.backend ? [values.backend] : BACKENDS,
     cases,
     rounds: number('rounds', 3, 1, 100),
@@ -261,8 +272,8 @@ function options() {
 const ms = (x) => (x < 100 ? x.toFixed(1) : x.toFixed(0));
 
 async function main() {
-  const { backends, cases, rounds, seconds } = options();
-  const browser = await launch();
+  const { old, backends, cases, rounds, seconds } = options();
+  const browser = await launch({ folders: old ? [old] : [] });
   try {
     const best = new Map();
     const take = (key, value) => best.set(key, Math.min(best.get(key) ?? Infinity, value));
@@ -281,14 +292,21 @@ async function main() {
         if (!(b > g && g > r && r > 0 && b < 255)) throw new Error(`${backend}: three.js drew ${three.pixel}`);
         take(`${backend} three`, three.best);
         revision = three.revision;
+        const pages = [['', page]];
+        if (old) pages.push(['old ', await browser.open({ folder: old, backend, prepare, query: SIZE })]);
         for (const view of VIEWS) {
           for (const one of cases) {
-            take(`${backend} ${view.name} ${one.name}`, await page.evaluate(timeViewer, { view, one, seconds }));
+            for (const [which, opened] of pages) {
+              await opened.bringToFront();
+              take(`${which}${backend} ${view.name} ${one.name}`, await opened.evaluate(timeViewer, { view, one, seconds }));
+            }
           }
           console.error(`round ${round}, ${backend}, ${view.name}`);
         }
-        if (page.problems.length) throw new Error(page.problems.join('\n'));
-        await page.context().close();
+        for (const [, opened] of pages) {
+          if (opened.problems.length) throw new Error(opened.problems.join('\n'));
+          await opened.context().close();
+        }
       }
     }
     const date = new Date().toISOString().slice(0, 10);
@@ -303,7 +321,9 @@ async function main() {
       for (const { name } of cases) {
         const cells = VIEWS.map((view) => {
           const time = best.get(`${backend} ${view.name} ${name}`);
-          return `${ms(time)} (${(time / sky(backend)).toFixed(1)}×)`;
+          const before = best.get(`old ${backend} ${view.name} ${name}`);
+          const against = before === undefined ? '' : `, before ${ms(before)}: ${(time / before).toFixed(3)}`;
+          return `${ms(time)} (${(time / sky(backend)).toFixed(1)}×)${against}`;
         });
         console.log(`| ${name} | ${cells.join(' | ')} |`);
       }

@@ -13,7 +13,7 @@ import { existsSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { parseArgs } from 'node:util';
-import { artifacts, launch, waitForLine, web } from './test/browser.mjs';
+import { BACKENDS, artifacts, launch, waitForLine, web } from './test/browser.mjs';
 
 /** A page with the probe's module on a backend. */
 export async function openStress(browser, { backend, seed = 1, cases = 1 }) {
@@ -48,13 +48,14 @@ async function main() {
   const { values } = parseArgs({ options: {
     backend: { type: 'string' }, cases: { type: 'string', default: '1000000' }, seed: { type: 'string', default: '1' }, case: { type: 'string' },
   } });
-  const all = ['webgl2', 'webgpu'];
-  if (values.backend && !all.includes(values.backend)) throw new Error(`--backend ${values.backend} is not allowed: must be webgl2 or webgpu`);
+  if (values.backend && !BACKENDS.includes(values.backend)) {
+    throw new Error(`--backend ${values.backend} is not allowed: must be ${BACKENDS.join(' or ')}`);
+  }
   const [cases, seed] = [whole('cases', values.cases, 1), whole('seed', values.seed, 0)];
   const browser = await launch();
   let broken = 0;
   try {
-    for (const backend of all.filter((b) => !values.backend || b === values.backend)) {
+    for (const backend of BACKENDS.filter((b) => !values.backend || b === values.backend)) {
       if (values.case !== undefined) {
         const number = whole('case', values.case, 0);
         const page = await openStress(browser, { backend, seed });

@@ -1,11 +1,13 @@
-// The planet viewer: a page around `Viewer` of the wasm module.
+// The planet viewer: a page around `Viewer` of a wasm module. There is one module a backend in pkg/; the page chooses
+// the backend and then downloads that one's.
 //
 // Query:  ?backend=webgl2|webgpu   the one to use; without it the best that works
 //         ?scale=1.5               most canvas pixels per CSS pixel (default 2)
 //         ?width=320&height=200    a canvas of exactly that many pixels
 // Hash:   the view (see state.js)
-import init, { Viewer } from './pkg/welkin.js';
-import { ALTITUDE, altitudeText, clamp, climb, defaults, formatHash, modeQuality, parseHash, queryNumber, wrapDegrees } from './state.js';
+import {
+  ALTITUDE, SETTINGS, altitudeText, clamp, climb, defaults, formatHash, modeQuality, parseHash, queryNumber, wrapDegrees,
+} from './state.js';
 
 const BACKENDS = ['webgpu', 'webgl2']; // best first
 const $ = (id) => document.getElementById(id);
@@ -69,33 +71,26 @@ function redraw() {
   return frame;
 }
 
-const GROUPS = [
-  { keys: ['planet'], set: (v, s) => v.set_planet(s.planet) },
-  { keys: ['alt', 'pitch', 'heading', 'fov'], set: (v, s) => v.set_camera(s.alt, s.pitch, s.heading, s.fov) },
-  { keys: ['sunElevation', 'sunAzimuth'], set: (v, s) => v.set_sun(s.sunElevation, s.sunAzimuth) },
-  { keys: ['mode'], set: (v, s) => v.set_mode(s.mode) },
-  {
-    keys: ['quality', 'samples', 'lightSamples', 'half'],
-    set: (v, s) => {
-      if (s.quality) v.set_quality(s.quality);
-      else v.set_samples(s.samples, s.lightSamples);
-      if (s.half) v.set_render_scale(0.5);
-      else if (!s.quality) v.set_render_scale(1);
-    },
-  },
-  { keys: ['exposure'], set: (v, s) => v.set_exposure(s.exposure) },
-  { keys: ['toneMap'], set: (v, s) => v.set_tone_map(s.toneMap) },
-  { keys: ['sky'], set: (v, s) => v.set_enabled(s.sky) },
-  { keys: ['terrain'], set: (v, s) => v.set_terrain(s.terrain) },
-];
+// What a method of the viewer takes: the settings that name it, in their order.
+const GROUPS = [...new Set(SETTINGS.map(({ set }) => set))]
+  .map((method) => ({ method, keys: SETTINGS.filter(({ set }) => set === method).map(({ key }) => key) }));
+
+/** The one group that is no single method. */
+function setQuality({ quality, samples, lightSamples, half }) {
+  if (quality) viewer.set_quality(quality);
+  else viewer.set_samples(samples, lightSamples);
+  if (half) viewer.set_render_scale(0.5);
+  else if (!quality) viewer.set_render_scale(1);
+}
 
 /** Hand the renderer what changed. What it refuses goes back to what it was; returns what it said. */
 function apply(wanted = state) {
   const refused = [];
-  for (const { keys, set } of GROUPS) {
+  for (const { method, keys } of GROUPS) {
     if (keys.every((k) => wanted[k] === applied[k])) continue;
     try {
-      set(viewer, wanted);
+      if (method === 'quality') setQuality(wanted);
+      else viewer[method](...keys.map((k) => wanted[k]));
       for (const k of keys) applied[k] = wanted[k];
     } catch (error) {
       refused.push(text(error));
@@ -179,12 +174,46 @@ function newCanvas() {
   [fresh.width, fresh.height] = canvasSize();
 }
 
+/** Why a backend cannot work here, as far as can be told without its module. */
+async function obstacle(backend) {
+  if (backend !== 'webgpu') return undefined;
+  if (!navigator.gpu) return isSecureContext ? 'this browser has no WebGPU' : 'there is no WebGPU without https';
+  try {
+    return await navigator.gpu.requestAdapter() ? undefined : 'the browser offers no adapter';
+  } catch (error) {
+    return text(error);
+  }
+}
+
+const modules = {};
+/** The `Viewer` of a backend's module, which is downloaded when it is first asked for. */
+function load(backend) {
+  modules[backend] ??= import(`./pkg/${backend}/welkin.js`).then(async ({ default: init, Viewer }) => {
+    await init();
+    return Viewer;
+  });
+  modules[backend].catch(() => { delete modules[backend]; });
+  return modules[backend];
+}
+
+/** What the module knows by name, for the lists on the page. */
+function fillLists(Viewer) {
+  for (const [id, names] of [['mode', Viewer.modes()], ['quality', Viewer.qualities()]]) {
+    const there = new Set([...$(id).options].map(({ value }) => value));
+    for (const name of names) if (!there.has(name)) $(id).add(new Option(name, name));
+  }
+}
+
 /** Make a renderer with the first of `backends` that works; say which and why. */
 async function start(backends, because) {
   const tried = [];
   for (const backend of backends) {
-    newCanvas();
     try {
+      const why = await obstacle(backend);
+      if (why) throw new Error(why);
+      const Viewer = await load(backend);
+      fillLists(Viewer);
+      newCanvas();
       viewer = await Viewer.create(canvas, backend);
     } catch (error) {
       const why = text(error);
@@ -262,10 +291,38 @@ const scales = {
   log: { to: Math.log, from: (x) => clamp(Math.exp(x), ALTITUDE.min, ALTITUDE.max) },
   stops: { to: Math.log2, from: (x) => 2 ** x },
 };
-const inputs = [...controls.querySelectorAll('[data-key]')];
-for (const input of inputs.filter((i) => i.dataset.scale === 'log')) {
-  for (const end of ['min', 'max']) input[end] = Math.log(Number(input[end]));
+
+const element = (name, properties, ...children) => {
+  const made = Object.assign(document.createElement(name), properties);
+  made.append(...children);
+  return made;
+};
+
+/** The control of a setting, in its fieldset, with a label and, for numbers, what it says. */
+function addControl({ key, usual, group, label, options, scale, unit = '', min, max, step }) {
+  const fieldset = controls.querySelector(`fieldset[data-group="${group}"]`);
+  const of = { htmlFor: key };
+  let input;
+  if (typeof usual === 'boolean') {
+    input = element('input', { id: key, type: 'checkbox' });
+    let checks = fieldset.querySelector('.checks');
+    if (!checks) fieldset.append(checks = element('div', { className: 'checks' }));
+    checks.append(element('label', of, input, ` ${label}`));
+  } else if (options) {
+    input = element('select', { id: key }, ...Object.entries(options).map(([value, words]) => new Option(words, value)));
+    fieldset.append(element('label', of, label), input);
+  } else {
+    const range = { min, max, step };
+    if (scale === 'log') for (const end of ['min', 'max']) range[end] = Math.log(range[end]);
+    input = element('input', { id: key, type: 'range', ...range });
+    const output = element('output', {});
+    output.htmlFor.add(key);
+    fieldset.append(element('label', of, `${label} `, output), input);
+  }
+  Object.assign(input.dataset, { key, unit, ...(scale ? { scale } : {}) });
+  return input;
 }
+const inputs = SETTINGS.map(addControl);
 
 function showState() {
   for (const input of inputs) {
@@ -509,15 +566,12 @@ function readOptions() {
 async function main() {
   try {
     options = readOptions();
-    await init();
   } catch (error) {
     say('error', `The viewer cannot start. ${text(error)}`, { id: 'start' });
     return;
   }
   stage.classList.toggle('fixed', options.width !== undefined);
   $('backend').value = options.backend ?? '';
-  for (const name of Viewer.modes()) $('mode').add(new Option(name, name));
-  for (const name of Viewer.qualities()) $('quality').add(new Option(name, name));
   if (matchMedia('(max-width: 640px)').matches) $('panel').open = false;
   takeHash();
   window.addEventListener('hashchange', takeHash);

@@ -11,8 +11,8 @@ use crate::views::Place;
 const AU: f64 = 149_597_870_700.0;
 /// Radius of the sun's disk, metres: 959.63″ at 1 au, as eclipse predictions have it (Auwers 1891).
 const SUN_RADIUS: f64 = 696.0e6;
-/// Radius of the moon from which totality and annularity are told, metres: k = 0.272281, for the valleys of its limb
-/// (Espenak & Meeus, Five Millennium Canon of Solar Eclipses, NASA/TP-2006-214141, section 1.4).
+/// Radius of the moon from which totality and annularity are told, metres: k = 0.272281, for the valleys of
+/// its limb (Espenak & Meeus, Five Millennium Canon of Solar Eclipses, NASA/TP-2006-214141, section 1.4).
 const UMBRAL_RADIUS: f64 = 0.272_281 * 6_378_137.0;
 /// Metres that light travels in a day.
 const LIGHT_DAY: f64 = 299_792_458.0 * 86_400.0;
@@ -37,8 +37,8 @@ impl Bodies {
         self.disks_with(MOON_RADIUS)
     }
 
-    /// Magnitude as eclipse predictions give it: of the moon's mean disk while the eclipse is partial, the ratio of the
-    /// diameters by the radius of the umbra while it is not.
+    /// Magnitude as eclipse predictions give it: of the moon's mean disk while the eclipse is partial, the
+    /// ratio of the diameters by the radius of the umbra while it is not.
     pub fn magnitude(&self) -> f64 {
         let umbral = self.disks_with(UMBRAL_RADIUS);
         match umbral.phase() {
@@ -62,8 +62,8 @@ pub fn horizontal(direction: DVec3) -> (f64, f64) {
     (elevation, direction.x.atan2(direction.y).to_degrees().rem_euclid(360.0))
 }
 
-/// Terrestrial time less UTC, seconds. From 1972 on by leap seconds; UT1 counts as UTC, from which it is never 0.9 s off.
-/// Before, and after the last leap second that this program knows, what is extrapolated.
+/// Terrestrial time less UTC, seconds. From 1972 on by leap seconds; UT1 counts as UTC, from which it is
+/// never 0.9 s off. Before, and after the last leap second that this program knows, what is extrapolated.
 pub fn delta_t(time: Timestamp) -> anyhow::Result<f64> {
     let date = time.to_zoned(TimeZone::UTC);
     if date.year() < 1972 {
@@ -83,8 +83,8 @@ fn dot(rows: [[f64; 3]; 3], v: DVec3) -> DVec3 {
 
 /// The moon from the Earth's centre, metres, in the celestial axes (GCRS), by ELP/MPP02; tt: Julian date.
 ///
-/// `stem_branch` turns longitudes to the equinox of date and leaves latitudes on the ecliptic of J2000, 47″ a century off.
-/// Its turn is taken back, and the rest done by IAU 2006.
+/// `stem_branch` turns longitudes to the equinox of date and leaves latitudes on the ecliptic of J2000, 47″ a
+/// century off. Its turn is taken back, and the rest done by IAU 2006.
 fn moon(tt: f64) -> DVec3 {
     let m = stem_branch::moon_position(tt);
     let t = (tt - J2000) / 36_525.0;
@@ -100,7 +100,7 @@ fn moon(tt: f64) -> DVec3 {
 
 /// An observer, turning with the Earth; times are seconds of UTC since 1970.
 struct Observer {
-    /// From the Earth's centre, metres, in the Earth's own axes.
+    /// The place, from the Earth's centre, metres, in the Earth's own axes.
     position: DVec3,
     /// Unit vectors east, north and up of the ellipsoid WGS 84.
     axes: [DVec3; 3],
@@ -116,8 +116,8 @@ impl Observer {
         Ok(Self { position: position.into(), axes: [east, north, up], delta_t })
     }
 
-    /// Light that arrives together left the sun (8 min) and the moon (1 s) at different times; either is where it was
-    /// then as the Earth was then, which is aberration to first order.
+    /// Light that arrives together left the sun (8 min) and the moon (1 s) at different times; either is
+    /// where it was then as the Earth was then, which is aberration to first order.
     fn see(&self, time: f64) -> anyhow::Result<Bodies> {
         let ut1 = UNIX_EPOCH + time / DAY;
         let tt = ut1 + self.delta_t / DAY;
@@ -141,7 +141,8 @@ impl Observer {
 
 /// Sun and moon from a place; height above the ellipsoid in metres.
 ///
-/// The sun by SOFA's epv00 (0.02″), the moon by ELP/MPP02 (some 0.1″ as used here), the Earth's axes by IAU 2006/2000A.
+/// The sun by SOFA's epv00 (0.02″), the moon by ELP/MPP02 (some 0.1″ as used here), the Earth's axes by IAU
+/// 2006/2000A.
 ///
 /// # Errors
 /// A time outside 1900 to 2100.
@@ -165,7 +166,7 @@ pub struct Eclipse {
 /// The eclipse nearest to a time, within 12 hours, or `None`.
 ///
 /// # Errors
-/// As [`bodies`].
+/// A time outside 1900 to 2100.
 pub fn eclipse(time: Timestamp, place: Place, height: f64) -> anyhow::Result<Option<Eclipse>> {
     let observer = Observer::new(place, height, delta_t(time)?)?;
     let middle = seconds(time);
@@ -256,7 +257,8 @@ mod tests {
         assert!(bodies(at("1600-01-01T00:00:00Z"), Place { latitude: 0.0, longitude: 0.0 }, 0.0).is_err());
     }
 
-    /// Polynomial Besselian elements: rows x, y, d, l1, l2, μ; columns powers of hours from 18h TT. tan f1, tan f2.
+    /// Polynomial Besselian elements: rows x, y, d, l1, l2, μ; columns powers of hours from 18h TT. tan f1,
+    /// tan f2.
     struct Besselian {
         /// 18h TT in UTC by leap seconds, seconds since 1970.
         begin: f64,
@@ -266,7 +268,7 @@ mod tests {
 
     /// From tests/data/besselian.csv.
     fn published(date: &str) -> Besselian {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/besselian.csv");
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/data/besselian.csv");
         let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_path(path).unwrap();
         let rows: Vec<csv::StringRecord> = reader.records().map(|r| r.unwrap()).filter(|r| &r[0] == date).collect();
         let row = |name: &str| -> [f64; 4] {

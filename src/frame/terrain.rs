@@ -1,22 +1,24 @@
 //! The demonstration's terrain: a planet-scale height field, so that occlusion and depth are real.
 //!
-//! It stands in for a user's own scene. The mesh is made in the vertex shader (`pass/terrain.wgsl`); the same
+//! It stands in for a user's own scene. The mesh is made in the vertex shader (`terrain.wgsl`); the same
 //! height field is here in f64, for cameras that shall stand on it and for the CPU renderer.
 
 use glam::{DVec3, IVec3};
 
-use super::draw::Draw;
-use super::eclipse::ShadowUniform;
-use super::lut::TablesUniform;
-use super::uniforms::{FrameOptions, FrameUniform, block};
-use crate::error::Result;
-use crate::gpu::{Backend, DepthUse, Inputs, Pass, Target, Uniform};
+use super::eclipse::{MOON_SHADOW, ShadowUniform};
+use super::graph::{Node, Resource, Stage, reads};
+use super::luts::TablesUniform;
+use super::uniforms::{FrameUniform, block};
+use super::{Air, Frame};
+use crate::gpu::{DepthUse, Uniform};
 use crate::model::atmosphere::AtmosphereParams;
-use crate::model::scene::Scene;
-use crate::render::sky::{GroundLight, texture};
+use crate::shaders::terrain;
+
+/// Rings of the mesh; `RINGS` in `terrain.wgsl`.
+const RINGS: u32 = 256;
 
 block! {
-    /// `struct Terrain` in `pass/terrain.wgsl`.
+    /// `struct Terrain` in `terrain.wgsl`.
     #[allow(missing_docs)]
     TerrainUniform {
         frame: FrameUniform,
@@ -86,7 +88,7 @@ impl TerrainStyle {
     }
 }
 
-/// `lattice` in `lib/noise.wgsl`.
+/// `lattice` in `noise.wgsl`.
 fn lattice(p: IVec3) -> f64 {
     let mut h = (p.x as u32).wrapping_mul(0x8da6_b343)
         ^ (p.y as u32).wrapping_mul(0xd816_3841)
@@ -97,7 +99,7 @@ fn lattice(p: IVec3) -> f64 {
     f64::from(h >> 8) / 16_777_216.0
 }
 
-/// `noise` in `lib/noise.wgsl`: value and gradient.
+/// `noise` in `noise.wgsl`: value and gradient.
 fn noise(p: DVec3) -> (f64, DVec3) {
     let cell = p.floor();
     let i = cell.as_ivec3();
@@ -121,7 +123,7 @@ impl TerrainStyle {
     }
 
     /// Height above the surface (metres, ≥ 0) and its gradient (metres per radian) below a unit direction
-    /// in the planet's own axes. `height_field` in `pass/terrain.wgsl`.
+    /// in the planet's own axes. `height_field` in `terrain.wgsl`.
     pub fn height(&self, n: DVec3, planet_radius: f64) -> (f64, DVec3) {
         let mut land = (0.0, DVec3::ZERO);
         for (rate, shift, gain) in [(2.3, 11.0, 0.6), (5.1, 5.0, 0.3), (13.7, 3.0, 0.1)] {
@@ -163,20 +165,10 @@ impl TerrainStyle {
         })
     }
 
-    /// The pass that draws the ground with depth, after the sky. `target.depth` must be there and cleared to
-    /// [`crate::DepthConvention::background`]. `light`: what [`crate::SkyRenderer::ground_light`] says.
-    pub fn pass(&self, backend: &mut dyn Backend, scene: &Scene, target: Target, light: &GroundLight) -> Result<Pass> {
-        let view = scene.validate()?;
-        let desc = texture(backend, target.color)?;
-        let options = FrameOptions {
-            size: [desc.width, desc.height],
-            rows: desc.rows,
-            view_samples: 1,
-            light_samples: 1,
-            sky_weight: 1.0,
-            reduced: false,
-        };
-        let frame = FrameUniform::new(scene, &view, &options);
+    /// The node that draws the ground with depth, after the sky. The target's depth must be cleared to
+    /// [`crate::DepthConvention::background`].
+    pub(crate) fn node(&self, of: &Frame) -> Node {
+        let (scene, view, frame) = (&of.scene, &of.view, of.uniform);
         let rows = view.world_to_zenith;
         let to_zenith = |v: DVec3| (rows * v).as_vec3().to_array();
         let (radius, h) = (scene.atmosphere.planet_radius, view.altitude.max(1.0));
@@ -203,8 +195,7 @@ impl TerrainStyle {
             grid_x: to_zenith(east),
             arc_scale: arc_scale as f32,
             grid_y: to_zenith(up.cross(east)),
-            arc_rate: (((0.5 * arc_max).tan() / arc_scale).asinh() / f64::from(crate::shaders::terrain::numbers::RINGS))
-                as f32,
+            arc_rate: (((0.5 * arc_max).tan() / arc_scale).asinh() / f64::from(RINGS)) as f32,
             planet_x: row(0),
             sea: if self.sea { 1.0 } else { 0.0 },
             planet_y: row(1),
@@ -217,19 +208,17 @@ impl TerrainStyle {
             snow_line: (self.snow_line / 1000.0).min(1e6) as f32,
             sky_light: color(Self::sky_share(&scene.atmosphere)),
             pad: 0.0,
-            luts: light.tables,
-            moon_shadow: light.shadow.map(|(block, _)| block).unwrap_or_default(),
+            luts: if of.rounds() > 0 { of.tables } else { TablesUniform::default() },
+            moon_shadow: of.moon_shadow_block().unwrap_or_default(),
         };
-        let shadow = light.shadow.map(|(_, lut)| lut);
-        let inputs = Inputs::new([("moon_shadow_lut", shadow), ("multi_scattering_lut", light.moments)]);
-        let program = Draw::Terrain { sky_light: light.moments.is_some(), moon: shadow.is_some() }.program();
-        Ok(Pass {
-            label: "terrain",
-            program: Some(backend.create_program(program)?),
-            inputs,
+        let light = of.multi_scattering();
+        let shadow = of.moon_shadow().map(|_| MOON_SHADOW);
+        let program = Air::ALL.program(&terrain::INFO, [("SKY_LIGHT", light.is_some()), ("MOON", shadow.is_some())]);
+        Node {
             uniform: Uniform::new(&uniform),
-            target,
+            reads: reads([("moon_shadow_lut", shadow), ("multi_scattering_lut", light)]),
             depth: DepthUse::Nearer { reversed: scene.depth.is_reversed() },
-        })
+            ..Node::draw("terrain", Stage::Scene, program, Resource::Background)
+        }
     }
 }

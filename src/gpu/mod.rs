@@ -6,13 +6,20 @@
 
 #[cfg(feature = "egl")]
 pub mod egl;
+#[cfg(any(feature = "wgpu", feature = "webgl"))]
+mod map;
+pub mod pool;
 mod program;
 #[cfg(feature = "webgl")]
 pub mod webgl;
 #[cfg(feature = "wgpu")]
 pub mod wgpu;
 
+#[cfg(any(feature = "wgpu", feature = "webgl"))]
+use std::sync::atomic::{AtomicU64, Ordering};
+
 use crate::error::{Error, Result};
+pub use pool::{PoolKey, TexturePool};
 #[cfg(feature = "webgl")]
 pub use program::Glsl;
 #[cfg(any(feature = "wgpu", feature = "translate"))]
@@ -200,6 +207,35 @@ pub struct Pass {
     pub target: Target,
     /// What it does with the target's depth.
     pub depth: DepthUse,
+    /// Names what the colour target holds once the pass has run; 0 for nothing that anybody asks for. See
+    /// [`Backend::content`].
+    pub content: u64,
+    /// Names what the depth target holds once a pass that clears or writes it has run.
+    pub depth_content: u64,
+}
+
+impl Pass {
+    /// A pass that clears its target as the target says and draws nothing; fill in the rest for more.
+    pub fn clear(label: &'static str, target: Target) -> Self {
+        Self {
+            label,
+            program: None,
+            inputs: Inputs::NONE,
+            uniform: Uniform::NONE,
+            target,
+            depth: DepthUse::Always,
+            content: 0,
+            depth_content: 0,
+        }
+    }
+
+    /// Which textures hold something else once it has run, and what.
+    #[cfg(any(feature = "wgpu", feature = "webgl"))]
+    pub(crate) fn contents(&self) -> impl Iterator<Item = (TextureId, u64)> {
+        let writes_depth = self.target.clear_depth.is_some() || self.depth != DepthUse::Always;
+        let depth = self.target.depth.filter(|_| writes_depth).map(|id| (id, self.depth_content));
+        std::iter::once((self.target.color, self.content)).chain(depth)
+    }
 }
 
 /// How a backend measures a pass.
@@ -226,6 +262,29 @@ impl std::fmt::Display for TimerKind {
     }
 }
 
+/// How precisely fragment shaders compute. Less than 32 bits for plain numbers is no adapter: it is refused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Precision {
+    /// 32 bits, which WebGPU guarantees; it was not tested.
+    Guaranteed,
+    /// 32 bits, also for the members of structs: a pixel showed it.
+    Full,
+    /// 32 bits for plain numbers, fewer for the members of GLSL structs, as a pixel showed. Adreno GPUs up to the 6xx
+    /// do that (<https://github.com/KhronosGroup/WebGL/issues/3351>). No shader of this crate holds a struct value, so
+    /// that its pictures are right; your own shaders may suffer.
+    StructMembersReduced,
+}
+
+impl std::fmt::Display for Precision {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Guaranteed => "32 bits by WebGPU's rules",
+            Self::Full => "32 bits",
+            Self::StructMembersReduced => "32 bits, fewer in structs",
+        })
+    }
+}
+
 /// What draws.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AdapterInfo {
@@ -241,11 +300,14 @@ pub struct AdapterInfo {
     pub max_texture_size: u32,
     /// Whether it interpolates between texels of 32-bit floats. Where it does not, the sky tables have 16 bits.
     pub filters_f32: bool,
+    /// How precisely its fragment shaders compute.
+    pub precision: Precision,
 }
 
 impl std::fmt::Display for AdapterInfo {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}: {}, {}, timer: {}", self.backend, self.adapter, self.driver, self.timer)
+        let Self { backend, adapter, driver, timer, precision, .. } = self;
+        write!(f, "{backend}: {adapter}, {driver}, timer: {timer}, floats: {precision}")
     }
 }
 
@@ -284,6 +346,16 @@ pub trait Backend {
 
     /// What a texture was made with.
     fn texture(&self, id: TextureId) -> Option<TextureDesc>;
+
+    /// A number that no other backend of this process has. Ids mean nothing on a backend of another epoch.
+    fn epoch(&self) -> u64;
+
+    /// The name of what a texture holds: [`Pass::content`] of the last pass that was run or recorded with it as its target,
+    /// or what [`Self::set_content`] said since. 0 if that is unknown.
+    fn content(&self, id: TextureId) -> u64;
+
+    /// Names what a texture holds, after it was written by other means than a pass.
+    fn set_content(&mut self, id: TextureId, content: u64);
 
     /// Frees a texture; unknown ids are ignored.
     fn destroy_texture(&mut self, id: TextureId);
@@ -335,6 +407,18 @@ pub trait Backend {
 
 fn cannot_wait(backend: &'static str) -> Error {
     Error::Unavailable { backend, reason: "this platform cannot wait for the GPU: poll instead".into() }
+}
+
+/// An epoch for a new backend.
+#[cfg(any(feature = "wgpu", feature = "webgl"))]
+pub(crate) fn next_epoch() -> u64 {
+    static EPOCH: AtomicU64 = AtomicU64::new(1);
+    EPOCH.fetch_add(1, Ordering::Relaxed)
+}
+
+/// What a texture was made with, or an error.
+pub(crate) fn known(backend: &dyn Backend, id: TextureId) -> Result<TextureDesc> {
+    backend.texture(id).ok_or_else(|| unknown(backend.info().backend, "texture"))
 }
 
 /// The error for an id that this backend does not (or no longer) know.

@@ -8,16 +8,17 @@
 //! Needed: OpenGL ES 3.0 or WebGL2 with `EXT_color_buffer_float`.
 #![allow(unsafe_code)] // Every OpenGL call is a foreign function; see the reason at each block.
 
+mod precision;
 mod state;
 
-use std::collections::HashMap;
 use std::rc::Rc;
 
 use glow::HasContext as _;
 use slotmap::SlotMap;
 
+use super::map::Map;
 use super::{
-    AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, Program, ProgramId, ReadId, TEXTURES_MAX,
+    AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, Precision, Program, ProgramId, ReadId, TEXTURES_MAX,
     TextureDesc, TextureId, TimerId, TimerKind, UNIFORM_MAX, Vertices, check_pass, decode_texels, encode_texels,
     unknown,
 };
@@ -42,6 +43,8 @@ enum Source {
 
 struct Texture {
     desc: TextureDesc,
+    /// See [`Backend::content`].
+    content: u64,
     source: Source,
 }
 
@@ -56,13 +59,14 @@ struct Timer {
 
 /// See the [module](self).
 pub struct WebGlBackend {
+    epoch: u64,
     gl: Rc<glow::Context>,
     info: AdapterInfo,
     shared: bool,
     web: bool,
     textures: SlotMap<TextureId, Texture>,
     programs: SlotMap<ProgramId, Compiled>,
-    framebuffers: HashMap<(TextureId, Option<TextureId>), glow::Framebuffer>,
+    framebuffers: Map<(TextureId, Option<TextureId>), glow::Framebuffer>,
     reads: SlotMap<ReadId, Vec<f32>>,
     timers: SlotMap<TimerId, Timer>,
     vertex_array: glow::VertexArray,
@@ -98,7 +102,8 @@ impl WebGlBackend {
     /// is put back after each call; see the [module](self) for the one exception.
     ///
     /// # Errors
-    /// [`Error::Unavailable`] if the context cannot draw to float textures.
+    /// [`Error::Unavailable`] if the context cannot draw to float textures, or if it computes fragment shaders with
+    /// fewer than 32 bits: one pixel is drawn to find out.
     pub fn new(gl: Rc<glow::Context>) -> Result<Self> {
         Self::make(gl, true)
     }
@@ -126,7 +131,7 @@ impl WebGlBackend {
         let saved = shared.then(|| Saved::take(&gl, web));
         let failed = |e: String| driver("create", e);
         // SAFETY: the caller's context is current; only objects made here are touched.
-        let made = unsafe {
+        let mut made = unsafe {
             // Left-over errors of the user are not ours.
             while gl.get_error() != glow::NO_ERROR {}
             let alignment = gl.get_parameter_i32(glow::UNIFORM_BUFFER_OFFSET_ALIGNMENT).max(16) as u32;
@@ -149,6 +154,7 @@ impl WebGlBackend {
             };
             let (nearest, linear) = (sampler(glow::NEAREST)?, sampler(glow::LINEAR)?);
             Self {
+                epoch: super::next_epoch(),
                 info: AdapterInfo {
                     backend: NAME,
                     adapter: gl.get_parameter_string(glow::RENDERER),
@@ -156,12 +162,13 @@ impl WebGlBackend {
                     timer,
                     max_texture_size: gl.get_parameter_i32(glow::MAX_TEXTURE_SIZE).max(1) as u32,
                     filters_f32: extensions.iter().any(|e| e.ends_with("OES_texture_float_linear")),
+                    precision: Precision::Full,
                 },
                 shared,
                 web,
                 textures: SlotMap::with_key(),
                 programs: SlotMap::with_key(),
-                framebuffers: HashMap::new(),
+                framebuffers: Map::new(),
                 reads: SlotMap::with_key(),
                 timers: SlotMap::with_key(),
                 vertex_array: gl.create_vertex_array().map_err(failed)?,
@@ -176,9 +183,11 @@ impl WebGlBackend {
                 gl,
             }
         };
+        let precision = precision::test(&made.gl, web, made.vertex_array, made.ring, made.binding_point);
         if let Some(saved) = saved {
             saved.restore(&made.gl, web);
         }
+        made.info.precision = precision?;
         Ok(made)
     }
 
@@ -190,7 +199,7 @@ impl WebGlBackend {
     /// Makes a user's texture known, to be read by passes or drawn to; it stays the user's.
     pub fn import_texture(&mut self, texture: glow::Texture, desc: TextureDesc) -> Result<TextureId> {
         desc.validate(self.info.max_texture_size)?;
-        Ok(self.textures.insert(Texture { desc, source: Source::User(texture) }))
+        Ok(self.textures.insert(Texture { desc, content: 0, source: Source::User(texture) }))
     }
 
     /// Makes a user's framebuffer known as a target (`None`: the default one). Its rows are usually
@@ -201,7 +210,7 @@ impl WebGlBackend {
         desc: TextureDesc,
     ) -> Result<TextureId> {
         desc.validate(self.info.max_texture_size)?;
-        Ok(self.textures.insert(Texture { desc, source: Source::Framebuffer(framebuffer) }))
+        Ok(self.textures.insert(Texture { desc, content: 0, source: Source::Framebuffer(framebuffer) }))
     }
 
     /// Gives [`AdapterInfo::adapter`] a better name than the context's own, which browsers keep vague.
@@ -289,6 +298,14 @@ impl WebGlBackend {
     }
 
     fn draw(&mut self, pass: &Pass) -> Result<()> {
+        self.draw_only(pass)?;
+        for (id, content) in pass.contents() {
+            self.set_content(id, content);
+        }
+        Ok(())
+    }
+
+    fn draw_only(&mut self, pass: &Pass) -> Result<()> {
         let mut bound = [None; TEXTURES_MAX];
         let program = match pass.program {
             Some(id) => {
@@ -463,12 +480,26 @@ impl Backend for WebGlBackend {
                 unsafe { this.gl.delete_texture(handle) };
                 return Err(e);
             }
-            Ok(this.textures.insert(Texture { desc, source: Source::Own(handle) }))
+            Ok(this.textures.insert(Texture { desc, content: 0, source: Source::Own(handle) }))
         })
     }
 
     fn texture(&self, id: TextureId) -> Option<TextureDesc> {
         self.textures.get(id).map(|t| t.desc)
+    }
+
+    fn epoch(&self) -> u64 {
+        self.epoch
+    }
+
+    fn content(&self, id: TextureId) -> u64 {
+        self.textures.get(id).map_or(0, |t| t.content)
+    }
+
+    fn set_content(&mut self, id: TextureId, content: u64) {
+        if let Some(texture) = self.textures.get_mut(id) {
+            texture.content = content;
+        }
     }
 
     fn destroy_texture(&mut self, id: TextureId) {

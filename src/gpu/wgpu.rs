@@ -4,14 +4,14 @@
 //! views with [`WgpuBackend::import_view`] and record passes into your own encoder with
 //! [`WgpuBackend::encode`].
 
-use std::collections::HashMap;
 use std::num::NonZeroU64;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use slotmap::SlotMap;
 
+use super::map::Map;
 use super::{
-    AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, Program, ProgramId, ReadId, SAMPLER_BINDING,
+    AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, Precision, Program, ProgramId, ReadId, SAMPLER_BINDING,
     TEXTURES_MAX, TextureDesc, TextureId, TimerId, TimerKind, UNIFORM_MAX, Vertices, check_pass, decode_texels,
     encode_texels, program::Bound, unknown,
 };
@@ -24,6 +24,8 @@ pub const RING_PASSES: u32 = 256;
 
 struct Texture {
     desc: TextureDesc,
+    /// See [`Backend::content`].
+    content: u64,
     view: wgpu::TextureView,
     /// `None` for a user's view.
     texture: Option<wgpu::Texture>,
@@ -55,13 +57,14 @@ struct Timer {
 
 /// See the [module](self).
 pub struct WgpuBackend {
+    epoch: u64,
     device: wgpu::Device,
     queue: wgpu::Queue,
     info: AdapterInfo,
     textures: SlotMap<TextureId, Texture>,
     programs: SlotMap<ProgramId, Compiled>,
-    pipelines: HashMap<(ProgramId, Format, Option<DepthUse>), wgpu::RenderPipeline>,
-    bind_groups: HashMap<(ProgramId, Bound), wgpu::BindGroup>,
+    pipelines: Map<(ProgramId, Format, Option<DepthUse>), wgpu::RenderPipeline>,
+    bind_groups: Map<(ProgramId, Bound), wgpu::BindGroup>,
     reads: SlotMap<ReadId, Read>,
     timers: SlotMap<TimerId, Timer>,
     sampler: wgpu::Sampler,
@@ -184,6 +187,7 @@ impl WgpuBackend {
             mapped_at_creation: false,
         });
         Ok(Self {
+            epoch: super::next_epoch(),
             info: AdapterInfo {
                 backend: NAME,
                 adapter: name.to_owned(),
@@ -191,13 +195,14 @@ impl WgpuBackend {
                 timer,
                 max_texture_size: limits.max_texture_dimension_2d,
                 filters_f32,
+                precision: Precision::Guaranteed,
             },
             device,
             queue,
             textures: SlotMap::with_key(),
             programs: SlotMap::with_key(),
-            pipelines: HashMap::new(),
-            bind_groups: HashMap::new(),
+            pipelines: Map::new(),
+            bind_groups: Map::new(),
             reads: SlotMap::with_key(),
             timers: SlotMap::with_key(),
             sampler,
@@ -224,7 +229,7 @@ impl WgpuBackend {
     /// The view must match `desc`; what it may be used for is the user's choice of usages.
     pub fn import_view(&mut self, view: wgpu::TextureView, desc: TextureDesc) -> Result<TextureId> {
         desc.validate(self.info.max_texture_size)?;
-        Ok(self.textures.insert(Texture { desc, view, texture: None }))
+        Ok(self.textures.insert(Texture { desc, content: 0, view, texture: None }))
     }
 
     /// Records passes into a user's encoder. At most [`RING_PASSES`] between two submissions.
@@ -244,6 +249,9 @@ impl WgpuBackend {
         }
         for (index, pass) in passes.iter().enumerate() {
             self.record(encoder, pass, queries.map(|q| (q, index as u32)))?;
+            for (id, content) in pass.contents() {
+                self.set_content(id, content);
+            }
         }
         Ok(())
     }
@@ -256,7 +264,7 @@ impl WgpuBackend {
             if depth.format != Format::Depth32Float || (depth.width, depth.height) != (color.width, color.height) {
                 return Err(Error::invalid(
                     format_args!("pass {} depth target", pass.label),
-                    format_args!("{depth:?}"),
+                    format_args!("{:?}, {} × {}", depth.format, depth.width, depth.height),
                     "Depth32Float and as large as the colour target",
                 ));
             }
@@ -507,11 +515,25 @@ impl Backend for WgpuBackend {
         });
         let view = texture.create_view(&Default::default());
         self.check()?;
-        Ok(self.textures.insert(Texture { desc: *desc, view, texture: Some(texture) }))
+        Ok(self.textures.insert(Texture { desc: *desc, content: 0, view, texture: Some(texture) }))
     }
 
     fn texture(&self, id: TextureId) -> Option<TextureDesc> {
         self.textures.get(id).map(|t| t.desc)
+    }
+
+    fn epoch(&self) -> u64 {
+        self.epoch
+    }
+
+    fn content(&self, id: TextureId) -> u64 {
+        self.textures.get(id).map_or(0, |t| t.content)
+    }
+
+    fn set_content(&mut self, id: TextureId, content: u64) {
+        if let Some(texture) = self.textures.get_mut(id) {
+            texture.content = content;
+        }
     }
 
     fn destroy_texture(&mut self, id: TextureId) {

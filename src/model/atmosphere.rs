@@ -1,6 +1,6 @@
 //! The medium: what the air is made of, presets with their sources, and what is accepted.
 
-use crate::error::{Error, Result, in_range};
+use crate::error::{Error, Quoted, Result, in_range};
 
 /// Which phase function the aerosol (Mie) constituent scatters with.
 ///
@@ -188,11 +188,7 @@ impl AtmosphereParams {
             "venus" => Ok(Self::venus()),
             "rayleigh" => Ok(Self::rayleigh()),
             "earth-like" => Ok(Self::earth_like(6_371_000.0)),
-            _ => Err(Error::invalid(
-                "planet",
-                format_args!("{name:?}"),
-                format_args!("one of {}", Self::PRESETS.join(", ")),
-            )),
+            _ => Err(Error::invalid("planet", Quoted(name), format_args!("one of {}", Self::PRESETS.join(", ")))),
         }
     }
 

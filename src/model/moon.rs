@@ -9,9 +9,9 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 
-use crate::error::{Result, in_range};
-use crate::reference::quadrature::gauss_32;
-use crate::reference::ray_sphere_intersect;
+use crate::error::{Decimal, Result, in_range};
+use crate::model::quadrature::gauss_32;
+use crate::model::rays::ray_sphere_intersect;
 
 /// Exponents of the sun's limb darkening at 680, 550 and 440 nm: `I(μ) = I(1) μ^α`, μ the cosine of the angle to the
 /// photosphere's normal.
@@ -36,7 +36,6 @@ pub fn limb_darkening(r: f64) -> [f64; 3] {
 }
 
 /// The mean of [`limb_darkening`] over a ring of radius `r` and half width `half`, sun radii.
-#[cfg(all(feature = "reference", not(target_arch = "wasm32")))]
 pub(crate) fn limb_darkening_of_ring(r: f64, half: f64) -> [f64; 3] {
     let (inner, outer) = ((r - half).clamp(0.0, 1.0), (r + half).clamp(0.0, 1.0));
     let area = (outer - inner) * (outer + inner);
@@ -85,8 +84,8 @@ impl Moon {
         if distance <= self.radius {
             return Err(crate::Error::invalid(
                 "moon.position",
-                format_args!("{distance} m from the camera"),
-                format_args!("more than moon.radius ({} m) from it", self.radius),
+                format_args!("{} m from the camera", Decimal(distance)),
+                format_args!("more than moon.radius ({} m) from it", Decimal(self.radius)),
             ));
         }
         Ok(())

@@ -8,7 +8,7 @@
 
 use glam::{DMat3, DVec2, DVec3};
 
-use crate::error::{Error, Result, direction, in_range};
+use crate::error::{Decimal, Error, Result, Vector, direction, in_range};
 use crate::model::atmosphere::AtmosphereParams;
 use crate::model::moon::Moon;
 
@@ -94,7 +94,11 @@ impl Camera {
         let up = direction("camera.up", self.up)?;
         let right = forward.cross(up);
         if right.length() < 1e-6 {
-            return Err(Error::invalid("camera.up", self.up, "a direction that is not parallel to camera.forward"));
+            return Err(Error::invalid(
+                "camera.up",
+                Vector(self.up),
+                "a direction that is not parallel to camera.forward",
+            ));
         }
         let right = right.normalize();
         let up = right.cross(forward);
@@ -105,7 +109,13 @@ impl Camera {
         if t.right - t.left < 1e-9 || t.top - t.bottom < 1e-9 {
             return Err(Error::invalid(
                 "camera.tangents",
-                format_args!("{t:?}"),
+                format_args!(
+                    "Tangents {{ left: {}, right: {}, bottom: {}, top: {} }}",
+                    Decimal(t.left),
+                    Decimal(t.right),
+                    Decimal(t.bottom),
+                    Decimal(t.top)
+                ),
                 "left < right and bottom < top, by at least 1e-9",
             ));
         }
@@ -294,8 +304,11 @@ impl Scene {
         if r < 0.5 * self.atmosphere.planet_radius {
             return Err(Error::invalid(
                 "camera.position",
-                format_args!("{} m from the planet's centre", r),
-                format_args!("at least half the planet's radius ({} m) from it", 0.5 * self.atmosphere.planet_radius),
+                format_args!("{} m from the planet's centre", Decimal(r)),
+                format_args!(
+                    "at least half the planet's radius ({} m) from it",
+                    Decimal(0.5 * self.atmosphere.planet_radius)
+                ),
             ));
         }
         let z = from_center / r;

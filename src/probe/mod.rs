@@ -8,12 +8,14 @@
 //! [`Promise`] says what may be lost.
 
 mod cases;
+pub mod film;
 mod frames;
 #[allow(dead_code)] // Constants that only some probes ask for.
 #[rustfmt::skip]
 mod generated;
 mod judge;
 mod report;
+pub mod scenes;
 mod shrink;
 mod truth;
 
@@ -26,10 +28,11 @@ pub use shrink::{Shrink, shrink};
 pub use truth::{Promise, RESOLUTION};
 
 use crate::error::Result;
-use crate::frame::lut::{LutSettings, TablesUniform};
+use crate::frame::luts::TablesUniform;
 use crate::frame::uniforms::{FrameUniform, MediumUniform};
-use crate::gpu::{Backend, Format, Inputs, Pass, Program, ReadId, Target, TextureDesc, TextureId, Uniform};
+use crate::gpu::{Backend, Format, Inputs, Pass, Program, ReadId, Target, TextureDesc, TextureId};
 use crate::model::atmosphere::{AtmosphereParams, MiePhase};
+use crate::settings::LutSettings;
 
 /// Which functions a probe runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -212,14 +215,9 @@ impl Running {
         let mut texels: Vec<f32> = bytemuck::cast_slice(cases).to_vec();
         texels.resize(desc.map_or(0, |d| d.texels() * 4), 0.0);
         backend.write_texture(input, &texels)?;
-        let pass = Pass {
-            label: "probe",
-            program: Some(backend.create_program(probe.program())?),
-            inputs: Inputs::new([("cases", Some(input))]),
-            uniform: Uniform::NONE,
-            target: Target::color(output),
-            depth: Default::default(),
-        };
+        let program = Some(backend.create_program(probe.program())?);
+        let inputs = Inputs::new([("cases", Some(input))]);
+        let pass = Pass { program, inputs, ..Pass::clear("probe", Target::color(output)) };
         backend.run(&[pass])?;
         backend.begin_read(output)
     }

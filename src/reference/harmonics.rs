@@ -74,7 +74,7 @@ pub(crate) fn rayleigh_moment(l: usize) -> f64 {
 mod tests {
     use super::*;
     use crate::model::phase;
-    use crate::reference::quadrature::gauss_legendre;
+    use crate::model::quadrature::gauss_legendre;
 
     #[test]
     fn harmonics_are_orthonormal() {

@@ -1,7 +1,7 @@
 //! Column densities of the three constituents along straight lines.
 
 use super::geometry::Chord;
-use super::quadrature::{gauss_4, gauss_6, gauss_10, gauss_16};
+use crate::model::quadrature::{gauss_4, gauss_6, gauss_10, gauss_16};
 use crate::model::atmosphere::AtmosphereParams;
 use crate::model::phase;
 
@@ -168,7 +168,7 @@ fn apply<const N: usize>(rule: &[(f64, f64); N], a: f64, b: f64, f: impl Fn(f64)
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::reference::quadrature::integrate;
+    use crate::model::quadrature::integrate;
 
     /// Columns against an adaptive integral in plain path length, for shapes far from Earth's.
     #[test]

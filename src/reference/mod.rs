@@ -24,7 +24,6 @@ mod medium;
 pub mod multiple;
 pub(crate) mod parallel;
 pub mod path;
-pub(crate) mod quadrature;
 pub mod single;
 
 pub use geometry::{clip_segment, ray_sphere_intersect, ray_sphere_intersect_f32};

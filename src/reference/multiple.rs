@@ -26,7 +26,7 @@ use super::geometry::{Chord, RayEnd};
 use super::harmonics;
 use super::medium::{ColumnRule, Medium};
 use super::parallel;
-use super::quadrature::{gauss_legendre, integrate};
+use crate::model::quadrature::{gauss_legendre, integrate};
 use super::single::{Line, RayQuery, SmallAngles, SunLine, Tolerance, scatter, view_breaks};
 use crate::error::{Error, Result, in_range};
 use crate::model::atmosphere::AtmosphereParams;
@@ -683,7 +683,7 @@ impl Orders {
                 .flat_map(|a| angles.iter().map(move |f| mu * a.cos() + sin * a.sin() * f.cos()))
                 .collect();
             for panel in breaks.windows(2).filter(|w| w[1] > w[0]) {
-                for &(x, w) in super::quadrature::gauss_6() {
+                for &(x, w) in crate::model::quadrature::gauss_6() {
                     let v = 0.5 * (panel[0] + panel[1]) + 0.5 * (panel[1] - panel[0]) * x;
                     let (s, jacobian) = chord.at_v(v);
                     let h = (chord.perigee_altitude + v * v).max(0.0);

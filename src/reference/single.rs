@@ -12,7 +12,7 @@ use glam::DVec3;
 use super::geometry::{Chord, RayEnd};
 use super::harmonics;
 use super::medium::{ColumnRule, Medium, Phases};
-use super::quadrature::{fixed, gauss_legendre, integrate};
+use crate::model::quadrature::{fixed, gauss_legendre, integrate};
 use crate::error::{Error, Result, direction, in_range};
 use crate::model::atmosphere::AtmosphereParams;
 use crate::model::moon::Moon;

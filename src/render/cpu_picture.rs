@@ -16,7 +16,7 @@ use crate::model::scene::{Scene, ZenithView};
 use crate::reference::geometry::ray_sphere_intersect;
 use crate::reference::single::{RayQuery, Sun, Tolerance, single_scattering, transmittance};
 use crate::render::picture::PictureSettings;
-use crate::shaders::Constituents;
+use crate::frame::Air;
 
 /// A picture, row 0 on top.
 #[derive(Clone, Debug)]
@@ -84,7 +84,7 @@ impl<'a> Painter<'a> {
             view,
             settings,
             size,
-            air: settings.sky.enabled && Constituents::of(&scene.atmosphere).any(),
+            air: settings.sky.look.enabled && Air::of(&scene.atmosphere).any(),
             pixel_angle: 2.0 * view.basis.up.length() / f64::from(size[1]),
             camera: scene.camera.position - scene.planet_center,
             sun: back * view.sun,
@@ -107,7 +107,7 @@ impl<'a> Painter<'a> {
         let mut color = ground.unwrap_or([0.0; 3]);
         let hits_planet =
             ray_sphere_intersect(self.camera, world, DVec3::ZERO, p.planet_radius).is_some_and(|(near, _)| near >= 0.0);
-        if ground.is_none() && !hits_planet && self.settings.sky.enabled && self.settings.sky.sun_disk {
+        if ground.is_none() && !hits_planet && self.settings.sky.look.enabled && self.settings.sky.look.sun_disk {
             let chord = 2.0 * (0.5 * p.sun_angular_radius).sin();
             let cover = ((chord - (dir - self.view.sun).length()) / self.pixel_angle + 0.5).clamp(0.0, 1.0);
             let full = cover * p.sun_intensity / (std::f64::consts::PI * chord * chord);
@@ -119,13 +119,13 @@ impl<'a> Painter<'a> {
                 if whole > 0.0 { whole + (own - whole) * t * t * (3.0 - 2.0 * t) } else { 0.0 }
             });
             color = [full * left; 3];
-            if self.settings.sky.limb_darkening {
+            if self.settings.sky.look.limb_darkening {
                 let r = (dir - self.view.sun).length() / chord;
                 let brightness = limb_darkening_of_ring(r, 0.5 * self.pixel_angle / chord);
                 color = std::array::from_fn(|c| color[c] * brightness[c]);
             }
         }
-        let sight = ground.is_none() && !hits_planet && self.settings.sky.enabled;
+        let sight = ground.is_none() && !hits_planet && self.settings.sky.look.enabled;
         if let Some(moon) = self.view.moon.filter(|_| sight) {
             // The disk's soft edge shines as its rim.
             let (towards, sine) = (moon.position.normalize(), moon.radius / moon.position.length());

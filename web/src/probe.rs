@@ -1,10 +1,11 @@
 //! What `welkin stress` does, in a page (feature `probe`): part of the module of `web/test/probe.html` only.
 
 use wasm_bindgen::prelude::*;
-use web_sys::HtmlCanvasElement;
 
-use super::{Canvas, open_webgl2, open_webgpu, pause};
-use welkin::error::{Error, Result};
+use crate::args::{canvas, name};
+use crate::surface::{self, Surface};
+use crate::{Answer, pause};
+use welkin::error::Result;
 use welkin::probe::{self, BATCH, Case, Cases, NUMBERS, Probe, Record, Running, Shrink};
 
 /// Cases that are drawn, and whose answers are on their way.
@@ -17,30 +18,18 @@ struct Batch {
 /// Cases by the million on one of the backends.
 #[wasm_bindgen]
 pub struct Stress {
-    canvas: Canvas,
+    canvas: Box<dyn Surface>,
     record: Record,
     begun: u64,
     /// Drawn by the GPU while the batch before is judged.
     ahead: Option<Batch>,
 }
 
-type Answer<T> = std::result::Result<T, JsError>;
-
 #[wasm_bindgen]
 impl Stress {
     /// Opens `"webgl2"` or `"webgpu"`. `host`: the browser, and what it says of the adapter.
-    pub async fn create(
-        canvas: HtmlCanvasElement,
-        backend: String,
-        host: String,
-        seed: u64,
-        cases: u64,
-    ) -> Answer<Stress> {
-        let canvas = match backend.as_str() {
-            "webgl2" => open_webgl2(&canvas)?,
-            "webgpu" => open_webgpu(canvas).await?,
-            other => return Err(Error::invalid("backend", format_args!("{other:?}"), "webgl2 or webgpu").into()),
-        };
+    pub async fn create(element: JsValue, backend: JsValue, host: String, seed: u64, cases: u64) -> Answer<Stress> {
+        let canvas = surface::open(canvas(element)?, &name(&backend)).await?;
         let mut record = Record::new(canvas.info(), seed, cases);
         record.about += &format!(", {host}");
         Ok(Self { canvas, record, begun: 0, ahead: None })

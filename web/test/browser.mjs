@@ -13,17 +13,19 @@ mkdirSync(artifacts, { recursive: true });
 
 export const SIZE = { width: 320, height: 200 };
 
+export const BACKENDS = ['webgl2', 'webgpu'];
+
 const TYPES = {
   '.html': 'text/html; charset=utf-8', '.css': 'text/css', '.js': 'text/javascript', '.wasm': 'application/wasm',
 };
 
-/** Serve web/ on a free port of this machine. */
-async function serve() {
+/** Serve a folder on a free port of this machine. */
+async function serve(folder) {
   const server = createServer(async (request, response) => {
     const path = normalize(decodeURIComponent(new URL(request.url, 'http://localhost').pathname)).replace(/[/\\]$/, '/index.html');
-    const file = join(web, path);
+    const file = join(folder, path);
     try {
-      if (!file.startsWith(web + sep)) throw new Error('outside');
+      if (!file.startsWith(folder + sep)) throw new Error('outside');
       const body = await readFile(file);
       response.writeHead(200, { 'content-type': TYPES[extname(file)] ?? 'application/octet-stream', 'cache-control': 'no-store' });
       response.end(body);
@@ -53,26 +55,36 @@ const FLAGS = [
   '--enable-features=Vulkan', '--use-vulkan=swiftshader', '--use-angle=swiftshader',
 ];
 
-/** A running browser, its `version`, with `open` for pages of the viewer. Call `close` at the end. */
-export async function launch() {
-  if (!existsSync(join(web, 'pkg', 'welkin_bg.wasm'))) throw new Error('web/pkg is not built: run scripts/build-web');
-  const server = await serve();
+/** The files of the module that the page downloads for a backend. */
+export const moduleFiles = (backend) => ['welkin.js', 'welkin_bg.wasm'].map((file) => join(web, 'pkg', backend, file));
+
+/**
+ * A running browser, its `version`, with `open` for pages of the viewer. Call `close` at the end. `folders` are served
+ * beside web/, each at a place of its own.
+ */
+export async function launch({ folders = [] } = {}) {
+  const missing = BACKENDS.flatMap(moduleFiles).filter((file) => !existsSync(file));
+  if (missing.length) throw new Error(`${missing.join(', ')}: not built, run scripts/build-web`);
+  const servers = await Promise.all([web, ...folders].map(serve));
   const browser = await chromium.launch({
     executablePath: chromiumPath(),
     args: FLAGS,
     chromiumSandbox: process.getuid?.() !== 0, // Chromium's sandbox does not start as root
   });
-  const base = `http://localhost:${server.address().port}/`;
+  const bases = new Map([web, ...folders].map((folder, i) => [folder, `http://localhost:${servers[i].address().port}/`]));
 
   /**
-   * Open the viewer, or another page by its `path`. `page.lines` holds every console line as {type, text}, `page.problems` what
-   * went wrong in it: uncaught errors and console errors.
+   * Open the viewer, or another page by its `path`, of web/ or one of the `folders`. `page.lines` holds every console line
+   * as {type, text}, `page.problems` what went wrong in it: uncaught errors and console errors, `page.downloads` the paths
+   * that it asked the server for.
    */
-  async function open({ path = '', backend, hash = '', query = {}, prepare, ready = true, context: settings = {} } = {}) {
+  async function open({ folder = web, path = '', backend, hash = '', query = {}, prepare, ready = true, context: settings = {} } = {}) {
     const context = await browser.newContext({ viewport: { width: 900, height: 600 }, ...settings });
     const page = await context.newPage();
     page.lines = [];
     page.problems = [];
+    page.downloads = [];
+    page.on('request', (r) => page.downloads.push(new URL(r.url()).pathname));
     page.on('console', (m) => {
       page.lines.push({ type: m.type(), text: m.text() });
       if (m.type() === 'error') page.problems.push(m.text());
@@ -81,14 +93,14 @@ export async function launch() {
     if (prepare) await page.addInitScript(prepare);
     const search = new URLSearchParams({ ...SIZE, ...(backend ? { backend } : {}), ...query });
     for (const key of [...search.keys()]) if (search.get(key) === '') search.delete(key);
-    await page.goto(`${base}${path}?${search}${hash ? `#${hash}` : ''}`);
+    await page.goto(`${bases.get(folder)}${path}?${search}${hash ? `#${hash}` : ''}`);
     if (ready) await waitForLine(page, 'Sky renderer initialized');
     return page;
   }
 
   async function close() {
     await browser.close();
-    await new Promise((closed) => server.close(closed));
+    await Promise.all(servers.map((server) => new Promise((closed) => server.close(closed))));
   }
   return { open, close, version: browser.version() };
 }

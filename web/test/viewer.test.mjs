@@ -3,8 +3,12 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { gzipSync } from 'node:zlib';
 import { after, before, describe, it } from 'node:test';
-import { SIZE, artifacts, decode, difference, launch, luminance, mean, pixels, relativeDifference, shown, waitForLine, web } from './browser.mjs';
+import {
+  BACKENDS, SIZE, artifacts, decode, difference, launch, luminance, mean, moduleFiles, pixels, relativeDifference, shown,
+  waitForLine, web,
+} from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -22,8 +26,17 @@ async function use(t, options, { complaints = false } = {}) {
 
 const finite = (data) => data.every(Number.isFinite);
 
-for (const backend of ['webgl2', 'webgpu']) {
+for (const backend of BACKENDS) {
   describe(backend, () => {
+    it('downloads the module of this backend alone, and it is small', async (t) => {
+      const page = await use(t, { backend });
+      assert.deepEqual(page.downloads.filter((path) => path.startsWith('/pkg/')).sort(),
+        [`/pkg/${backend}/welkin.js`, `/pkg/${backend}/welkin_bg.wasm`]);
+      const [glue, wasm] = moduleFiles(backend).map((file) => gzipSync(readFileSync(file), { level: 9 }).length);
+      t.diagnostic(`${wasm} bytes of wasm and ${glue} of JavaScript, gzipped`);
+      assert.ok(wasm <= 120_000, `the module has ${wasm} bytes gzipped`);
+    });
+
     it('loads, says so, and names the backend', async (t) => {
       const page = await use(t, { backend });
       assert.equal(page.lines.filter((l) => l.text === 'Sky renderer initialized').length, 1);
@@ -358,6 +371,43 @@ for (const backend of ['webgl2', 'webgpu']) {
       assert.ok(finite(await pixels(page)), 'and it still draws');
     });
 
+    it('says what is wrong with a value of a wrong type, whatever it is', async (t) => {
+      const page = await use(t, { backend });
+      const before = await pixels(page);
+      const messages = await page.evaluate(async () => {
+        const { viewer } = welkin;
+        const { constructor: Viewer } = viewer;
+        // What each method takes; each argument in turn is replaced by what it is not.
+        const right = {
+          set_planet: ['earth'], set_camera: [100, 0, 0, 60], set_sun: [20, 0], set_mode: ['lut'], set_quality: ['medium'],
+          set_samples: [24, 8], set_exposure: [1], set_tone_map: ['aces'], set_render_scale: [1], set_enabled: [true],
+          set_terrain: [true], resize: [320, 200],
+        };
+        const wrong = [5, 'five', true, null, undefined, {}, [], Symbol('s'), 5n, () => 5, NaN];
+        const out = [];
+        const note = (name, value, says) => out.push([`${name} of ${String(Array.isArray(value) ? '[]' : value)}`, says]);
+        for (const [name, args] of Object.entries(right)) {
+          for (let i = 0; i < args.length; i++) {
+            for (const value of wrong) {
+              if (typeof value === typeof args[i] && typeof value !== 'string' && !Number.isNaN(value)) continue;
+              try {
+                viewer[name](...args.with(i, value));
+                note(name, value, 'nothing was thrown');
+              } catch (e) { note(name, value, e.message); }
+            }
+          }
+        }
+        for (const value of [null, 5, document.body, document.createElement('canvas')]) {
+          const backend = value instanceof HTMLCanvasElement ? 5 : viewer.backend;
+          await Viewer.create(value, backend).then(() => note('create', value, 'nothing was thrown'), (e) => note('create', value, e.message));
+        }
+        return out;
+      });
+      for (const [call, message] of messages) assert.match(message, /^\S+ = \S.* is not allowed: must be \S/, call);
+      assert.ok(messages.length > 100, `${messages.length} calls`);
+      assert.equal(difference(before, await pixels(page)).max, 0, 'and it still draws, as before');
+    });
+
     it('recovers when the device is lost', async (t) => {
       const page = await use(t, { backend, hash: 'planet=mars&pitch=33&sunElevation=12' });
       const before = await pixels(page);
@@ -462,7 +512,7 @@ describe('the browser draws what the native program draws', () => {
     { how: 'single scattering', changes: { quality: '', samples: 24, lightSamples: 8 }, options: ['--samples', '24', '--light-samples', '8'] },
     ...['sky-dome', 'atmosphere-post', 'planet'].map((mode) => ({ how: mode, changes: { mode, quality: '' }, options: ['--mode', mode] })),
   ];
-  for (const backend of ['webgl2', 'webgpu']) {
+  for (const backend of BACKENDS) {
     for (const { how, changes = {}, options } of draws) it(`on ${backend}, ${how}`, async (t) => {
       const page = await use(t, { backend });
       for (const [name, view] of Object.entries(views)) {

@@ -13,14 +13,15 @@ use crate::model::atmosphere::{AtmosphereParams, MiePhase};
 const VERSION: u32 = 1;
 
 /// What a solution follows from, besides its inputs, and how it is written: a change of it makes another key.
-const SOURCES: [&str; 11] = [
+const SOURCES: [&str; 12] = [
     include_str!("stored.rs"),
     include_str!("../multiple.rs"),
     include_str!("../geometry.rs"),
     include_str!("../harmonics.rs"),
     include_str!("../medium.rs"),
     include_str!("../parallel.rs"),
-    include_str!("../quadrature.rs"),
+    include_str!("../../model/quadrature.rs"),
+    include_str!("../../model/rays.rs"),
     include_str!("../single.rs"),
     include_str!("../../model/atmosphere.rs"),
     include_str!("../../error.rs"),
