@@ -14,7 +14,7 @@ use crate::model::moon::{Disks, Moon};
 use crate::model::scene::ZenithView;
 
 block! {
-    /// `struct MoonShadow` in `moon_block.wgsl`.
+    /// `struct MoonShadow` in `lib/moon_shadow.wgsl`.
     #[allow(missing_docs)]
     ShadowUniform {
         across: [f32; 3],
@@ -27,7 +27,7 @@ block! {
 }
 
 block! {
-    /// `struct Uniforms` in `sky.wgsl` and `aerial.wgsl` under a moon's shadow.
+    /// `struct Uniforms` in `lib/eclipsed_sun.wgsl`, of passes under a moon's shadow.
     #[allow(missing_docs)]
     EclipseUniform {
         frame: FrameUniform,
@@ -193,7 +193,7 @@ impl MoonShadow {
 
     /// Share of sunlight by the distance from the shadow's axis, as a mean over points all around whose distances are
     /// distributed like `exp(-x / length)`. In a second row what a darker edge of the sun makes of the share: over
-    /// that of a uniform disk, at the places of `limb_place` in `moon_shadow.wgsl`. Red, green, blue, unused; per texel.
+    /// that of a uniform disk, at the u of `moon_distance_to_u` in `lib/moon_shadow.wgsl`. Red, green, blue, unused; per texel.
     pub fn texels(&self) -> [f32; 8 * TEXELS] {
         let step = self.reach() / (TEXELS - 1) as f64;
         // Of the point itself.
@@ -238,7 +238,7 @@ impl MoonShadow {
         texels
     }
 
-    /// `limb_place` the other way: the angle at a share of the second row.
+    /// `moon_distance_to_u` the other way: the angle at a share of the second row.
     fn apart_at(&self, share: f64) -> f64 {
         let Disks { sun, moon, .. } = self.disks(0.0);
         let inner = (sun - moon).abs();

@@ -1,6 +1,6 @@
 //! The demonstration's terrain: a planet-scale height field, so that occlusion and depth are real.
 //!
-//! It stands in for a user's own scene. The mesh is made in the vertex shader (`terrain.wgsl`); the same
+//! It stands in for a user's own scene. The mesh is made in the vertex shader (`pass/terrain.wgsl`); the same
 //! height field is here in f64, for cameras that shall stand on it and for the CPU renderer.
 
 use glam::{DVec3, IVec3};
@@ -14,11 +14,8 @@ use crate::gpu::{DepthUse, Uniform};
 use crate::model::atmosphere::AtmosphereParams;
 use crate::shaders::terrain;
 
-/// Rings of the mesh; `RINGS` in `terrain.wgsl`.
-const RINGS: u32 = 256;
-
 block! {
-    /// `struct Terrain` in `terrain.wgsl`.
+    /// `struct Terrain` in `pass/terrain.wgsl`.
     #[allow(missing_docs)]
     TerrainUniform {
         frame: FrameUniform,
@@ -88,7 +85,7 @@ impl TerrainStyle {
     }
 }
 
-/// `lattice` in `noise.wgsl`.
+/// `lattice` in `lib/noise.wgsl`.
 fn lattice(p: IVec3) -> f64 {
     let mut h = (p.x as u32).wrapping_mul(0x8da6_b343)
         ^ (p.y as u32).wrapping_mul(0xd816_3841)
@@ -99,7 +96,7 @@ fn lattice(p: IVec3) -> f64 {
     f64::from(h >> 8) / 16_777_216.0
 }
 
-/// `noise` in `noise.wgsl`: value and gradient.
+/// `noise` in `lib/noise.wgsl`: value and gradient.
 fn noise(p: DVec3) -> (f64, DVec3) {
     let cell = p.floor();
     let i = cell.as_ivec3();
@@ -123,7 +120,7 @@ impl TerrainStyle {
     }
 
     /// Height above the surface (metres, ≥ 0) and its gradient (metres per radian) below a unit direction
-    /// in the planet's own axes. `height_field` in `terrain.wgsl`.
+    /// in the planet's own axes. `height_field` in `pass/terrain.wgsl`.
     pub fn height(&self, n: DVec3, planet_radius: f64) -> (f64, DVec3) {
         let mut land = (0.0, DVec3::ZERO);
         for (rate, shift, gain) in [(2.3, 11.0, 0.6), (5.1, 5.0, 0.3), (13.7, 3.0, 0.1)] {
@@ -195,7 +192,7 @@ impl TerrainStyle {
             grid_x: to_zenith(east),
             arc_scale: arc_scale as f32,
             grid_y: to_zenith(up.cross(east)),
-            arc_rate: (((0.5 * arc_max).tan() / arc_scale).asinh() / f64::from(RINGS)) as f32,
+            arc_rate: (((0.5 * arc_max).tan() / arc_scale).asinh() / f64::from(terrain::numbers::RINGS)) as f32,
             planet_x: row(0),
             sea: if self.sea { 1.0 } else { 0.0 },
             planet_y: row(1),

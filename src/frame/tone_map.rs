@@ -8,7 +8,7 @@ use crate::settings::ToneMap;
 use crate::shaders::tone_map;
 
 block! {
-    /// `struct Tone` in `tonemap.wgsl`.
+    /// `struct Tone` in `pass/tone_map.wgsl`.
     #[allow(missing_docs)]
     ToneUniform {
         exposure: f32,
@@ -97,7 +97,7 @@ fn mul(m: [[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
     m.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
 }
 
-/// Display value (linear, 0 to 1 once clamped) of exposed radiance; sources in `tonemap.wgsl`.
+/// Display value (linear, 0 to 1 once clamped) of exposed radiance; sources in `pass/tone_map.wgsl`.
 pub fn tone_map(curve: ToneMap, color: [f64; 3]) -> [f64; 3] {
     let color = color.map(|c| c.max(0.0));
     match curve {
@@ -143,7 +143,7 @@ pub fn tone_map(curve: ToneMap, color: [f64; 3]) -> [f64; 3] {
     }
 }
 
-/// sRGB encoding of a linear value, clamped to 0..1 (IEC 61966-2-1): as in `tonemap.wgsl`, where a fit by roots stands for
+/// sRGB encoding of a linear value, clamped to 0..1 (IEC 61966-2-1): as in `pass/tone_map.wgsl`, where a fit by roots stands for
 /// the standard's power. It is off by at most 4.5e-5, 0.012 of a step of 8 bits.
 pub fn srgb_encode(linear: f64) -> f64 {
     let c = linear.clamp(0.0, 1.0);
@@ -156,7 +156,7 @@ pub fn srgb_encode(linear: f64) -> f64 {
 }
 
 /// Noise of a pixel (column and row from 0), in steps of an 8-bit display value: more than -1/2, less than 1/2, its mean
-/// over a few pixels next to 0. The same numbers as in `tonemap.wgsl`, which has the source.
+/// over a few pixels next to 0. The same numbers as in `pass/tone_map.wgsl`, which has the source.
 pub fn dither([x, y]: [u32; 2]) -> [f64; 3] {
     let n = x.wrapping_mul(0xc13f_a9a9).wrapping_add(y.wrapping_mul(0x91e1_0da5));
     [0, 0x5555_5555, 0xaaaa_aaaa].map(|offset| {

@@ -1,4 +1,4 @@
-//! The uniform block of the atmosphere's passes; its WGSL twin is `struct Frame` in `frame.wgsl`.
+//! The uniform block of the atmosphere's passes; its WGSL twin is `struct Frame` in `lib/frame.wgsl`.
 
 use glam::DVec3;
 
@@ -57,7 +57,7 @@ block! {
 }
 
 block! {
-    /// `struct Frame`: see the fields' comments in `frame.wgsl`.
+    /// `struct Frame`: see the fields' comments in `lib/frame.wgsl`.
     #[allow(missing_docs)]
     FrameUniform {
         medium: MediumUniform,

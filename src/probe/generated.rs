@@ -190,12 +190,6 @@ pub mod probe_geometry {
 pub mod probe_luts {
     use super::*;
 
-    /// The air holds gas that scatters light like Rayleigh's molecules.
-    pub const RAYLEIGH: u32 = 1 << 0;
-    /// The air holds an aerosol.
-    pub const MIE: u32 = 1 << 1;
-    /// The air holds an absorber.
-    pub const OZONE: u32 = 1 << 2;
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
@@ -211,7 +205,7 @@ pub mod probe_luts {
         name: "probe_luts",
         uniform_size: 0,
         textures: &[TextureSlot { name: "cases", binding: 1, filtered: false }],
-        constants: &["RAYLEIGH", "MIE", "OZONE"],
+        constants: &[],
         vertices: Vertices::Triangle,
         #[cfg(any(feature = "wgpu", feature = "translate"))]
         wgsl: &[text::LIB_FULLSCREEN, text::LIB_FRAME, text::LIB_PROBE_CASE, text::LIB_GEOMETRY, text::LIB_MEDIUM, text::LIB_PATH, text::LIB_LUTS, text::LIB_TRANSMITTANCE_LUT, text::LIB_MULTI_SCATTERING_LUT, text::LIB_CONSTANTS, text::LIB_SKY_VIEW_LUT, text::LIB_DIRECTIONS, text::PASS_PROBE_PROBE_LUTS],
@@ -236,8 +230,6 @@ pub mod probe_medium {
     pub const MIE: u32 = 1 << 1;
     /// The air holds an absorber.
     pub const OZONE: u32 = 1 << 2;
-    /// The aerosol's phase function; off: Henyey & Greenstein's.
-    pub const CORNETTE_SHANKS: u32 = 1 << 3;
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
@@ -250,7 +242,7 @@ pub mod probe_medium {
         name: "probe_medium",
         uniform_size: 0,
         textures: &[TextureSlot { name: "cases", binding: 1, filtered: false }],
-        constants: &["RAYLEIGH", "MIE", "OZONE", "CORNETTE_SHANKS"],
+        constants: &["RAYLEIGH", "MIE", "OZONE"],
         vertices: Vertices::Triangle,
         #[cfg(any(feature = "wgpu", feature = "translate"))]
         wgsl: &[text::LIB_FULLSCREEN, text::LIB_FRAME, text::LIB_PROBE_CASE, text::LIB_GEOMETRY, text::LIB_MEDIUM, text::LIB_PATH, text::LIB_PHASE, text::PASS_PROBE_PROBE_MEDIUM],
@@ -275,10 +267,6 @@ pub mod probe_path {
     pub const MIE: u32 = 1 << 1;
     /// The air holds an absorber.
     pub const OZONE: u32 = 1 << 2;
-    /// The aerosol's phase function; off: Henyey & Greenstein's.
-    pub const CORNETTE_SHANKS: u32 = 1 << 3;
-    /// Sunlight reaches the air; off: it dims what lies behind and sends no light.
-    pub const SUNLIGHT: u32 = 1 << 4;
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
@@ -291,7 +279,7 @@ pub mod probe_path {
         name: "probe_path",
         uniform_size: 0,
         textures: &[TextureSlot { name: "cases", binding: 1, filtered: false }],
-        constants: &["RAYLEIGH", "MIE", "OZONE", "CORNETTE_SHANKS", "SUNLIGHT"],
+        constants: &["RAYLEIGH", "MIE", "OZONE"],
         vertices: Vertices::Triangle,
         #[cfg(any(feature = "wgpu", feature = "translate"))]
         wgsl: &[text::LIB_FULLSCREEN, text::LIB_FRAME, text::LIB_PROBE_CASE, text::LIB_GEOMETRY, text::LIB_MEDIUM, text::LIB_PATH, text::LIB_PHASE, text::LIB_SINGLE_SCATTERING, text::LIB_OPEN_SUN, text::PASS_PROBE_PROBE_PATH],
@@ -316,7 +304,7 @@ pub mod probe_scatter {
     pub const MIE: u32 = 1 << 1;
     /// The air holds an absorber.
     pub const OZONE: u32 = 1 << 2;
-    /// The aerosol's phase function; off: Henyey & Greenstein's.
+    /// The aerosol scatters after Cornette & Shanks; off: Henyey & Greenstein.
     pub const CORNETTE_SHANKS: u32 = 1 << 3;
     /// Sunlight reaches the air; off: it dims what lies behind and sends no light.
     pub const SUNLIGHT: u32 = 1 << 4;

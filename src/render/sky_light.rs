@@ -1,7 +1,7 @@
 //! The light of the simulated sky for a scene of one's own: as irradiance and as spherical harmonics, from the LUTs that
 //! draw it.
 //!
-//! [`LightingContextUniform`] is the block that `lighting.wgsl` ([`crate::shaders::LIGHTING_WGSL`]) reads.
+//! [`LightingContextUniform`] is the block that `lib/lighting.wgsl` ([`crate::shaders::LIGHTING_WGSL`]) reads.
 
 use glam::DVec3;
 
@@ -16,7 +16,7 @@ use crate::model::sunlight::sunlight;
 use crate::settings::{LutSettings, Quality};
 
 block! {
-    /// `struct LightingContext` in `lighting.wgsl`: 32 bytes.
+    /// `struct LightingContext` in `lib/lighting.wgsl`: 32 bytes.
     LightingContextUniform {
         /// Ambient colour times intensity; last the light in the darkest shadow.
         ambient_shadow: [f32; 4],
@@ -123,10 +123,11 @@ pub struct SkyLight {
 }
 
 /// Rows per altitude in the table of moments.
-const ROWS: usize = 6;
+const ROWS: usize = crate::shaders::multi_scattering_lut::numbers::MOMENTS as usize;
 
 impl SkyLight {
-    /// Where altitude and sun are among the nodes: `tables.wgsl`'s `altitude_share` and `sun_share`, in f64.
+    /// Where altitude and sun are among the nodes: `altitude_to_v` and `mu_sun_to_u` of
+    /// `lib/multi_scattering_lut.wgsl`, in f64.
     fn at(&self, altitude: f64, sun_sine: f64) -> [(usize, f64); 2] {
         let t = &self.tables;
         let h = (altitude / self.params.thickness()).clamp(0.0, 1.0);

@@ -254,14 +254,8 @@ static PARTS: &[&str] = &[
 pub mod aerial_lut_scan {
     use super::*;
 
-    /// The air holds gas that scatters light like Rayleigh's molecules.
-    pub const RAYLEIGH: u32 = 1 << 0;
-    /// The air holds an aerosol.
-    pub const MIE: u32 = 1 << 1;
-    /// The air holds an absorber.
-    pub const OZONE: u32 = 1 << 2;
     /// The last step: radiance becomes a part of the whole ray's; off: a sum.
-    pub const FINISH: u32 = 1 << 3;
+    pub const FINISH: u32 = 1 << 0;
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
@@ -277,7 +271,7 @@ pub mod aerial_lut_scan {
         name: "aerial_lut_scan",
         uniform_size: 352,
         textures: &[TextureSlot { name: "aerial_lut", binding: 1, filtered: false }],
-        constants: &["RAYLEIGH", "MIE", "OZONE", "FINISH"],
+        constants: &["FINISH"],
         vertices: Vertices::Triangle,
         #[cfg(any(feature = "wgpu", feature = "translate"))]
         wgsl: &[text::LIB_FULLSCREEN, text::LIB_LUTS, text::LIB_CONSTANTS, text::LIB_FRAME, text::LIB_GEOMETRY, text::LIB_SKY_VIEW_LUT, text::LIB_MEDIUM, text::LIB_PATH, text::LIB_AERIAL_LUT, text::PASS_AERIAL_LUT_SCAN],
@@ -305,8 +299,6 @@ pub mod aerial_lut_slices {
     pub const OZONE: u32 = 1 << 2;
     /// Light is scattered again; off: sunlight alone.
     pub const MULTI_SCATTERING: u32 = 1 << 3;
-    /// The aerosol's phase function; off: Henyey & Greenstein's.
-    pub const CORNETTE_SHANKS: u32 = 1 << 4;
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
@@ -323,7 +315,7 @@ pub mod aerial_lut_slices {
         name: "aerial_lut_slices",
         uniform_size: 352,
         textures: &[TextureSlot { name: "transmittance_lut", binding: 1, filtered: false }, TextureSlot { name: "multi_scattering_lut", binding: 2, filtered: false }],
-        constants: &["RAYLEIGH", "MIE", "OZONE", "MULTI_SCATTERING", "CORNETTE_SHANKS"],
+        constants: &["RAYLEIGH", "MIE", "OZONE", "MULTI_SCATTERING"],
         vertices: Vertices::Triangle,
         #[cfg(any(feature = "wgpu", feature = "translate"))]
         wgsl: &[text::LIB_FULLSCREEN, text::LIB_GEOMETRY, text::LIB_FRAME, text::LIB_MEDIUM, text::LIB_PATH, text::LIB_LUTS, text::LIB_TRANSMITTANCE_LUT, text::LIB_MULTI_SCATTERING_LUT, text::LIB_GATHER, text::LIB_OPEN_SUN, text::LIB_CONSTANTS, text::LIB_SKY_VIEW_LUT, text::LIB_AERIAL_LUT, text::LIB_PHASE, text::PASS_AERIAL_LUT_SLICES],
@@ -351,7 +343,7 @@ pub mod aerial_march {
     pub const MIE: u32 = 1 << 2;
     /// The air holds an absorber.
     pub const OZONE: u32 = 1 << 3;
-    /// The aerosol's phase function; off: Henyey & Greenstein's.
+    /// The aerosol scatters after Cornette & Shanks; off: Henyey & Greenstein.
     pub const CORNETTE_SHANKS: u32 = 1 << 4;
     /// Sunlight reaches the air; off: it dims what lies behind and sends no light.
     pub const SUNLIGHT: u32 = 1 << 5;
@@ -390,7 +382,7 @@ pub mod aerial_march_eclipse {
     pub const OZONE: u32 = 1 << 3;
     /// Light is scattered again; off: sunlight alone.
     pub const MULTI_SCATTERING: u32 = 1 << 4;
-    /// The aerosol's phase function; off: Henyey & Greenstein's.
+    /// The aerosol scatters after Cornette & Shanks; off: Henyey & Greenstein.
     pub const CORNETTE_SHANKS: u32 = 1 << 5;
     /// Sunlight reaches the air; off: it dims what lies behind and sends no light.
     pub const SUNLIGHT: u32 = 1 << 6;
@@ -434,7 +426,7 @@ pub mod aerial_perspective {
     pub const MIE: u32 = 1 << 2;
     /// The air holds an absorber.
     pub const OZONE: u32 = 1 << 3;
-    /// The aerosol's phase function; off: Henyey & Greenstein's.
+    /// The aerosol scatters after Cornette & Shanks; off: Henyey & Greenstein.
     pub const CORNETTE_SHANKS: u32 = 1 << 4;
     /// With sunlight scattered once by the aerosol, which has a LUT of its own.
     pub const MIE_SINGLE: u32 = 1 << 5;
@@ -545,8 +537,6 @@ pub mod multi_scattering_gather {
     pub const OZONE: u32 = 1 << 2;
     /// Light is scattered again; off: sunlight alone.
     pub const MULTI_SCATTERING: u32 = 1 << 3;
-    /// The aerosol's phase function; off: Henyey & Greenstein's.
-    pub const CORNETTE_SHANKS: u32 = 1 << 4;
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
@@ -560,7 +550,7 @@ pub mod multi_scattering_gather {
         name: "multi_scattering_gather",
         uniform_size: 224,
         textures: &[TextureSlot { name: "transmittance_lut", binding: 1, filtered: false }, TextureSlot { name: "multi_scattering_lut", binding: 2, filtered: false }],
-        constants: &["RAYLEIGH", "MIE", "OZONE", "MULTI_SCATTERING", "CORNETTE_SHANKS"],
+        constants: &["RAYLEIGH", "MIE", "OZONE", "MULTI_SCATTERING"],
         vertices: Vertices::Triangle,
         #[cfg(any(feature = "wgpu", feature = "translate"))]
         wgsl: &[text::LIB_FULLSCREEN, text::LIB_GEOMETRY, text::LIB_FRAME, text::LIB_MEDIUM, text::LIB_PATH, text::LIB_LUTS, text::LIB_TRANSMITTANCE_LUT, text::LIB_MULTI_SCATTERING_LUT, text::LIB_GATHER, text::LIB_OPEN_SUN, text::LIB_PHASE, text::LIB_CONSTANTS, text::LIB_DIRECTIONS, text::PASS_MULTI_SCATTERING_GATHER],
@@ -580,12 +570,6 @@ pub mod multi_scattering_gather {
 pub mod multi_scattering_lut {
     use super::*;
 
-    /// The air holds gas that scatters light like Rayleigh's molecules.
-    pub const RAYLEIGH: u32 = 1 << 0;
-    /// The air holds an aerosol.
-    pub const MIE: u32 = 1 << 1;
-    /// The air holds an absorber.
-    pub const OZONE: u32 = 1 << 2;
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
@@ -599,7 +583,7 @@ pub mod multi_scattering_lut {
         name: "multi_scattering_lut",
         uniform_size: 224,
         textures: &[TextureSlot { name: "gathered", binding: 1, filtered: false }],
-        constants: &["RAYLEIGH", "MIE", "OZONE"],
+        constants: &[],
         vertices: Vertices::Triangle,
         #[cfg(any(feature = "wgpu", feature = "translate"))]
         wgsl: &[text::LIB_FULLSCREEN, text::LIB_FRAME, text::LIB_MEDIUM, text::LIB_LUTS, text::LIB_MULTI_SCATTERING_LUT, text::LIB_CONSTANTS, text::LIB_GEOMETRY, text::LIB_DIRECTIONS, text::PASS_MULTI_SCATTERING_LUT],
@@ -625,7 +609,7 @@ pub mod sky_march {
     pub const MIE: u32 = 1 << 1;
     /// The air holds an absorber.
     pub const OZONE: u32 = 1 << 2;
-    /// The aerosol's phase function; off: Henyey & Greenstein's.
+    /// The aerosol scatters after Cornette & Shanks; off: Henyey & Greenstein.
     pub const CORNETTE_SHANKS: u32 = 1 << 3;
     /// Sunlight reaches the air; off: it dims what lies behind and sends no light.
     pub const SUNLIGHT: u32 = 1 << 4;
@@ -661,7 +645,7 @@ pub mod sky_march_eclipse {
     pub const OZONE: u32 = 1 << 2;
     /// Light is scattered again; off: sunlight alone.
     pub const MULTI_SCATTERING: u32 = 1 << 3;
-    /// The aerosol's phase function; off: Henyey & Greenstein's.
+    /// The aerosol scatters after Cornette & Shanks; off: Henyey & Greenstein.
     pub const CORNETTE_SHANKS: u32 = 1 << 4;
     /// Sunlight reaches the air; off: it dims what lies behind and sends no light.
     pub const SUNLIGHT: u32 = 1 << 5;
@@ -696,7 +680,7 @@ pub mod sky_march_eclipse {
 pub mod sky_view {
     use super::*;
 
-    /// The aerosol's phase function; off: Henyey & Greenstein's.
+    /// The aerosol scatters after Cornette & Shanks; off: Henyey & Greenstein.
     pub const CORNETTE_SHANKS: u32 = 1 << 0;
     /// With sunlight scattered once by the aerosol, which has a LUT of its own.
     pub const MIE_SINGLE: u32 = 1 << 1;
@@ -738,10 +722,8 @@ pub mod sky_view_lut {
     pub const OZONE: u32 = 1 << 2;
     /// Light is scattered again; off: sunlight alone.
     pub const MULTI_SCATTERING: u32 = 1 << 3;
-    /// The aerosol's phase function; off: Henyey & Greenstein's.
-    pub const CORNETTE_SHANKS: u32 = 1 << 4;
     /// Sunlight scattered once by the aerosol; off: all other light.
-    pub const MIE_SINGLE: u32 = 1 << 5;
+    pub const MIE_SINGLE: u32 = 1 << 4;
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
@@ -753,7 +735,7 @@ pub mod sky_view_lut {
         name: "sky_view_lut",
         uniform_size: 352,
         textures: &[TextureSlot { name: "transmittance_lut", binding: 1, filtered: false }, TextureSlot { name: "multi_scattering_lut", binding: 2, filtered: false }],
-        constants: &["RAYLEIGH", "MIE", "OZONE", "MULTI_SCATTERING", "CORNETTE_SHANKS", "MIE_SINGLE"],
+        constants: &["RAYLEIGH", "MIE", "OZONE", "MULTI_SCATTERING", "MIE_SINGLE"],
         vertices: Vertices::Triangle,
         #[cfg(any(feature = "wgpu", feature = "translate"))]
         wgsl: &[text::LIB_FULLSCREEN, text::LIB_GEOMETRY, text::LIB_FRAME, text::LIB_MEDIUM, text::LIB_PATH, text::LIB_LUTS, text::LIB_TRANSMITTANCE_LUT, text::LIB_MULTI_SCATTERING_LUT, text::LIB_GATHER, text::LIB_OPEN_SUN, text::LIB_CONSTANTS, text::LIB_SKY_VIEW_LUT, text::LIB_PHASE, text::PASS_SKY_VIEW_LUT],
@@ -823,14 +805,10 @@ pub mod terrain {
     pub const MIE: u32 = 1 << 1;
     /// The air holds an absorber.
     pub const OZONE: u32 = 1 << 2;
-    /// The aerosol's phase function; off: Henyey & Greenstein's.
-    pub const CORNETTE_SHANKS: u32 = 1 << 3;
-    /// Sunlight reaches the air; off: it dims what lies behind and sends no light.
-    pub const SUNLIGHT: u32 = 1 << 4;
     /// Lit by the sky, from the multi-scattering LUT; off: by an estimate.
-    pub const SKY_LIGHT: u32 = 1 << 5;
+    pub const SKY_LIGHT: u32 = 1 << 3;
     /// Under a moon's shadow.
-    pub const MOON: u32 = 1 << 6;
+    pub const MOON: u32 = 1 << 4;
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
@@ -845,7 +823,7 @@ pub mod terrain {
         name: "terrain",
         uniform_size: 528,
         textures: &[TextureSlot { name: "moon_shadow_lut", binding: 1, filtered: false }, TextureSlot { name: "multi_scattering_lut", binding: 2, filtered: false }],
-        constants: &["RAYLEIGH", "MIE", "OZONE", "CORNETTE_SHANKS", "SUNLIGHT", "SKY_LIGHT", "MOON"],
+        constants: &["RAYLEIGH", "MIE", "OZONE", "SKY_LIGHT", "MOON"],
         vertices: Vertices::Strip(197632),
         #[cfg(any(feature = "wgpu", feature = "translate"))]
         wgsl: &[text::LIB_FRAME, text::LIB_VIEW, text::LIB_GEOMETRY, text::LIB_MEDIUM, text::LIB_PATH, text::LIB_PHASE, text::LIB_SINGLE_SCATTERING, text::LIB_NOISE, text::LIB_LUTS, text::LIB_MULTI_SCATTERING_LUT, text::LIB_OPEN_SUN, text::LIB_CONSTANTS, text::LIB_DISK_OVERLAP, text::LIB_MOON_SHADOW, text::PASS_TERRAIN],

@@ -71,6 +71,8 @@ struct Stage {
     module: String,
     text: String,
     block: String,
+    /// The lines `const NAME: bool` that decide anything here.
+    constants: Vec<String>,
     /// The texture's binding, naga's name of the sampler, and whether the shader gives one of its own.
     samplers: Vec<(u32, String, bool)>,
 }
@@ -118,6 +120,8 @@ impl Source {
         };
         let vertex = stage(naga::ShaderStage::Vertex, "vertex_main")?;
         let fragment = stage(naga::ShaderStage::Fragment, "fragment_main")?;
+        // A module's constant that no function of this program asks for is no choice.
+        constants.retain(|(name, _)| vertex.constants.contains(name) || fragment.constants.contains(name));
         let (mut uniform_size, mut textures) = (0, Vec::new());
         for (_, variable) in module.global_variables.iter() {
             let Some(binding) = variable.binding.as_ref().map(|b| b.binding) else { continue };
@@ -202,7 +206,20 @@ fn stage(program: &str, wgsl: &str, stage: naga::ShaderStage, entry: &str, owner
         let binding = module.global_variables[mapping.texture].binding.as_ref().map_or(0, |b| b.binding);
         samplers.push((binding, name.clone(), mapping.sampler.is_some()));
     }
-    Ok(Stage { module: owner, text, block, samplers })
+    let mut constants = Vec::new();
+    for name in module.constants.iter().filter_map(|(_, c)| c.name.clone()) {
+        let found = text.matches(&format!("\nconst bool {name} = ")).count();
+        if wgsl.contains(&format!("\nconst {name}: bool = ")) {
+            if found != 1 {
+                return Err(driver_error("translate", program, format!("{found} lines of the constant {name}")));
+            }
+            // naga writes all constants that have a name, asked for or not.
+            if words(&text).filter(|(word, _)| *word == name).count() > 1 {
+                constants.push(name);
+            }
+        }
+    }
+    Ok(Stage { module: owner, text, block, constants, samplers })
 }
 
 /// Path below the repository's root and text of everything generated: a readable GLSL file for every shader in
