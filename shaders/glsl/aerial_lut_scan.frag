@@ -64,14 +64,6 @@ struct Frame {
     float camera_altitude;
     vec4 sky_view_mapping;
 };
-struct AerialTexel {
-    int kind;
-    int row;
-    int column;
-    int slice;
-    int rows;
-    int columns;
-};
 struct Uniforms {
     Frame frame;
     Luts luts;
@@ -95,47 +87,66 @@ uniform highp sampler2D _group_0_binding_1_fs;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
-AerialTexel aerial_texel(vec2 position_1, Luts luts) {
+void aerial_texel(vec2 position_1, uvec2 luts_size, uint luts_slices, inout int out_kind, inout int out_row, inout int out_column, inout int out_slice, inout int out_rows, inout int out_columns) {
     ivec2 texel = ivec2(position_1);
-    int columns = int((luts.size.x / luts.slices));
-    int rows = (int(luts.size.y) / AIR_KINDS);
-    return AerialTexel((texel.y / rows), (texel.y % rows), (texel.x % columns), (texel.x / columns), rows, columns);
+    int columns = int((luts_size.x / luts_slices));
+    int rows = (int(luts_size.y) / AIR_KINDS);
+    out_kind = (texel.y / rows);
+    out_row = (texel.y % rows);
+    out_column = (texel.x % columns);
+    out_slice = (texel.x / columns);
+    out_rows = rows;
+    out_columns = columns;
 }
 
-vec4 aerial_load(highp sampler2D lut, AerialTexel a, int kind, int slice) {
-    vec4 _e14 = texelFetch(lut, ivec2(((slice * a.columns) + a.column), ((kind * a.rows) + a.row)), 0);
-    return _e14;
+vec4 aerial_load(highp sampler2D lut, int a_row_1, int a_column_1, int a_rows_1, int a_columns_1, int kind, int slice) {
+    vec4 _e13 = texelFetch(lut, ivec2(((slice * a_columns_1) + a_column_1), ((kind * a_rows_1) + a_row_1)), 0);
+    return _e13;
 }
 
 void main() {
     vec4 position = gl_FragCoord;
-    Luts luts_1 = _group_0_binding_0_fs.luts;
-    AerialTexel _e5 = aerial_texel(position.xy, luts_1);
-    vec4 _e9 = aerial_load(_group_0_binding_1_fs, _e5, _e5.kind, _e5.slice);
+    int a_kind = 0;
+    int a_row = 0;
+    int a_column = 0;
+    int a_slice = 0;
+    int a_rows = 0;
+    int a_columns = 0;
+    uvec2 luts_size_1 = _group_0_binding_0_fs.luts.size;
+    uint luts_shift = _group_0_binding_0_fs.luts.shift;
+    uint luts_slices_1 = _group_0_binding_0_fs.luts.slices;
+    aerial_texel(position.xy, luts_size_1, luts_slices_1, a_kind, a_row, a_column, a_slice, a_rows, a_columns);
+    int _e16 = a_kind;
+    int _e17 = a_row;
+    int _e18 = a_column;
+    int _e19 = a_slice;
+    int _e20 = a_rows;
+    int _e21 = a_columns;
+    vec4 _e23 = aerial_load(_group_0_binding_1_fs, _e17, _e18, _e20, _e21, _e16, _e19);
     if (FINISH) {
-        if ((_e5.kind >= AIR_BEAM)) {
-            _fs2p_location0 = _e9;
+        if ((_e16 >= AIR_BEAM)) {
+            _fs2p_location0 = _e23;
             return;
         }
-        vec4 _e20 = aerial_load(_group_0_binding_1_fs, _e5, _e5.kind, (int(luts_1.slices) - 1));
-        vec3 whole = _e20.xyz;
-        float even = (float((_e5.slice + 1)) / float(luts_1.slices));
-        _fs2p_location0 = vec4(mix(vec3(even), (_e9.xyz / max(whole, vec3(1e-37))), greaterThan(whole, vec3(1e-30))), _e9.w);
+        vec4 _e31 = aerial_load(_group_0_binding_1_fs, _e17, _e18, _e20, _e21, _e16, (int(luts_slices_1) - 1));
+        vec3 whole = _e31.xyz;
+        float even = (float((_e19 + 1)) / float(luts_slices_1));
+        _fs2p_location0 = vec4(mix(vec3(even), (_e23.xyz / max(whole, vec3(1e-37))), greaterThan(whole, vec3(1e-30))), _e23.w);
         return;
     } else {
-        int nearer = (_e5.slice - int(luts_1.shift));
+        int nearer = (_e19 - int(luts_shift));
         if ((nearer < 0)) {
-            _fs2p_location0 = _e9;
+            _fs2p_location0 = _e23;
             return;
         }
-        vec4 _e49 = aerial_load(_group_0_binding_1_fs, _e5, _e5.kind, nearer);
-        vec3 before = _e49.xyz;
-        if ((_e5.kind >= AIR_BEAM)) {
-            _fs2p_location0 = vec4((before * _e9.xyz), _e9.w);
+        vec4 _e55 = aerial_load(_group_0_binding_1_fs, _e17, _e18, _e20, _e21, _e16, nearer);
+        vec3 before = _e55.xyz;
+        if ((_e16 >= AIR_BEAM)) {
+            _fs2p_location0 = vec4((before * _e23.xyz), _e23.w);
             return;
         }
-        vec4 _e60 = aerial_load(_group_0_binding_1_fs, _e5, AIR_BEAM, nearer);
-        _fs2p_location0 = vec4((before + (_e60.xyz * _e9.xyz)), _e9.w);
+        vec4 _e65 = aerial_load(_group_0_binding_1_fs, _e17, _e18, _e20, _e21, AIR_BEAM, nearer);
+        _fs2p_location0 = vec4((before + (_e65.xyz * _e23.xyz)), _e23.w);
         return;
     }
 }

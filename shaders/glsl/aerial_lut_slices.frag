@@ -3,33 +3,6 @@
 precision highp float;
 precision highp int;
 
-struct AirRay {
-    float start;
-    float length_;
-    float excess;
-    float r_mu;
-    float perigee_excess;
-    float sun_r_mu;
-    float nu;
-    float sin2_;
-    float shadow_b;
-    float shadow_c;
-    float shadow_half2_;
-    bool ground;
-};
-struct SunSide {
-    float sun_r_mu;
-    float nu;
-    float sin2_;
-    float shadow_b;
-    float shadow_c;
-    float shadow_half2_;
-};
-struct Perigee {
-    float distance_;
-    float excess;
-    float r_mu;
-};
 struct Medium {
     vec3 rayleigh;
     float rayleigh_inv_height;
@@ -91,32 +64,6 @@ struct Luts {
     uint slices;
     float aerial_ground_rows;
 };
-struct Corner {
-    ivec2 first;
-    ivec2 last;
-    vec2 between;
-};
-struct Source {
-    vec3 gas;
-    vec3 aerosol;
-};
-struct Gathered {
-    vec3 radiance;
-    vec3 transmittance;
-    vec3 optical_path;
-};
-struct SkyViewRay {
-    vec3 dir;
-    AirRay ray;
-};
-struct AerialTexel {
-    int kind;
-    int row;
-    int column;
-    int slice;
-    int rows;
-    int columns;
-};
 struct Uniforms {
     Frame frame;
     Luts luts;
@@ -164,10 +111,10 @@ float altitude_after(float excess_1, float r_mu, float t, float radius_2) {
 }
 
 float distance_to_top(float excess_2, float r_mu_1, float top_excess) {
-    float c_2 = max((top_excess - excess_2), 0.0);
-    float root_1 = sqrt(((r_mu_1 * r_mu_1) + c_2));
+    float c = max((top_excess - excess_2), 0.0);
+    float root_1 = sqrt(((r_mu_1 * r_mu_1) + c));
     if ((r_mu_1 > 0.0)) {
-        return (c_2 / (r_mu_1 + root_1));
+        return (c / (r_mu_1 + root_1));
     }
     return (root_1 - r_mu_1);
 }
@@ -180,155 +127,220 @@ float half_chord2_(float r_mu_2, float above, float depth, float p) {
     return (depth * (sphere + p));
 }
 
-float shadow_half2_(SunSide s, float side_z, float r, float radius_3) {
-    float sine = max(sqrt(s.sin2_), 1e-18);
+float shadow_half2_(float s_sin2_, float s_shadow_b, float s_shadow_c, float side_z, float r, float radius_3) {
+    float sine = max(sqrt(s_sin2_), 1e-18);
     float p_1 = ((r * abs(side_z)) / sine);
-    float _e15 = half_chord2_((s.shadow_b / sine), s.shadow_c, (radius_3 - p_1), p_1);
-    return _e15;
+    float _e14 = half_chord2_((s_shadow_b / sine), s_shadow_c, (radius_3 - p_1), p_1);
+    return _e14;
 }
 
-SunSide sun_side_inside(vec3 dir, vec3 sun, float r_1, float excess_3, float radius_4) {
-    SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    s_1.nu = dot(dir, sun);
-    float _e9 = s_1.nu;
-    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s_1.sin2_ = dot(side, side);
-    s_1.sun_r_mu = (r_1 * sun.z);
-    s_1.shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+void sun_side_inside(vec3 dir, vec3 sun, float r_1, float excess_3, float radius_4, inout float out_sun_r_mu, inout float out_nu, inout float out_sin2_, inout float out_shadow_b, inout float out_shadow_c, inout float out_shadow_half2_) {
+    float s_sun_r_mu = 0.0;
+    float s_nu = 0.0;
+    float s_sin2_1 = 0.0;
+    float s_shadow_b_1 = 0.0;
+    float s_shadow_c_1 = 0.0;
+    float s_shadow_half2_ = 0.0;
+    s_nu = dot(dir, sun);
+    float _e15 = s_nu;
+    vec3 side = cross((dir - (((_e15 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    s_sin2_1 = dot(side, side);
+    s_sun_r_mu = (r_1 * sun.z);
+    s_shadow_b_1 = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
     float q = (r_1 * length(sun.xy));
-    float _e37 = s_1.sun_r_mu;
-    float _e39 = half_chord2_(_e37, excess_3, (radius_4 - q), q);
-    s_1.shadow_c = -(_e39);
-    SunSide _e42 = s_1;
-    float _e44 = shadow_half2_(_e42, side.z, r_1, radius_4);
-    s_1.shadow_half2_ = _e44;
-    SunSide _e45 = s_1;
-    return _e45;
+    float _e39 = s_sun_r_mu;
+    float _e43 = half_chord2_(_e39, excess_3, (radius_4 - q), q);
+    s_shadow_c_1 = -(_e43);
+    float _e45 = s_sin2_1;
+    float _e46 = s_shadow_b_1;
+    float _e47 = s_shadow_c_1;
+    float _e49 = shadow_half2_(_e45, _e46, _e47, side.z, r_1, radius_4);
+    s_shadow_half2_ = _e49;
+    float _e50 = s_sun_r_mu;
+    float _e51 = s_nu;
+    float _e52 = s_sin2_1;
+    float _e53 = s_shadow_b_1;
+    float _e54 = s_shadow_c_1;
+    float _e55 = s_shadow_half2_;
+    out_sun_r_mu = _e50;
+    out_nu = _e51;
+    out_sin2_ = _e52;
+    out_shadow_b = _e53;
+    out_shadow_c = _e54;
+    out_shadow_half2_ = _e55;
 }
 
-SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half_, float top_excess_1, float radius_5) {
-    SunSide s_2 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    s_2.nu = dot(dir_1, sun_1);
-    float _e11 = s_2.nu;
-    float same = ((_e11 >= 0.0) ? 1.0 : -1.0);
+void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half_, float top_excess_1, float radius_5, inout float out_sun_r_mu_1, inout float out_nu_1, inout float out_sin2_1, inout float out_shadow_b_1, inout float out_shadow_c_1, inout float out_shadow_half2_1) {
+    float s_sun_r_mu_1 = 0.0;
+    float s_nu_1 = 0.0;
+    float s_sin2_2 = 0.0;
+    float s_shadow_b_2 = 0.0;
+    float s_shadow_c_2 = 0.0;
+    float s_shadow_half2_1 = 0.0;
+    s_nu_1 = dot(dir_1, sun_1);
+    float _e15 = s_nu_1;
+    float same = ((_e15 >= 0.0) ? 1.0 : -1.0);
     vec3 apart = (dir_1 - (same * sun_1));
     vec3 side_1 = cross(apart, sun_1);
-    s_2.sin2_ = dot(side_1, side_1);
-    vec3 perigee_5 = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
-    float there = (-(same) * dot(perigee_5, apart));
+    s_sin2_2 = dot(side_1, side_1);
+    vec3 perigee_4 = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
+    float there = (-(same) * dot(perigee_4, apart));
     float here = (r_2 * sun_1.z);
-    float _e38 = s_2.nu;
-    float _e44 = s_2.nu;
-    bool nearer = ((abs(here) + (start * abs(_e38))) < (abs(there) + (half_ * abs(_e44))));
-    float _e51 = s_2.nu;
-    float _e55 = s_2.nu;
-    s_2.sun_r_mu = (nearer ? (here + (start * _e55)) : (there - (half_ * _e51)));
-    vec3 perigee_side = cross(perigee_5, sun_1);
-    float _e63 = s_2.sin2_;
-    s_2.shadow_b = (dot(perigee_side, side_1) - (half_ * _e63));
+    float _e41 = s_nu_1;
+    float _e47 = s_nu_1;
+    bool nearer = ((abs(here) + (start * abs(_e41))) < (abs(there) + (half_ * abs(_e47))));
+    float _e53 = s_nu_1;
+    float _e56 = s_nu_1;
+    s_sun_r_mu_1 = (nearer ? (here + (start * _e56)) : (there - (half_ * _e53)));
+    vec3 perigee_side = cross(perigee_4, sun_1);
+    float _e62 = s_sin2_2;
+    s_shadow_b_2 = (dot(perigee_side, side_1) - (half_ * _e62));
     float q_1 = length((perigee_side - (half_ * side_1)));
-    float _e71 = s_2.sun_r_mu;
-    float _e73 = half_chord2_(_e71, top_excess_1, (radius_5 - q_1), q_1);
-    s_2.shadow_c = -(_e73);
-    SunSide _e76 = s_2;
-    float _e78 = shadow_half2_(_e76, side_1.z, r_2, radius_5);
-    s_2.shadow_half2_ = _e78;
-    SunSide _e79 = s_2;
-    return _e79;
+    float _e68 = s_sun_r_mu_1;
+    float _e72 = half_chord2_(_e68, top_excess_1, (radius_5 - q_1), q_1);
+    s_shadow_c_2 = -(_e72);
+    float _e74 = s_sin2_2;
+    float _e75 = s_shadow_b_2;
+    float _e76 = s_shadow_c_2;
+    float _e78 = shadow_half2_(_e74, _e75, _e76, side_1.z, r_2, radius_5);
+    s_shadow_half2_1 = _e78;
+    float _e79 = s_sun_r_mu_1;
+    float _e80 = s_nu_1;
+    float _e81 = s_sin2_2;
+    float _e82 = s_shadow_b_2;
+    float _e83 = s_shadow_c_2;
+    float _e84 = s_shadow_half2_1;
+    out_sun_r_mu_1 = _e79;
+    out_nu_1 = _e80;
+    out_sin2_1 = _e81;
+    out_shadow_b_1 = _e82;
+    out_shadow_c_1 = _e83;
+    out_shadow_half2_1 = _e84;
 }
 
 float distance_to_ground(float excess_4, float r_mu_3, float root) {
     return min((excess_4 / (root - r_mu_3)), -(r_mu_3));
 }
 
-AirRay inner_ray(vec3 dir_2, float h_1, float radius_6, float thickness, vec3 sun_2, bool ground) {
-    bool local = false;
+void inner_ray(vec3 dir_2, float h_1, float radius_6, float thickness, vec3 sun_2, bool ground, inout float out_start, inout float out_length, inout float out_excess, inout float out_r_mu, inout float out_perigee_excess, inout float out_sun_r_mu_2, inout float out_nu_2, inout float out_sin2_2, inout float out_shadow_b_2, inout float out_shadow_c_2, inout float out_shadow_half2_2, inout bool out_ground) {
+    bool unnamed = false;
+    float s_sun_r_mu_2 = 0.0;
+    float s_nu_2 = 0.0;
+    float s_sin2_3 = 0.0;
+    float s_shadow_b_3 = 0.0;
+    float s_shadow_c_3 = 0.0;
+    float s_shadow_half2_2 = 0.0;
     float r_3 = (radius_6 + h_1);
-    float _e7 = excess_of(h_1, radius_6);
+    float _e15 = excess_of(h_1, radius_6);
     float r_mu_6 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
-    float _e16 = half_chord2_(r_mu_6, _e7, (radius_6 - p_2), p_2);
-    SunSide _e17 = sun_side_inside(dir_2, sun_2, r_3, _e7, radius_6);
-    float _e18 = excess_of(thickness, radius_6);
-    float _e19 = distance_to_top(_e7, r_mu_6, _e18);
-    float _e23 = distance_to_ground(_e7, r_mu_6, sqrt(max(_e16, 0.0)));
+    float _e25 = half_chord2_(r_mu_6, _e15, (radius_6 - p_2), p_2);
+    sun_side_inside(dir_2, sun_2, r_3, _e15, radius_6, s_sun_r_mu_2, s_nu_2, s_sin2_3, s_shadow_b_3, s_shadow_c_3, s_shadow_half2_2);
+    float _e33 = s_sun_r_mu_2;
+    float _e34 = s_nu_2;
+    float _e35 = s_sin2_3;
+    float _e36 = s_shadow_b_3;
+    float _e37 = s_shadow_c_3;
+    float _e38 = s_shadow_half2_2;
+    float _e40 = excess_of(thickness, radius_6);
+    float _e41 = distance_to_top(_e15, r_mu_6, _e40);
+    float _e45 = distance_to_ground(_e15, r_mu_6, sqrt(max(_e25, 0.0)));
     if (ground) {
-        local = (r_mu_6 < 0.0);
+        unnamed = (r_mu_6 < 0.0);
     } else {
-        local = false;
+        unnamed = false;
     }
-    bool _e29 = local;
-    float reach = (_e29 ? _e23 : _e19);
-    return AirRay(0.0, reach, _e7, r_mu_6, -(_e16), _e17.sun_r_mu, _e17.nu, _e17.sin2_, _e17.shadow_b, _e17.shadow_c, _e17.shadow_half2_, ground);
+    bool _e52 = unnamed;
+    float reach = (_e52 ? _e45 : _e41);
+    out_start = 0.0;
+    out_length = reach;
+    out_excess = _e15;
+    out_r_mu = r_mu_6;
+    out_perigee_excess = -(_e25);
+    out_sun_r_mu_2 = _e33;
+    out_nu_2 = _e34;
+    out_sin2_2 = _e35;
+    out_shadow_b_2 = _e36;
+    out_shadow_c_2 = _e37;
+    out_shadow_half2_2 = _e38;
+    out_ground = ground;
 }
 
-Perigee perigee_of(AirRay ray, float length_, float radius_7) {
-    bool local_1 = false;
-    if ((ray.r_mu >= 0.0)) {
-        return Perigee(0.0, ray.excess, ray.r_mu);
+void perigee_of(float ray_length, float ray_excess, float ray_r_mu, float ray_perigee_excess, bool ray_ground, float length_, float radius_7, inout float out_distance, inout float out_excess_1, inout float out_r_mu_1) {
+    bool unnamed_1 = false;
+    if ((ray_r_mu >= 0.0)) {
+        out_distance = 0.0;
+        out_excess_1 = ray_excess;
+        out_r_mu_1 = ray_r_mu;
+        return;
     }
-    if ((-(ray.r_mu) <= length_)) {
-        return Perigee(-(ray.r_mu), ray.perigee_excess, 0.0);
+    if ((-(ray_r_mu) <= length_)) {
+        out_distance = -(ray_r_mu);
+        out_excess_1 = ray_perigee_excess;
+        out_r_mu_1 = 0.0;
+        return;
     }
-    float r_mu_7 = (ray.r_mu + length_);
-    if (ray.ground) {
-        local_1 = (length_ >= ray.length_);
+    float r_mu_7 = (ray_r_mu + length_);
+    if (ray_ground) {
+        unnamed_1 = (length_ >= ray_length);
     } else {
-        local_1 = false;
+        unnamed_1 = false;
     }
-    bool _e26 = local_1;
-    if (_e26) {
-        return Perigee(length_, 0.0, r_mu_7);
+    bool _e21 = unnamed_1;
+    if (_e21) {
+        out_distance = length_;
+        out_excess_1 = 0.0;
+        out_r_mu_1 = r_mu_7;
+        return;
     }
-    bool far = ((-(ray.r_mu) * length_) > (radius_7 * radius_7));
-    float near_excess = (ray.excess + (length_ * ((2.0 * ray.r_mu) + length_)));
-    return Perigee(length_, (far ? (ray.perigee_excess + (r_mu_7 * r_mu_7)) : near_excess), r_mu_7);
+    bool far = ((-(ray_r_mu) * length_) > (radius_7 * radius_7));
+    float near_excess = (ray_excess + (length_ * ((2.0 * ray_r_mu) + length_)));
+    out_distance = length_;
+    out_excess_1 = (far ? (ray_perigee_excess + (r_mu_7 * r_mu_7)) : near_excess);
+    out_r_mu_1 = r_mu_7;
 }
 
-vec2 shadow_stretch(AirRay ray_1) {
+vec2 shadow_stretch(float ray_sun_r_mu, float ray_nu, float ray_sin2_, float ray_shadow_b, float ray_shadow_c, float ray_shadow_half2_) {
     vec2 stretch = vec2(0.0);
     vec2 none = vec2(1.0, 0.0);
-    float a = ray_1.sin2_;
-    float b = ray_1.shadow_b;
-    float c_3 = ray_1.shadow_c;
     stretch = vec2(-(1e30), 1e30);
-    if ((a > 1e-30)) {
-        if ((ray_1.shadow_half2_ <= 0.0)) {
+    if ((ray_sin2_ > 1e-30)) {
+        if ((ray_shadow_half2_ <= 0.0)) {
             return none;
         }
-        float q_2 = -((b + (((b >= 0.0) ? 1.0 : -1.0) * sqrt((a * ray_1.shadow_half2_)))));
-        float t0_2 = (q_2 / a);
-        float t1_1 = ((q_2 != 0.0) ? (c_3 / q_2) : t0_2);
+        float q_2 = -((ray_shadow_b + (((ray_shadow_b >= 0.0) ? 1.0 : -1.0) * sqrt((ray_sin2_ * ray_shadow_half2_)))));
+        float t0_2 = (q_2 / ray_sin2_);
+        float t1_1 = ((q_2 != 0.0) ? (ray_shadow_c / q_2) : t0_2);
         stretch = vec2(min(t0_2, t1_1), max(t0_2, t1_1));
     } else {
-        if ((c_3 >= 0.0)) {
+        if ((ray_shadow_c >= 0.0)) {
             return none;
         }
     }
-    if ((abs(ray_1.nu) < 1e-12)) {
-        if ((ray_1.sun_r_mu >= 0.0)) {
+    if ((abs(ray_nu) < 1e-12)) {
+        if ((ray_sun_r_mu >= 0.0)) {
             return none;
         }
     } else {
-        float t_2 = (-(ray_1.sun_r_mu) / ray_1.nu);
-        if ((ray_1.nu > 0.0)) {
-            float _e53 = stretch.y;
-            stretch.y = min(_e53, t_2);
+        float t_2 = (-(ray_sun_r_mu) / ray_nu);
+        if ((ray_nu > 0.0)) {
+            float _e48 = stretch.y;
+            stretch.y = min(_e48, t_2);
         } else {
-            float _e57 = stretch.x;
-            stretch.x = max(_e57, t_2);
+            float _e52 = stretch.x;
+            stretch.x = max(_e52, t_2);
         }
     }
-    vec2 _e59 = stretch;
-    return _e59;
+    vec2 _e54 = stretch;
+    return _e54;
 }
 
-vec4 layers_of(Medium m) {
-    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+vec4 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width) {
+    return vec4(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_center, m_ozone_inv_half_width);
 }
 
-mat3x3 coefficients_of(Medium m_1) {
-    return mat3x3(m_1.rayleigh, m_1.mie_extinction, m_1.ozone);
+mat3x3 coefficients_of(vec3 m_rayleigh, vec3 m_mie_extinction, vec3 m_ozone) {
+    return mat3x3(m_rayleigh, m_mie_extinction, m_ozone);
 }
 
 vec3 densities(vec4 layers, float h_2) {
@@ -349,8 +361,8 @@ vec3 densities(vec4 layers, float h_2) {
 vec3 extinction(mat3x3 coefficients, vec3 d_1) {
     vec3 sum = vec3(0.0);
     if (RAYLEIGH) {
-        vec3 _e6 = sum;
-        sum = (_e6 + (coefficients[0] * d_1.x));
+        vec3 _e4 = sum;
+        sum = (_e4 + (coefficients[0] * d_1.x));
     }
     if (MIE) {
         vec3 _e12 = sum;
@@ -394,40 +406,48 @@ vec2 lit_part(vec2 shadow, float perigee_2, float t0_, float t1_, float mid) {
     return vec2(((t1_ - t0_) - dark), _e33);
 }
 
-Corner corner(vec2 position_1, ivec2 size) {
+void corner(vec2 position_1, ivec2 size, inout ivec2 out_first, inout ivec2 out_last, inout vec2 out_between) {
     vec2 inside = clamp(position_1, vec2(0.0), vec2((size - ivec2(1))));
     ivec2 first_1 = min(ivec2(inside), (size - ivec2(1)));
-    return Corner(first_1, min((first_1 + ivec2(1)), (size - ivec2(1))), (inside - vec2(first_1)));
+    out_first = first_1;
+    out_last = min((first_1 + ivec2(1)), (size - ivec2(1)));
+    out_between = (inside - vec2(first_1));
 }
 
-vec4 bilinear(highp sampler2D lut, Corner c, ivec2 origin) {
-    ivec2 first_2 = (c.first + origin);
-    ivec2 last = (c.last + origin);
+vec4 bilinear(highp sampler2D lut, ivec2 c_first, ivec2 c_last, vec2 c_between, ivec2 origin) {
+    ivec2 first_2 = (c_first + origin);
+    ivec2 last = (c_last + origin);
     vec4 _e8 = texelFetch(lut, first_2, 0);
     vec4 _e13 = texelFetch(lut, ivec2(last.x, first_2.y), 0);
-    vec4 bottom = mix(_e8, _e13, c.between.x);
-    vec4 _e21 = texelFetch(lut, ivec2(first_2.x, last.y), 0);
-    vec4 _e23 = texelFetch(lut, last, 0);
-    vec4 top = mix(_e21, _e23, c.between.x);
-    return mix(bottom, top, c.between.y);
+    vec4 bottom = mix(_e8, _e13, c_between.x);
+    vec4 _e20 = texelFetch(lut, ivec2(first_2.x, last.y), 0);
+    vec4 _e22 = texelFetch(lut, last, 0);
+    vec4 top = mix(_e20, _e22, c_between.x);
+    return mix(bottom, top, c_between.y);
 }
 
 vec2 transmittance_uv(float excess_5, float h_3, float r_mu_4, float radius_8, float thickness_1) {
-    float _e5 = excess_of(thickness_1, radius_8);
+    float _e2 = excess_of(thickness_1, radius_8);
     float rho = sqrt(max(excess_5, 0.0));
-    float rho_top = sqrt(_e5);
-    float _e10 = distance_to_top(excess_5, r_mu_4, _e5);
+    float rho_top = sqrt(_e2);
+    float _e9 = distance_to_top(excess_5, r_mu_4, _e2);
     float shortest = max((thickness_1 - h_3), 0.0);
-    return vec2(((_e10 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
+    return vec2(((_e9 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
 }
 
 vec3 optical_path_to_top(highp sampler2D lut_1, float radius_9, float thickness_2, float excess_6, float h_4, float r_mu_5) {
+    ivec2 corner_first = ivec2(0);
+    ivec2 corner_last = ivec2(0);
+    vec2 corner_between = vec2(0.0);
     ivec2 size_1 = ivec2(uvec2(textureSize(lut_1, 0).xy));
     vec2 _e8 = transmittance_uv(excess_6, h_4, r_mu_5, radius_9, thickness_2);
     vec2 position_3 = (_e8 * vec2((size_1 - ivec2(1))));
-    Corner _e14 = corner(position_3, size_1);
-    vec4 _e17 = bilinear(lut_1, _e14, ivec2(0));
-    return exp2(_e17.xyz);
+    corner(position_3, size_1, corner_first, corner_last, corner_between);
+    ivec2 _e17 = corner_first;
+    ivec2 _e18 = corner_last;
+    vec2 _e19 = corner_between;
+    vec4 _e22 = bilinear(lut_1, _e17, _e18, _e19, ivec2(0));
+    return exp2(_e22.xyz);
 }
 
 float altitude_to_v(float steepness, float growth, float h_5, float thickness_3) {
@@ -436,8 +456,8 @@ float altitude_to_v(float steepness, float growth, float h_5, float thickness_3)
     return sqrt((((grown < 0.05) ? series_1 : log((1.0 + grown))) / steepness));
 }
 
-vec4 sun_axis(Luts luts) {
-    return vec4(luts.sun_middle, luts.sun_width, luts.sun_first, luts.sun_span);
+vec4 sun_axis(float luts_sun_middle, float luts_sun_width, float luts_sun_first, float luts_sun_span) {
+    return vec4(luts_sun_middle, luts_sun_width, luts_sun_first, luts_sun_span);
 }
 
 float mu_sun_to_u(vec4 axis, float mu_sun) {
@@ -473,47 +493,72 @@ float harmonic(int index, float mu, float along) {
     }
 }
 
-Source multi_scattering_source(highp sampler2D lut_3, vec2 node, vec3 gas_1, mat3x3 aerosol_1, float mu_1, float mu_sun_1, float nu) {
-    Corner c_1 = Corner(ivec2(0), ivec2(0), vec2(0.0));
-    Source source = Source(vec3(0.0), vec3(0.0));
+void multi_scattering_source(highp sampler2D lut_3, vec2 node, vec3 gas_1, mat3x3 aerosol_1, float mu_1, float mu_sun_1, float nu, inout vec3 out_gas, inout vec3 out_aerosol) {
+    ivec2 c_first_1 = ivec2(0);
+    ivec2 c_last_1 = ivec2(0);
+    vec2 c_between_1 = vec2(0.0);
+    vec3 source_gas = vec3(0.0);
+    vec3 source_aerosol = vec3(0.0);
+    ivec2 corner_first_1 = ivec2(0);
+    ivec2 corner_last_1 = ivec2(0);
+    vec2 corner_between_1 = vec2(0.0);
     ivec2 dims_1 = ivec2(uvec2(textureSize(lut_3, 0).xy));
-    Corner _e16 = corner(node, ivec2(dims_1.x, ((dims_1.y - 1) / MOMENTS)));
-    c_1 = _e16;
-    int _e20 = c_1.first.y;
-    c_1.first.y = (_e20 * MOMENTS);
-    int _e25 = c_1.last.y;
-    c_1.last.y = (_e25 * MOMENTS);
-    Corner _e28 = c_1;
-    vec4 _e31 = bilinear(lut_3, _e28, ivec2(0));
-    vec3 mean = exp2(_e31.xyz);
+    corner(node, ivec2(dims_1.x, ((dims_1.y - 1) / MOMENTS)), corner_first_1, corner_last_1, corner_between_1);
+    ivec2 _e20 = corner_first_1;
+    ivec2 _e21 = corner_last_1;
+    vec2 _e22 = corner_between_1;
+    c_first_1 = _e20;
+    c_last_1 = _e21;
+    c_between_1 = _e22;
+    int _e27 = c_first_1.y;
+    c_first_1.y = (_e27 * MOMENTS);
+    int _e31 = c_last_1.y;
+    c_last_1.y = (_e31 * MOMENTS);
+    ivec2 _e34 = c_first_1;
+    ivec2 _e35 = c_last_1;
+    vec2 _e36 = c_between_1;
+    vec4 _e39 = bilinear(lut_3, _e34, _e35, _e36, ivec2(0));
+    vec3 mean = exp2(_e39.xyz);
     float sin_sun = sqrt(max(((1.0 - mu_sun_1) * (1.0 + mu_sun_1)), 1e-12));
     float sin_view = sqrt(max(((1.0 - mu_1) * (1.0 + mu_1)), 0.0));
     float along_1 = clamp(((nu - (mu_1 * mu_sun_1)) / sin_sun), -(sin_view), sin_view);
-    Corner _e55 = c_1;
-    vec4 _e59 = bilinear(lut_3, _e55, ivec2(0, 3));
-    float _e62 = harmonic(3, mu_1, along_1);
-    Corner _e64 = c_1;
-    vec4 _e68 = bilinear(lut_3, _e64, ivec2(0, 4));
-    float _e71 = harmonic(4, mu_1, along_1);
-    Corner _e74 = c_1;
-    vec4 _e78 = bilinear(lut_3, _e74, ivec2(0, 5));
-    float _e81 = harmonic(5, mu_1, along_1);
-    vec3 l2_ = (((_e59.xyz * _e62) + (_e68.xyz * _e71)) + (_e78.xyz * _e81));
+    ivec2 _e66 = c_first_1;
+    ivec2 _e67 = c_last_1;
+    vec2 _e68 = c_between_1;
+    vec4 _e72 = bilinear(lut_3, _e66, _e67, _e68, ivec2(0, 3));
+    float _e75 = harmonic(3, mu_1, along_1);
+    ivec2 _e77 = c_first_1;
+    ivec2 _e78 = c_last_1;
+    vec2 _e79 = c_between_1;
+    vec4 _e83 = bilinear(lut_3, _e77, _e78, _e79, ivec2(0, 4));
+    float _e86 = harmonic(4, mu_1, along_1);
+    ivec2 _e89 = c_first_1;
+    ivec2 _e90 = c_last_1;
+    vec2 _e91 = c_between_1;
+    vec4 _e95 = bilinear(lut_3, _e89, _e90, _e91, ivec2(0, 5));
+    float _e98 = harmonic(5, mu_1, along_1);
+    vec3 l2_ = (((_e72.xyz * _e75) + (_e83.xyz * _e86)) + (_e95.xyz * _e98));
     if (RAYLEIGH) {
-        source.gas = ((gas_1 * (vec3(0.2820948) + (0.1 * l2_))) * mean);
+        source_gas = ((gas_1 * (vec3(0.2820948) + (0.1 * l2_))) * mean);
     }
     if (MIE) {
-        Corner _e100 = c_1;
-        vec4 _e104 = bilinear(lut_3, _e100, ivec2(0, 1));
-        float _e107 = harmonic(1, mu_1, along_1);
-        Corner _e109 = c_1;
-        vec4 _e113 = bilinear(lut_3, _e109, ivec2(0, 2));
-        float _e116 = harmonic(2, mu_1, along_1);
-        vec3 l1_ = ((_e104.xyz * _e107) + (_e113.xyz * _e116));
-        source.aerosol = ((((SH0_ * aerosol_1[0]) + (l1_ * aerosol_1[1])) + (l2_ * aerosol_1[2])) * mean);
+        ivec2 _e113 = c_first_1;
+        ivec2 _e114 = c_last_1;
+        vec2 _e115 = c_between_1;
+        vec4 _e119 = bilinear(lut_3, _e113, _e114, _e115, ivec2(0, 1));
+        float _e122 = harmonic(1, mu_1, along_1);
+        ivec2 _e124 = c_first_1;
+        ivec2 _e125 = c_last_1;
+        vec2 _e126 = c_between_1;
+        vec4 _e130 = bilinear(lut_3, _e124, _e125, _e126, ivec2(0, 2));
+        float _e133 = harmonic(2, mu_1, along_1);
+        vec3 l1_ = ((_e119.xyz * _e122) + (_e130.xyz * _e133));
+        source_aerosol = ((((SH0_ * aerosol_1[0]) + (l1_ * aerosol_1[1])) + (l2_ * aerosol_1[2])) * mean);
     }
-    Source _e130 = source;
-    return _e130;
+    vec3 _e147 = source_gas;
+    vec3 _e148 = source_aerosol;
+    out_gas = _e147;
+    out_aerosol = _e148;
 }
 
 vec3 sun_visibility(vec3 dir_3, float distance_) {
@@ -524,181 +569,315 @@ vec3 sun_visibility_around(vec3 dir_4, float distance_1) {
     return vec3(1.0);
 }
 
-Gathered gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_lut, Medium m_2, Luts luts_1, AirRay ray_2, vec3 dir_5, Perigee perigee_3, float u_from, float u_to, vec3 gas_2, vec3 aerosol_2, float multiple) {
-    Gathered out_ = Gathered(vec3(0.0), vec3(1.0), vec3(0.0));
+void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_lut, vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, float m_ozone_center_1, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_thickness, vec3 luts_mie_extinction, float luts_altitude_steepness, vec3 luts_mie_moment0_, float luts_altitude_growth, vec3 luts_mie_moment1_, float luts_sun_middle_1, vec3 luts_mie_moment2_, float luts_sun_width_1, float luts_sun_first_1, float luts_sun_span_1, uint luts_steps, float ray_start, float ray_sun_r_mu_1, float ray_nu_1, float ray_sin2_1, float ray_shadow_b_1, float ray_shadow_c_1, float ray_shadow_half2_1, vec3 dir_5, float perigee_distance_1, float perigee_excess_1, float perigee_r_mu_1, float u_from, float u_to, vec3 gas_2, vec3 aerosol_2, float multiple, inout vec3 out_radiance, inout vec3 out_transmittance, inout vec3 out_optical_path) {
+    vec3 out_radiance_1 = vec3(0.0);
+    vec3 out_transmittance_1 = vec3(1.0);
+    vec3 out_optical_path_1 = vec3(0.0);
     float t0_1 = 0.0;
     uint i = 0u;
-    vec3 source_1 = vec3(0.0);
-    vec4 _e12 = layers_of(m_2);
-    mat3x3 coefficients_1 = mat3x3(m_2.rayleigh, luts_1.mie_extinction, m_2.ozone);
-    vec2 _e17 = shadow_stretch(ray_2);
-    vec4 _e18 = sun_axis(luts_1);
-    vec2 _e19 = multi_scattering_span(multi_scattering_lut);
-    mat3x3 moments = mat3x3((m_2.mie_scattering * luts_1.mie_moment0_), (m_2.mie_scattering * luts_1.mie_moment1_), (m_2.mie_scattering * luts_1.mie_moment2_));
-    float nearest = perigee_3.distance_;
-    float du = ((u_to - u_from) / float(luts_1.steps));
-    float _e43 = u_to_distance(nearest, u_from);
-    t0_1 = _e43;
+    vec3 source = vec3(0.0);
+    vec3 before_gas = vec3(0.0);
+    vec3 before_aerosol = vec3(0.0);
+    vec4 _e19 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
+    mat3x3 coefficients_1 = mat3x3(m_rayleigh_1, luts_mie_extinction, m_ozone_1);
+    vec2 _e39 = shadow_stretch(ray_sun_r_mu_1, ray_nu_1, ray_sin2_1, ray_shadow_b_1, ray_shadow_c_1, ray_shadow_half2_1);
+    vec4 _e40 = sun_axis(luts_sun_middle_1, luts_sun_width_1, luts_sun_first_1, luts_sun_span_1);
+    vec2 _e42 = multi_scattering_span(multi_scattering_lut);
+    mat3x3 moments = mat3x3((m_mie_scattering * luts_mie_moment0_), (m_mie_scattering * luts_mie_moment1_), (m_mie_scattering * luts_mie_moment2_));
+    float du = ((u_to - u_from) / float(luts_steps));
+    float _e55 = u_to_distance(perigee_distance_1, u_from);
+    t0_1 = _e55;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e180 = i;
-            i = (_e180 + 1u);
+            uint _e172 = i;
+            i = (_e172 + 1u);
         }
         loop_init = false;
-        uint _e47 = i;
-        if ((_e47 < luts_1.steps)) {
+        uint _e58 = i;
+        if ((_e58 < luts_steps)) {
         } else {
             break;
         }
         {
-            uint _e50 = i;
-            float u_3 = (u_from + (du * float(_e50)));
-            float _e55 = u_to_distance(nearest, (u_3 + du));
-            float _e56 = t0_1;
-            float step_ = (_e55 - _e56);
-            float _e61 = u_to_distance(nearest, (u_3 + (0.5 * du)));
-            float _e66 = altitude_after(perigee_3.excess, perigee_3.r_mu, (_e61 - nearest), m_2.radius);
-            vec3 _e67 = densities(_e12, _e66);
-            vec3 _e68 = extinction(coefficients_1, _e67);
-            vec3 tau_1 = (_e68 * step_);
-            vec3 _e71 = out_.transmittance;
-            vec3 _e72 = mean_transmittance(tau_1);
-            vec3 weight = (_e71 * _e72);
-            float _e74 = t0_1;
-            vec2 _e75 = lit_part(_e17, nearest, _e74, _e55, _e61);
-            if ((_e75.x > 0.0)) {
-                float past = (_e75.y - nearest);
-                float lit_excess = max((perigee_3.excess + (past * ((2.0 * perigee_3.r_mu) + past))), 0.0);
-                float _e91 = altitude_of(lit_excess, m_2.radius);
-                vec3 _e92 = densities(_e12, _e91);
-                float sun_r_mu = (ray_2.sun_r_mu + (ray_2.nu * _e75.y));
-                vec3 _e100 = optical_path_to_top(transmittance_lut, m_2.radius, m_2.thickness, lit_excess, _e91, sun_r_mu);
-                vec3 _e106 = extinction(coefficients_1, _e100);
-                source_1 = (((gas_2 * _e92.x) + (aerosol_2 * _e92.y)) * exp(-(_e106)));
-                vec3 _e111 = source_1;
-                vec3 _e115 = sun_visibility(dir_5, (ray_2.start + _e75.y));
-                source_1 = (_e111 * _e115);
-                vec3 _e118 = out_.radiance;
-                vec3 _e119 = source_1;
-                out_.radiance = (_e118 + ((weight * _e119) * _e75.x));
+            uint _e60 = i;
+            float u_3 = (u_from + (du * float(_e60)));
+            float _e65 = u_to_distance(perigee_distance_1, (u_3 + du));
+            float _e66 = t0_1;
+            float step_ = (_e65 - _e66);
+            float _e71 = u_to_distance(perigee_distance_1, (u_3 + (0.5 * du)));
+            float _e73 = altitude_after(perigee_excess_1, perigee_r_mu_1, (_e71 - perigee_distance_1), m_radius);
+            vec3 _e74 = densities(_e19, _e73);
+            vec3 _e75 = extinction(coefficients_1, _e74);
+            vec3 tau_1 = (_e75 * step_);
+            vec3 _e80 = out_transmittance_1;
+            vec3 _e81 = mean_transmittance(tau_1);
+            vec3 weight = (_e80 * _e81);
+            float _e83 = t0_1;
+            vec2 _e84 = lit_part(_e39, perigee_distance_1, _e83, _e65, _e71);
+            if ((_e84.x > 0.0)) {
+                float past = (_e84.y - perigee_distance_1);
+                float lit_excess = max((perigee_excess_1 + (past * ((2.0 * perigee_r_mu_1) + past))), 0.0);
+                float _e97 = altitude_of(lit_excess, m_radius);
+                vec3 _e98 = densities(_e19, _e97);
+                float sun_r_mu = (ray_sun_r_mu_1 + (ray_nu_1 * _e84.y));
+                vec3 _e103 = optical_path_to_top(transmittance_lut, m_radius, m_thickness, lit_excess, _e97, sun_r_mu);
+                vec3 _e111 = extinction(coefficients_1, _e103);
+                source = (((gas_2 * _e98.x) + (aerosol_2 * _e98.y)) * exp(-(_e111)));
+                vec3 _e116 = source;
+                vec3 _e120 = sun_visibility(dir_5, (ray_start + _e84.y));
+                source = (_e116 * _e120);
+                vec3 _e122 = out_radiance_1;
+                vec3 _e123 = source;
+                out_radiance_1 = (_e122 + ((weight * _e123) * _e84.x));
             }
             if (MULTI_SCATTERING) {
-                float r_4 = (m_2.radius + _e66);
-                float mu_4 = clamp((((perigee_3.r_mu + _e61) - nearest) / r_4), -1.0, 1.0);
-                float mu_sun_2 = clamp(((ray_2.sun_r_mu + (ray_2.nu * _e61)) / r_4), -1.0, 1.0);
-                float _e145 = altitude_to_v(luts_1.altitude_steepness, luts_1.altitude_growth, _e66, m_2.thickness);
-                float _e146 = mu_sun_to_u(_e18, mu_sun_2);
-                vec2 node_1 = (vec2(_e146, _e145) * _e19);
-                Source _e151 = multi_scattering_source(multi_scattering_lut, node_1, m_2.rayleigh, moments, mu_4, mu_sun_2, ray_2.nu);
-                vec3 _e154 = sun_visibility_around(dir_5, (ray_2.start + _e61));
-                vec3 source_2 = (((_e151.gas * _e154) * _e67.x) + ((_e151.aerosol * _e154) * _e67.y));
-                vec3 _e165 = out_.radiance;
-                out_.radiance = (_e165 + ((weight * (step_ * multiple)) * source_2));
+                float r_4 = (m_radius + _e73);
+                float mu_4 = clamp((((perigee_r_mu_1 + _e71) - perigee_distance_1) / r_4), -1.0, 1.0);
+                float mu_sun_2 = clamp(((ray_sun_r_mu_1 + (ray_nu_1 * _e71)) / r_4), -1.0, 1.0);
+                float _e142 = altitude_to_v(luts_altitude_steepness, luts_altitude_growth, _e73, m_thickness);
+                float _e143 = mu_sun_to_u(_e40, mu_sun_2);
+                vec2 node_1 = (vec2(_e143, _e142) * _e42);
+                multi_scattering_source(multi_scattering_lut, node_1, m_rayleigh_1, moments, mu_4, mu_sun_2, ray_nu_1, before_gas, before_aerosol);
+                vec3 _e148 = before_gas;
+                vec3 _e149 = before_aerosol;
+                vec3 _e151 = sun_visibility_around(dir_5, (ray_start + _e71));
+                vec3 source_1 = (((_e148 * _e151) * _e74.x) + ((_e149 * _e151) * _e74.y));
+                vec3 _e159 = out_radiance_1;
+                out_radiance_1 = (_e159 + ((weight * (step_ * multiple)) * source_1));
             }
-            vec3 _e171 = out_.transmittance;
-            out_.transmittance = (_e171 * exp(-(tau_1)));
-            vec3 _e176 = out_.optical_path;
-            out_.optical_path = (_e176 + (_e67 * step_));
-            t0_1 = _e55;
+            vec3 _e165 = out_transmittance_1;
+            out_transmittance_1 = (_e165 * exp(-(tau_1)));
+            vec3 _e169 = out_optical_path_1;
+            out_optical_path_1 = (_e169 + (_e74 * step_));
+            t0_1 = _e65;
         }
     }
-    Gathered _e182 = out_;
-    return _e182;
+    vec3 _e175 = out_radiance_1;
+    vec3 _e176 = out_transmittance_1;
+    vec3 _e177 = out_optical_path_1;
+    out_radiance = _e175;
+    out_transmittance = _e176;
+    out_optical_path = _e177;
 }
 
 vec2 u_to_azimuth(float u_1) {
-    float c_4 = (1.0 - u_1);
-    float norm = (1.0 / ((u_1 * u_1) + (c_4 * c_4)));
-    return (vec2(((c_4 - u_1) * (c_4 + u_1)), ((2.0 * u_1) * c_4)) * norm);
+    float c_1 = (1.0 - u_1);
+    float norm = (1.0 / ((u_1 * u_1) + (c_1 * c_1)));
+    return (vec2(((c_1 - u_1) * (c_1 + u_1)), ((2.0 * u_1) * c_1)) * norm);
 }
 
-SkyViewRay upward_ray(vec2 azimuth, float v, float h_6, float radius_10, float thickness_4, vec4 mapping, vec3 sun_3) {
+void upward_ray(vec2 azimuth, float v, float h_6, float radius_10, float thickness_4, vec4 mapping, vec3 sun_3, inout vec3 out_dir, inout float out_ray_start, inout float out_ray_length, inout float out_ray_excess, inout float out_ray_r_mu, inout float out_ray_perigee_excess, inout float out_ray_sun_r_mu, inout float out_ray_nu, inout float out_ray_sin2_, inout float out_ray_shadow_b, inout float out_ray_shadow_c, inout float out_ray_shadow_half2_, inout bool out_ray_ground) {
+    float inner_ray_start = 0.0;
+    float inner_ray_length = 0.0;
+    float inner_ray_excess = 0.0;
+    float inner_ray_r_mu = 0.0;
+    float inner_ray_perigee_excess = 0.0;
+    float inner_ray_sun_r_mu = 0.0;
+    float inner_ray_nu = 0.0;
+    float inner_ray_sin2_ = 0.0;
+    float inner_ray_shadow_b = 0.0;
+    float inner_ray_shadow_c = 0.0;
+    float inner_ray_shadow_half2_ = 0.0;
+    bool inner_ray_ground = false;
     float u_4 = min((mapping.z + (((v - mapping.x) / (1.0 - mapping.x)) * (1.0 - mapping.z))), 1.0);
     float rest = ((1.0 - u_4) * (1.0 + u_4));
     float half_1 = (0.5 + (0.5 * mapping.w));
-    float s_4 = (sqrt(half_1) * rest);
+    float s = (sqrt(half_1) * rest);
     float mu_5 = max((((((2.0 * half_1) * u_4) * u_4) * (1.0 + rest)) - mapping.w), 0.0);
-    vec3 dir_6 = vec3((azimuth * ((2.0 * s_4) * sqrt((1.0 - (s_4 * s_4))))), mu_5);
-    AirRay _e54 = inner_ray(dir_6, h_6, radius_10, thickness_4, sun_3, false);
-    return SkyViewRay(dir_6, _e54);
+    vec3 dir_6 = vec3((azimuth * ((2.0 * s) * sqrt((1.0 - (s * s))))), mu_5);
+    inner_ray(dir_6, h_6, radius_10, thickness_4, sun_3, false, inner_ray_start, inner_ray_length, inner_ray_excess, inner_ray_r_mu, inner_ray_perigee_excess, inner_ray_sun_r_mu, inner_ray_nu, inner_ray_sin2_, inner_ray_shadow_b, inner_ray_shadow_c, inner_ray_shadow_half2_, inner_ray_ground);
+    float _e79 = inner_ray_start;
+    float _e80 = inner_ray_length;
+    float _e81 = inner_ray_excess;
+    float _e82 = inner_ray_r_mu;
+    float _e83 = inner_ray_perigee_excess;
+    float _e84 = inner_ray_sun_r_mu;
+    float _e85 = inner_ray_nu;
+    float _e86 = inner_ray_sin2_;
+    float _e87 = inner_ray_shadow_b;
+    float _e88 = inner_ray_shadow_c;
+    float _e89 = inner_ray_shadow_half2_;
+    bool _e90 = inner_ray_ground;
+    out_dir = dir_6;
+    out_ray_start = _e79;
+    out_ray_length = _e80;
+    out_ray_excess = _e81;
+    out_ray_r_mu = _e82;
+    out_ray_perigee_excess = _e83;
+    out_ray_sun_r_mu = _e84;
+    out_ray_nu = _e85;
+    out_ray_sin2_ = _e86;
+    out_ray_shadow_b = _e87;
+    out_ray_shadow_c = _e88;
+    out_ray_shadow_half2_ = _e89;
+    out_ray_ground = _e90;
 }
 
-SkyViewRay sky_view_ray(float u_2, float v_1, bool ground_1, float h_7, float radius_11, float thickness_5, vec4 mapping_1, vec3 sun_4) {
-    bool local_2 = false;
-    float perigee_excess = 0.0;
-    float perigee_4 = 0.0;
+void sky_view_ray(float u_2, float v_1, bool ground_1, float h_7, float radius_11, float thickness_5, vec4 mapping_1, vec3 sun_4, inout vec3 out_dir_1, inout float out_ray_start_1, inout float out_ray_length_1, inout float out_ray_excess_1, inout float out_ray_r_mu_1, inout float out_ray_perigee_excess_1, inout float out_ray_sun_r_mu_1, inout float out_ray_nu_1, inout float out_ray_sin2_1, inout float out_ray_shadow_b_1, inout float out_ray_shadow_c_1, inout float out_ray_shadow_half2_1, inout bool out_ray_ground_1) {
+    bool unnamed_2 = false;
+    float perigee_excess_2 = 0.0;
+    float perigee_3 = 0.0;
     float from_start = 0.0;
     float mu_2 = 0.0;
-    SunSide s_3 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    float s_sun_r_mu_3 = 0.0;
+    float s_nu_3 = 0.0;
+    float s_sin2_4 = 0.0;
+    float s_shadow_b_4 = 0.0;
+    float s_shadow_c_4 = 0.0;
+    float s_shadow_half2_3 = 0.0;
     float start_1 = 0.0;
-    vec2 _e8 = u_to_azimuth(u_2);
+    vec3 upward_ray_dir = vec3(0.0);
+    float upward_ray_ray_start = 0.0;
+    float upward_ray_ray_length = 0.0;
+    float upward_ray_ray_excess = 0.0;
+    float upward_ray_ray_r_mu = 0.0;
+    float upward_ray_ray_perigee_excess = 0.0;
+    float upward_ray_ray_sun_r_mu = 0.0;
+    float upward_ray_ray_nu = 0.0;
+    float upward_ray_ray_sin2_ = 0.0;
+    float upward_ray_ray_shadow_b = 0.0;
+    float upward_ray_ray_shadow_c = 0.0;
+    float upward_ray_ray_shadow_half2_ = 0.0;
+    bool upward_ray_ray_ground = false;
+    float sun_side_outside_sun_r_mu = 0.0;
+    float sun_side_outside_nu = 0.0;
+    float sun_side_outside_sin2_ = 0.0;
+    float sun_side_outside_shadow_b = 0.0;
+    float sun_side_outside_shadow_c = 0.0;
+    float sun_side_outside_shadow_half2_ = 0.0;
+    float sun_side_inside_sun_r_mu = 0.0;
+    float sun_side_inside_nu = 0.0;
+    float sun_side_inside_sin2_ = 0.0;
+    float sun_side_inside_shadow_b = 0.0;
+    float sun_side_inside_shadow_c = 0.0;
+    float sun_side_inside_shadow_half2_ = 0.0;
+    vec2 _e19 = u_to_azimuth(u_2);
     if (!(ground_1)) {
-        local_2 = (v_1 > mapping_1.x);
+        unnamed_2 = (v_1 > mapping_1.x);
     } else {
-        local_2 = false;
+        unnamed_2 = false;
     }
-    bool _e15 = local_2;
-    if (_e15) {
-        SkyViewRay _e16 = upward_ray(_e8, v_1, h_7, radius_11, thickness_5, mapping_1, sun_4);
-        return _e16;
+    bool _e29 = unnamed_2;
+    if (_e29) {
+        upward_ray(_e19, v_1, h_7, radius_11, thickness_5, mapping_1, sun_4, upward_ray_dir, upward_ray_ray_start, upward_ray_ray_length, upward_ray_ray_excess, upward_ray_ray_r_mu, upward_ray_ray_perigee_excess, upward_ray_ray_sun_r_mu, upward_ray_ray_nu, upward_ray_ray_sin2_, upward_ray_ray_shadow_b, upward_ray_ray_shadow_c, upward_ray_ray_shadow_half2_, upward_ray_ray_ground);
+        vec3 _e47 = upward_ray_dir;
+        float _e48 = upward_ray_ray_start;
+        float _e49 = upward_ray_ray_length;
+        float _e50 = upward_ray_ray_excess;
+        float _e51 = upward_ray_ray_r_mu;
+        float _e52 = upward_ray_ray_perigee_excess;
+        float _e53 = upward_ray_ray_sun_r_mu;
+        float _e54 = upward_ray_ray_nu;
+        float _e55 = upward_ray_ray_sin2_;
+        float _e56 = upward_ray_ray_shadow_b;
+        float _e57 = upward_ray_ray_shadow_c;
+        float _e58 = upward_ray_ray_shadow_half2_;
+        bool _e59 = upward_ray_ray_ground;
+        out_dir_1 = _e47;
+        out_ray_start_1 = _e48;
+        out_ray_length_1 = _e49;
+        out_ray_excess_1 = _e50;
+        out_ray_r_mu_1 = _e51;
+        out_ray_perigee_excess_1 = _e52;
+        out_ray_sun_r_mu_1 = _e53;
+        out_ray_nu_1 = _e54;
+        out_ray_sin2_1 = _e55;
+        out_ray_shadow_b_1 = _e56;
+        out_ray_shadow_c_1 = _e57;
+        out_ray_shadow_half2_1 = _e58;
+        out_ray_ground_1 = _e59;
+        return;
     }
     float r_5 = (radius_11 + h_7);
-    float _e18 = excess_of(h_7, radius_11);
-    float _e19 = excess_of(thickness_5, radius_11);
+    float _e61 = excess_of(h_7, radius_11);
+    float _e62 = excess_of(thickness_5, radius_11);
     bool outside = (h_7 > thickness_5);
-    float start_excess = (outside ? _e19 : _e18);
+    float start_excess = (outside ? _e62 : _e61);
     if (ground_1) {
         float rest_1 = ((1.0 - v_1) * (1.0 + v_1));
-        float s_5 = (SQRT_HALF * rest_1);
+        float s_1 = (SQRT_HALF * rest_1);
         mu_2 = ((v_1 * v_1) * (1.0 + rest_1));
-        float _e43 = mu_2;
-        float _e45 = mu_2;
-        perigee_excess = (((-(radius_11) * radius_11) * _e43) * _e45);
-        perigee_4 = (radius_11 * ((2.0 * s_5) * sqrt((1.0 - (s_5 * s_5)))));
-        float _e55 = perigee_excess;
-        from_start = (start_excess - _e55);
+        float _e79 = mu_2;
+        float _e81 = mu_2;
+        perigee_excess_2 = (((-(radius_11) * radius_11) * _e79) * _e81);
+        perigee_3 = (radius_11 * ((2.0 * s_1) * sqrt((1.0 - (s_1 * s_1)))));
+        float _e93 = perigee_excess_2;
+        from_start = (start_excess - _e93);
     } else {
         float limit = min(h_7, thickness_5);
-        float s_6 = min((v_1 / max(mapping_1.x, 1e-20)), 1.0);
-        float z = ((1.0 - s_6) * (1.0 + s_6));
+        float s_2 = min((v_1 / max(mapping_1.x, 1e-20)), 1.0);
+        float z = ((1.0 - s_2) * (1.0 + s_2));
         float k = (1.0 - mapping_1.y);
         float y_1 = ((2.0 * z) / max((k + sqrt(((k * k) + ((4.0 * mapping_1.y) * z)))), 1e-20));
-        float perigee_h = (limit * min((((s_6 * s_6) * (1.0 + y_1)) / (1.0 + (mapping_1.y * y_1))), 1.0));
-        float _e97 = excess_of(perigee_h, radius_11);
-        perigee_excess = _e97;
-        perigee_4 = (radius_11 + perigee_h);
+        float perigee_h = (limit * min((((s_2 * s_2) * (1.0 + y_1)) / (1.0 + (mapping_1.y * y_1))), 1.0));
+        float _e136 = excess_of(perigee_h, radius_11);
+        perigee_excess_2 = _e136;
+        perigee_3 = (radius_11 + perigee_h);
         from_start = (((limit * y_1) * y_1) * (((2.0 * radius_11) + limit) + perigee_h));
     }
     float above_1 = ((h_7 - thickness_5) * (((2.0 * radius_11) + thickness_5) + h_7));
-    float _e112 = from_start;
-    float r_mu_8 = -(sqrt(max(_e112, 0.0)));
-    float _e117 = from_start;
-    float down = ((outside ? -(sqrt(max((above_1 + _e117), 0.0))) : r_mu_8) / r_5);
-    float _e125 = perigee_4;
-    vec3 dir_7 = vec3((_e8 * min((_e125 / r_5), 1.0)), down);
+    float _e151 = from_start;
+    float r_mu_8 = -(sqrt(max(_e151, 0.0)));
+    float _e156 = from_start;
+    float down = ((outside ? -(sqrt(max((above_1 + _e156), 0.0))) : r_mu_8) / r_5);
+    float _e164 = perigee_3;
+    vec3 dir_7 = vec3((_e19 * min((_e164 / r_5), 1.0)), down);
     if (outside) {
         start_1 = (above_1 / (-(r_mu_8) - (r_5 * down)));
-        float _e138 = start_1;
-        SunSide _e140 = sun_side_outside(dir_7, sun_4, r_5, _e138, -(r_mu_8), _e19, radius_11);
-        s_3 = _e140;
+        float _e175 = start_1;
+        sun_side_outside(dir_7, sun_4, r_5, _e175, -(r_mu_8), _e62, radius_11, sun_side_outside_sun_r_mu, sun_side_outside_nu, sun_side_outside_sin2_, sun_side_outside_shadow_b, sun_side_outside_shadow_c, sun_side_outside_shadow_half2_);
+        float _e183 = sun_side_outside_sun_r_mu;
+        float _e184 = sun_side_outside_nu;
+        float _e185 = sun_side_outside_sin2_;
+        float _e186 = sun_side_outside_shadow_b;
+        float _e187 = sun_side_outside_shadow_c;
+        float _e188 = sun_side_outside_shadow_half2_;
+        s_sun_r_mu_3 = _e183;
+        s_nu_3 = _e184;
+        s_sin2_4 = _e185;
+        s_shadow_b_4 = _e186;
+        s_shadow_c_4 = _e187;
+        s_shadow_half2_3 = _e188;
     } else {
-        SunSide _e141 = sun_side_inside(dir_7, sun_4, r_5, _e18, radius_11);
-        s_3 = _e141;
+        sun_side_inside(dir_7, sun_4, r_5, _e61, radius_11, sun_side_inside_sun_r_mu, sun_side_inside_nu, sun_side_inside_sin2_, sun_side_inside_shadow_b, sun_side_inside_shadow_c, sun_side_inside_shadow_half2_);
+        float _e201 = sun_side_inside_sun_r_mu;
+        float _e202 = sun_side_inside_nu;
+        float _e203 = sun_side_inside_sin2_;
+        float _e204 = sun_side_inside_shadow_b;
+        float _e205 = sun_side_inside_shadow_c;
+        float _e206 = sun_side_inside_shadow_half2_;
+        s_sun_r_mu_3 = _e201;
+        s_nu_3 = _e202;
+        s_sin2_4 = _e203;
+        s_shadow_b_4 = _e204;
+        s_shadow_c_4 = _e205;
+        s_shadow_half2_3 = _e206;
     }
-    float _e142 = distance_to_top(start_excess, r_mu_8, _e19);
-    float _e143 = mu_2;
-    float reach_1 = (ground_1 ? (start_excess / max(((radius_11 * _e143) - r_mu_8), 1e-20)) : _e142);
-    float _e150 = start_1;
-    float _e151 = perigee_excess;
-    float _e153 = s_3.sun_r_mu;
-    float _e155 = s_3.nu;
-    float _e157 = s_3.sin2_;
-    float _e159 = s_3.shadow_b;
-    float _e161 = s_3.shadow_c;
-    float _e163 = s_3.shadow_half2_;
-    AirRay ray_3 = AirRay(_e150, reach_1, start_excess, r_mu_8, _e151, _e153, _e155, _e157, _e159, _e161, _e163, ground_1);
-    return SkyViewRay(dir_7, ray_3);
+    float _e207 = distance_to_top(start_excess, r_mu_8, _e62);
+    float _e208 = mu_2;
+    float reach_1 = (ground_1 ? (start_excess / max(((radius_11 * _e208) - r_mu_8), 1e-20)) : _e207);
+    float ray_start_1 = start_1;
+    float ray_perigee_excess_1 = perigee_excess_2;
+    float ray_sun_r_mu_2 = s_sun_r_mu_3;
+    float ray_nu_2 = s_nu_3;
+    float ray_sin2_2 = s_sin2_4;
+    float ray_shadow_b_2 = s_shadow_b_4;
+    float ray_shadow_c_2 = s_shadow_c_4;
+    float ray_shadow_half2_2 = s_shadow_half2_3;
+    out_dir_1 = dir_7;
+    out_ray_start_1 = ray_start_1;
+    out_ray_length_1 = reach_1;
+    out_ray_excess_1 = start_excess;
+    out_ray_r_mu_1 = r_mu_8;
+    out_ray_perigee_excess_1 = ray_perigee_excess_1;
+    out_ray_sun_r_mu_1 = ray_sun_r_mu_2;
+    out_ray_nu_1 = ray_nu_2;
+    out_ray_sin2_1 = ray_sin2_2;
+    out_ray_shadow_b_1 = ray_shadow_b_2;
+    out_ray_shadow_c_1 = ray_shadow_c_2;
+    out_ray_shadow_half2_1 = ray_shadow_half2_2;
+    out_ray_ground_1 = ground_1;
 }
 
 vec2 row_to_v(int row, int rows, int ground_rows) {
@@ -708,11 +887,16 @@ vec2 row_to_v(int row, int rows, int ground_rows) {
     return vec2((float((row - first_3)) / float((count - 1))), (ground_2 ? 1.0 : 0.0));
 }
 
-AerialTexel aerial_texel(vec2 position_2, Luts luts_2) {
+void aerial_texel(vec2 position_2, uvec2 luts_size, uint luts_slices, inout int out_kind, inout int out_row, inout int out_column, inout int out_slice, inout int out_rows, inout int out_columns) {
     ivec2 texel = ivec2(position_2);
-    int columns = int((luts_2.size.x / luts_2.slices));
-    int rows_1 = (int(luts_2.size.y) / AIR_KINDS);
-    return AerialTexel((texel.y / rows_1), (texel.y % rows_1), (texel.x % columns), (texel.x / columns), rows_1, columns);
+    int columns = int((luts_size.x / luts_slices));
+    int rows_1 = (int(luts_size.y) / AIR_KINDS);
+    out_kind = (texel.y / rows_1);
+    out_row = (texel.y % rows_1);
+    out_column = (texel.x % columns);
+    out_slice = (texel.x / columns);
+    out_rows = rows_1;
+    out_columns = columns;
 }
 
 float rayleigh_phase(float mu_3) {
@@ -723,48 +907,121 @@ void main() {
     vec4 position = gl_FragCoord;
     vec3 gas = vec3(0.0);
     vec3 aerosol = vec3(0.0);
-    Frame f = _group_0_binding_0_fs.frame;
-    Luts luts_3 = _group_0_binding_0_fs.luts;
-    Medium m_3 = f.medium;
-    AerialTexel _e9 = aerial_texel(position.xy, luts_3);
-    float u_5 = (float(_e9.column) / float((_e9.columns - 1)));
-    vec2 _e21 = row_to_v(_e9.row, _e9.rows, int(luts_3.ground_rows));
-    SkyViewRay _e31 = sky_view_ray(u_5, _e21.x, (_e21.y > 0.5), f.altitude, m_3.radius, m_3.thickness, f.sky_view_mapping, f.sun);
-    AirRay ray_4 = _e31.ray;
-    if ((ray_4.length_ <= 0.0)) {
-        _fs2p_location0 = vec4(vec3(((_e9.kind >= AIR_BEAM) ? 1.0 : 0.0)), (float((_e9.slice + 1)) / float(luts_3.slices)));
+    int a_kind = 0;
+    int a_row = 0;
+    int a_column = 0;
+    int a_slice = 0;
+    int a_rows = 0;
+    int a_columns = 0;
+    vec3 view_dir = vec3(0.0);
+    float view_ray_start = 0.0;
+    float view_ray_length = 0.0;
+    float view_ray_excess = 0.0;
+    float view_ray_r_mu = 0.0;
+    float view_ray_perigee_excess = 0.0;
+    float view_ray_sun_r_mu = 0.0;
+    float view_ray_nu = 0.0;
+    float view_ray_sin2_ = 0.0;
+    float view_ray_shadow_b = 0.0;
+    float view_ray_shadow_c = 0.0;
+    float view_ray_shadow_half2_ = 0.0;
+    bool view_ray_ground = false;
+    float perigee_distance = 0.0;
+    float perigee_excess = 0.0;
+    float perigee_r_mu = 0.0;
+    vec3 g_radiance = vec3(0.0);
+    vec3 g_transmittance = vec3(0.0);
+    vec3 g_optical_path = vec3(0.0);
+    vec3 f_medium_rayleigh = _group_0_binding_0_fs.frame.medium.rayleigh;
+    float f_medium_rayleigh_inv_height = _group_0_binding_0_fs.frame.medium.rayleigh_inv_height;
+    vec3 f_medium_mie_scattering = _group_0_binding_0_fs.frame.medium.mie_scattering;
+    float f_medium_mie_inv_height = _group_0_binding_0_fs.frame.medium.mie_inv_height;
+    vec3 f_medium_mie_extinction = _group_0_binding_0_fs.frame.medium.mie_extinction;
+    float f_medium_ozone_center = _group_0_binding_0_fs.frame.medium.ozone_center;
+    float f_medium_ozone_inv_half_width = _group_0_binding_0_fs.frame.medium.ozone_inv_half_width;
+    vec3 f_medium_ozone = _group_0_binding_0_fs.frame.medium.ozone;
+    float f_medium_radius = _group_0_binding_0_fs.frame.medium.radius;
+    float f_medium_thickness = _group_0_binding_0_fs.frame.medium.thickness;
+    float f_altitude = _group_0_binding_0_fs.frame.altitude;
+    vec3 f_sun = _group_0_binding_0_fs.frame.sun;
+    vec4 f_sky_view_mapping = _group_0_binding_0_fs.frame.sky_view_mapping;
+    vec3 luts_mie_extinction_1 = _group_0_binding_0_fs.luts.mie_extinction;
+    float luts_altitude_steepness_1 = _group_0_binding_0_fs.luts.altitude_steepness;
+    vec3 luts_mie_moment0_1 = _group_0_binding_0_fs.luts.mie_moment0_;
+    float luts_altitude_growth_1 = _group_0_binding_0_fs.luts.altitude_growth;
+    vec3 luts_mie_moment1_1 = _group_0_binding_0_fs.luts.mie_moment1_;
+    float luts_sun_middle_2 = _group_0_binding_0_fs.luts.sun_middle;
+    vec3 luts_mie_moment2_1 = _group_0_binding_0_fs.luts.mie_moment2_;
+    float luts_sun_width_2 = _group_0_binding_0_fs.luts.sun_width;
+    float luts_sun_first_2 = _group_0_binding_0_fs.luts.sun_first;
+    float luts_sun_span_2 = _group_0_binding_0_fs.luts.sun_span;
+    float luts_ground_rows = _group_0_binding_0_fs.luts.ground_rows;
+    uvec2 luts_size_1 = _group_0_binding_0_fs.luts.size;
+    uint luts_steps_1 = _group_0_binding_0_fs.luts.steps;
+    uint luts_slices_1 = _group_0_binding_0_fs.luts.slices;
+    aerial_texel(position.xy, luts_size_1, luts_slices_1, a_kind, a_row, a_column, a_slice, a_rows, a_columns);
+    int _e71 = a_kind;
+    int _e72 = a_row;
+    int _e73 = a_column;
+    int _e74 = a_slice;
+    int _e75 = a_rows;
+    int _e76 = a_columns;
+    float u_5 = (float(_e73) / float((_e76 - 1)));
+    vec2 _e83 = row_to_v(_e72, _e75, int(luts_ground_rows));
+    sky_view_ray(u_5, _e83.x, (_e83.y > 0.5), f_altitude, f_medium_radius, f_medium_thickness, f_sky_view_mapping, f_sun, view_dir, view_ray_start, view_ray_length, view_ray_excess, view_ray_r_mu, view_ray_perigee_excess, view_ray_sun_r_mu, view_ray_nu, view_ray_sin2_, view_ray_shadow_b, view_ray_shadow_c, view_ray_shadow_half2_, view_ray_ground);
+    vec3 _e101 = view_dir;
+    float _e102 = view_ray_start;
+    float _e103 = view_ray_length;
+    float _e104 = view_ray_excess;
+    float _e105 = view_ray_r_mu;
+    float _e106 = view_ray_perigee_excess;
+    float _e107 = view_ray_sun_r_mu;
+    float _e108 = view_ray_nu;
+    float _e109 = view_ray_sin2_;
+    float _e110 = view_ray_shadow_b;
+    float _e111 = view_ray_shadow_c;
+    float _e112 = view_ray_shadow_half2_;
+    bool _e113 = view_ray_ground;
+    if ((_e103 <= 0.0)) {
+        _fs2p_location0 = vec4(vec3(((_e71 >= AIR_BEAM) ? 1.0 : 0.0)), (float((_e74 + 1)) / float(luts_slices_1)));
         return;
     }
-    Perigee _e53 = perigee_of(ray_4, ray_4.length_, m_3.radius);
-    float _e56 = distance_to_u(_e53.distance_, 0.0);
-    float _e59 = distance_to_u(_e53.distance_, ray_4.length_);
-    float du_1 = ((_e59 - _e56) / float(luts_3.slices));
-    float u_from_1 = (_e56 + (du_1 * float(_e9.slice)));
-    float _e70 = u_to_distance(_e53.distance_, (u_from_1 + du_1));
-    float end = (_e70 / ray_4.length_);
-    if ((_e9.kind == AIR_SMOOTH)) {
-        float _e84 = rayleigh_phase(ray_4.nu);
-        gas = (m_3.rayleigh * _e84);
+    perigee_of(_e103, _e104, _e105, _e106, _e113, _e103, f_medium_radius, perigee_distance, perigee_excess, perigee_r_mu);
+    float _e131 = perigee_distance;
+    float _e132 = perigee_excess;
+    float _e133 = perigee_r_mu;
+    float _e135 = distance_to_u(_e131, 0.0);
+    float _e136 = distance_to_u(_e131, _e103);
+    float du_1 = ((_e136 - _e135) / float(luts_slices_1));
+    float u_from_1 = (_e135 + (du_1 * float(_e74)));
+    float _e144 = u_to_distance(_e131, (u_from_1 + du_1));
+    float end = (_e144 / _e103);
+    if ((_e71 == AIR_SMOOTH)) {
+        float _e148 = rayleigh_phase(_e108);
+        gas = (f_medium_rayleigh * _e148);
     } else {
-        aerosol = m_3.mie_scattering;
+        aerosol = f_medium_mie_scattering;
     }
-    float multiple_1 = ((_e9.kind == AIR_SMOOTH) ? 1.0 : 0.0);
-    vec3 _e97 = gas;
-    vec3 _e98 = aerosol;
-    Gathered _e99 = gather(_group_0_binding_1_fs, _group_0_binding_2_fs, m_3, luts_3, ray_4, _e31.dir, _e53, u_from_1, (u_from_1 + du_1), _e97, _e98, multiple_1);
-    switch(_e9.kind) {
+    float multiple_1 = ((_e71 == AIR_SMOOTH) ? 1.0 : 0.0);
+    vec3 _e158 = gas;
+    vec3 _e159 = aerosol;
+    gather(_group_0_binding_1_fs, _group_0_binding_2_fs, f_medium_rayleigh, f_medium_rayleigh_inv_height, f_medium_mie_scattering, f_medium_mie_inv_height, f_medium_ozone_center, f_medium_ozone_inv_half_width, f_medium_ozone, f_medium_radius, f_medium_thickness, luts_mie_extinction_1, luts_altitude_steepness_1, luts_mie_moment0_1, luts_altitude_growth_1, luts_mie_moment1_1, luts_sun_middle_2, luts_mie_moment2_1, luts_sun_width_2, luts_sun_first_2, luts_sun_span_2, luts_steps_1, _e102, _e107, _e108, _e109, _e110, _e111, _e112, _e101, _e131, _e132, _e133, u_from_1, (u_from_1 + du_1), _e158, _e159, multiple_1, g_radiance, g_transmittance, g_optical_path);
+    vec3 _e165 = g_radiance;
+    vec3 _e166 = g_transmittance;
+    vec3 _e167 = g_optical_path;
+    switch(_e71) {
         case 2: {
-            _fs2p_location0 = vec4(_e99.transmittance, end);
+            _fs2p_location0 = vec4(_e166, end);
             return;
         }
         case 3: {
-            mat3x3 _e103 = coefficients_of(m_3);
-            vec3 _e105 = extinction(_e103, _e99.optical_path);
-            _fs2p_location0 = vec4(exp(-(_e105)), end);
+            mat3x3 _e169 = coefficients_of(f_medium_rayleigh, f_medium_mie_extinction, f_medium_ozone);
+            vec3 _e170 = extinction(_e169, _e167);
+            _fs2p_location0 = vec4(exp(-(_e170)), end);
             return;
         }
         default: {
-            _fs2p_location0 = vec4(max(_e99.radiance, vec3(0.0)), end);
+            _fs2p_location0 = vec4(max(_e165, vec3(0.0)), end);
             return;
         }
     }

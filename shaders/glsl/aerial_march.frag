@@ -43,54 +43,6 @@ struct Frame {
     float camera_altitude;
     vec4 sky_view_mapping;
 };
-struct RayEnd {
-    float length_;
-    float weight;
-    bool dims;
-};
-struct AirRay {
-    float start;
-    float length_;
-    float excess;
-    float r_mu;
-    float perigee_excess;
-    float sun_r_mu;
-    float nu;
-    float sin2_;
-    float shadow_b;
-    float shadow_c;
-    float shadow_half2_;
-    bool ground;
-};
-struct SunSide {
-    float sun_r_mu;
-    float nu;
-    float sin2_;
-    float shadow_b;
-    float shadow_c;
-    float shadow_half2_;
-};
-struct Line {
-    float r_mu;
-    float perigee;
-    float perigee_excess;
-    bool ground;
-};
-struct AirPath {
-    float start;
-    float length_;
-    float excess;
-    float r_mu;
-};
-struct Perigee {
-    float distance_;
-    float excess;
-    float r_mu;
-};
-struct Scattered {
-    vec3 radiance;
-    vec3 transmittance;
-};
 const float HALF_MAX = 32000.0;
 const bool BLEND = true;
 const float SUBPIXEL = 0.0625;
@@ -114,18 +66,18 @@ vec3 pixel_ray(vec2 pixel, vec2 size, vec3 forward, vec3 right, vec3 up) {
     return ((forward + (right * ndc.x)) + (up * ndc.y));
 }
 
-float depth_distance(DepthCode c, float depth, float ray_length) {
-    if ((depth == c.background)) {
+float depth_distance(float c_scale, float c_bias, float c_log, float c_background, float depth, float ray_length_1) {
+    if ((depth == c_background)) {
         return -1.0;
     }
-    if ((c.log_ > 0.0)) {
-        return (((exp2((depth * c.log_)) - 1.0) * 0.001) * ray_length);
+    if ((c_log > 0.0)) {
+        return (((exp2((depth * c_log)) - 1.0) * 0.001) * ray_length_1);
     }
-    float inverse_ = ((depth * c.scale) + c.bias);
+    float inverse_ = ((depth * c_scale) + c_bias);
     if ((inverse_ <= 0.0)) {
         return -1.0;
     }
-    return (ray_length / inverse_);
+    return (ray_length_1 / inverse_);
 }
 
 vec4 veil(vec3 inscatter, vec3 transmittance) {
@@ -143,21 +95,29 @@ float scene_reach(float start, float length_, float r_mu, bool ground, float dis
     return ((length_ * (1.0 - before)) + (reach * before));
 }
 
-RayEnd ray_end(float start_1, float length_1, float r_mu_1, bool ground_1, float distance_1, float radius_1, float pixel_angle_1, float shell_weight) {
+void ray_end(float start_1, float length_1, float r_mu_1, bool ground_1, float distance_1, float radius_1, float pixel_angle_1, float shell_weight, inout float out_length, inout float out_weight, inout bool out_dims) {
     if ((distance_1 >= 0.0)) {
-        float _e10 = scene_reach(start_1, length_1, r_mu_1, ground_1, distance_1, radius_1, pixel_angle_1);
-        return RayEnd(_e10, 1.0, true);
+        float _e12 = scene_reach(start_1, length_1, r_mu_1, ground_1, distance_1, radius_1, pixel_angle_1);
+        out_length = _e12;
+        out_weight = 1.0;
+        out_dims = true;
+        return;
     }
     if (ground_1) {
-        return RayEnd(length_1, 1.0, true);
+        out_length = length_1;
+        out_weight = 1.0;
+        out_dims = true;
+        return;
     }
-    return RayEnd(length_1, shell_weight, (shell_weight >= 1.0));
+    out_length = length_1;
+    out_weight = shell_weight;
+    out_dims = (shell_weight >= 1.0);
 }
 
 vec4 compose(vec4 scene_1, vec3 transmittance_1, vec3 inscatter_1) {
     if (BLEND) {
-        vec4 _e4 = veil(inscatter_1, transmittance_1);
-        return _e4;
+        vec4 _e3 = veil(inscatter_1, transmittance_1);
+        return _e3;
     } else {
         vec3 dimmed = (scene_1.xyz * transmittance_1);
         return vec4((dimmed + min(inscatter_1, max((vec3(32000.0) - dimmed), vec3(0.0)))), scene_1.w);
@@ -178,10 +138,10 @@ float altitude_after(float excess_1, float r_mu_2, float t, float radius_4) {
 }
 
 float distance_to_top(float excess_2, float r_mu_3, float top_excess) {
-    float c_1 = max((top_excess - excess_2), 0.0);
-    float root_1 = sqrt(((r_mu_3 * r_mu_3) + c_1));
+    float c = max((top_excess - excess_2), 0.0);
+    float root_1 = sqrt(((r_mu_3 * r_mu_3) + c));
     if ((r_mu_3 > 0.0)) {
-        return (c_1 / (r_mu_3 + root_1));
+        return (c / (r_mu_3 + root_1));
     }
     return (root_1 - r_mu_3);
 }
@@ -194,215 +154,334 @@ float half_chord2_(float r_mu_4, float above, float depth_1, float p) {
     return (depth_1 * (sphere + p));
 }
 
-float shadow_half2_(SunSide s, float side_z, float r, float radius_5) {
-    float sine = max(sqrt(s.sin2_), 1e-18);
+float shadow_half2_(float s_sin2_, float s_shadow_b, float s_shadow_c, float side_z, float r, float radius_5) {
+    float sine = max(sqrt(s_sin2_), 1e-18);
     float p_1 = ((r * abs(side_z)) / sine);
-    float _e15 = half_chord2_((s.shadow_b / sine), s.shadow_c, (radius_5 - p_1), p_1);
-    return _e15;
+    float _e14 = half_chord2_((s_shadow_b / sine), s_shadow_c, (radius_5 - p_1), p_1);
+    return _e14;
 }
 
-SunSide sun_side_inside(vec3 dir, vec3 sun, float r_1, float excess_3, float radius_6) {
-    SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    s_1.nu = dot(dir, sun);
-    float _e9 = s_1.nu;
-    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s_1.sin2_ = dot(side, side);
-    s_1.sun_r_mu = (r_1 * sun.z);
-    s_1.shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+void sun_side_inside(vec3 dir, vec3 sun, float r_1, float excess_3, float radius_6, inout float out_sun_r_mu, inout float out_nu, inout float out_sin2_, inout float out_shadow_b, inout float out_shadow_c, inout float out_shadow_half2_) {
+    float s_sun_r_mu = 0.0;
+    float s_nu = 0.0;
+    float s_sin2_1 = 0.0;
+    float s_shadow_b_1 = 0.0;
+    float s_shadow_c_1 = 0.0;
+    float s_shadow_half2_ = 0.0;
+    s_nu = dot(dir, sun);
+    float _e15 = s_nu;
+    vec3 side = cross((dir - (((_e15 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    s_sin2_1 = dot(side, side);
+    s_sun_r_mu = (r_1 * sun.z);
+    s_shadow_b_1 = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
     float q = (r_1 * length(sun.xy));
-    float _e37 = s_1.sun_r_mu;
-    float _e39 = half_chord2_(_e37, excess_3, (radius_6 - q), q);
-    s_1.shadow_c = -(_e39);
-    SunSide _e42 = s_1;
-    float _e44 = shadow_half2_(_e42, side.z, r_1, radius_6);
-    s_1.shadow_half2_ = _e44;
-    SunSide _e45 = s_1;
-    return _e45;
+    float _e39 = s_sun_r_mu;
+    float _e43 = half_chord2_(_e39, excess_3, (radius_6 - q), q);
+    s_shadow_c_1 = -(_e43);
+    float _e45 = s_sin2_1;
+    float _e46 = s_shadow_b_1;
+    float _e47 = s_shadow_c_1;
+    float _e49 = shadow_half2_(_e45, _e46, _e47, side.z, r_1, radius_6);
+    s_shadow_half2_ = _e49;
+    float _e50 = s_sun_r_mu;
+    float _e51 = s_nu;
+    float _e52 = s_sin2_1;
+    float _e53 = s_shadow_b_1;
+    float _e54 = s_shadow_c_1;
+    float _e55 = s_shadow_half2_;
+    out_sun_r_mu = _e50;
+    out_nu = _e51;
+    out_sin2_ = _e52;
+    out_shadow_b = _e53;
+    out_shadow_c = _e54;
+    out_shadow_half2_ = _e55;
 }
 
-SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start_2, float half_, float top_excess_1, float radius_7) {
-    SunSide s_2 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    s_2.nu = dot(dir_1, sun_1);
-    float _e11 = s_2.nu;
-    float same = ((_e11 >= 0.0) ? 1.0 : -1.0);
+void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start_2, float half_, float top_excess_1, float radius_7, inout float out_sun_r_mu_1, inout float out_nu_1, inout float out_sin2_1, inout float out_shadow_b_1, inout float out_shadow_c_1, inout float out_shadow_half2_1) {
+    float s_sun_r_mu_1 = 0.0;
+    float s_nu_1 = 0.0;
+    float s_sin2_2 = 0.0;
+    float s_shadow_b_2 = 0.0;
+    float s_shadow_c_2 = 0.0;
+    float s_shadow_half2_1 = 0.0;
+    s_nu_1 = dot(dir_1, sun_1);
+    float _e15 = s_nu_1;
+    float same = ((_e15 >= 0.0) ? 1.0 : -1.0);
     vec3 apart = (dir_1 - (same * sun_1));
     vec3 side_1 = cross(apart, sun_1);
-    s_2.sin2_ = dot(side_1, side_1);
+    s_sin2_2 = dot(side_1, side_1);
     vec3 perigee_3 = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
     float there = (-(same) * dot(perigee_3, apart));
     float here = (r_2 * sun_1.z);
-    float _e38 = s_2.nu;
-    float _e44 = s_2.nu;
-    bool nearer = ((abs(here) + (start_2 * abs(_e38))) < (abs(there) + (half_ * abs(_e44))));
-    float _e51 = s_2.nu;
-    float _e55 = s_2.nu;
-    s_2.sun_r_mu = (nearer ? (here + (start_2 * _e55)) : (there - (half_ * _e51)));
+    float _e41 = s_nu_1;
+    float _e47 = s_nu_1;
+    bool nearer = ((abs(here) + (start_2 * abs(_e41))) < (abs(there) + (half_ * abs(_e47))));
+    float _e53 = s_nu_1;
+    float _e56 = s_nu_1;
+    s_sun_r_mu_1 = (nearer ? (here + (start_2 * _e56)) : (there - (half_ * _e53)));
     vec3 perigee_side = cross(perigee_3, sun_1);
-    float _e63 = s_2.sin2_;
-    s_2.shadow_b = (dot(perigee_side, side_1) - (half_ * _e63));
+    float _e62 = s_sin2_2;
+    s_shadow_b_2 = (dot(perigee_side, side_1) - (half_ * _e62));
     float q_1 = length((perigee_side - (half_ * side_1)));
-    float _e71 = s_2.sun_r_mu;
-    float _e73 = half_chord2_(_e71, top_excess_1, (radius_7 - q_1), q_1);
-    s_2.shadow_c = -(_e73);
-    SunSide _e76 = s_2;
-    float _e78 = shadow_half2_(_e76, side_1.z, r_2, radius_7);
-    s_2.shadow_half2_ = _e78;
-    SunSide _e79 = s_2;
-    return _e79;
+    float _e68 = s_sun_r_mu_1;
+    float _e72 = half_chord2_(_e68, top_excess_1, (radius_7 - q_1), q_1);
+    s_shadow_c_2 = -(_e72);
+    float _e74 = s_sin2_2;
+    float _e75 = s_shadow_b_2;
+    float _e76 = s_shadow_c_2;
+    float _e78 = shadow_half2_(_e74, _e75, _e76, side_1.z, r_2, radius_7);
+    s_shadow_half2_1 = _e78;
+    float _e79 = s_sun_r_mu_1;
+    float _e80 = s_nu_1;
+    float _e81 = s_sin2_2;
+    float _e82 = s_shadow_b_2;
+    float _e83 = s_shadow_c_2;
+    float _e84 = s_shadow_half2_1;
+    out_sun_r_mu_1 = _e79;
+    out_nu_1 = _e80;
+    out_sin2_1 = _e81;
+    out_shadow_b_1 = _e82;
+    out_shadow_c_1 = _e83;
+    out_shadow_half2_1 = _e84;
 }
 
-Line line_past(vec3 dir_2, float h_1, float radius_8) {
-    bool local_1 = false;
+void line_past(vec3 dir_2, float h_1, float radius_8, inout float out_r_mu, inout float out_perigee_excess, inout bool out_ground) {
+    bool unnamed_1 = false;
     float r_3 = (radius_8 + h_1);
     float r_mu_7 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
-    float _e11 = excess_of(h_1, radius_8);
-    float _e13 = half_chord2_(r_mu_7, _e11, (radius_8 - p_2), p_2);
+    float _e14 = excess_of(h_1, radius_8);
+    float _e16 = half_chord2_(r_mu_7, _e14, (radius_8 - p_2), p_2);
     if ((r_mu_7 < 0.0)) {
-        local_1 = (_e13 >= 0.0);
+        unnamed_1 = (_e16 >= 0.0);
     } else {
-        local_1 = false;
+        unnamed_1 = false;
     }
-    bool _e22 = local_1;
-    return Line(r_mu_7, p_2, -(_e13), _e22);
+    bool _e25 = unnamed_1;
+    out_r_mu = r_mu_7;
+    out_perigee_excess = -(_e16);
+    out_ground = _e25;
 }
 
-float top_half_chord2_(Line line, float h_2, float radius_9, float thickness) {
-    float r_mu2_ = (line.r_mu * line.r_mu);
-    float _e7 = excess_of(thickness, radius_9);
+float top_half_chord2_(float line_r_mu, float line_perigee_excess, float h_2, float radius_9, float thickness) {
+    float r_mu2_ = (line_r_mu * line_r_mu);
+    float _e5 = excess_of(thickness, radius_9);
     float above_1 = ((h_2 - thickness) * (((2.0 * radius_9) + thickness) + h_2));
-    return ((r_mu2_ < _e7) ? (r_mu2_ - above_1) : (_e7 - line.perigee_excess));
+    return ((r_mu2_ < _e5) ? (r_mu2_ - above_1) : (_e5 - line_perigee_excess));
 }
 
 float distance_to_ground(float excess_4, float r_mu_5, float root) {
     return min((excess_4 / (root - r_mu_5)), -(r_mu_5));
 }
 
-AirPath air_path(Line line_1, float h_3, float radius_10, float thickness_1) {
-    bool local_2 = false;
-    float _e4 = excess_of(thickness_1, radius_10);
-    float ground_root = sqrt(max(-(line_1.perigee_excess), 0.0));
+void air_path(float line_r_mu_1, float line_perigee_excess_1, bool line_ground, float h_3, float radius_10, float thickness_1, inout float out_start, inout float out_length_1, inout float out_excess, inout float out_r_mu_1) {
+    bool unnamed_2 = false;
+    float _e6 = excess_of(thickness_1, radius_10);
+    float ground_root = sqrt(max(-(line_perigee_excess_1), 0.0));
     if ((h_3 <= thickness_1)) {
-        float _e11 = excess_of(h_3, radius_10);
-        float _e13 = distance_to_top(_e11, line_1.r_mu, _e4);
-        float _e15 = distance_to_ground(_e11, line_1.r_mu, ground_root);
-        return AirPath(0.0, (line_1.ground ? _e15 : _e13), _e11, line_1.r_mu);
+        float _e16 = excess_of(h_3, radius_10);
+        float _e17 = distance_to_top(_e16, line_r_mu_1, _e6);
+        float _e18 = distance_to_ground(_e16, line_r_mu_1, ground_root);
+        out_start = 0.0;
+        out_length_1 = (line_ground ? _e18 : _e17);
+        out_excess = _e16;
+        out_r_mu_1 = line_r_mu_1;
+        return;
     }
     float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_10) + thickness_1) + h_3));
-    float _e27 = top_half_chord2_(line_1, h_3, radius_10, thickness_1);
-    if (!((line_1.r_mu >= 0.0))) {
-        local_2 = (_e27 <= 0.0);
+    float _e27 = top_half_chord2_(line_r_mu_1, line_perigee_excess_1, h_3, radius_10, thickness_1);
+    if (!((line_r_mu_1 >= 0.0))) {
+        unnamed_2 = (_e27 <= 0.0);
     } else {
-        local_2 = true;
+        unnamed_2 = true;
     }
-    bool _e37 = local_2;
-    if (_e37) {
-        return AirPath(0.0, -1.0, 0.0, 0.0);
+    bool _e36 = unnamed_2;
+    if (_e36) {
+        out_start = 0.0;
+        out_length_1 = -1.0;
+        out_excess = 0.0;
+        out_r_mu_1 = 0.0;
+        return;
     }
     float half_1 = sqrt(_e27);
-    float _e47 = distance_to_ground(_e4, -(half_1), ground_root);
-    float reach_1 = (line_1.ground ? _e47 : (2.0 * half_1));
-    return AirPath((above_2 / (half_1 - line_1.r_mu)), reach_1, _e4, -(half_1));
+    float _e45 = distance_to_ground(_e6, -(half_1), ground_root);
+    float reach_1 = (line_ground ? _e45 : (2.0 * half_1));
+    out_start = (above_2 / (half_1 - line_r_mu_1));
+    out_length_1 = reach_1;
+    out_excess = _e6;
+    out_r_mu_1 = -(half_1);
 }
 
-AirRay air_ray(vec3 dir_3, float h_4, float radius_11, float thickness_2, vec3 sun_2) {
-    SunSide s_3 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    bool local_3 = false;
-    Line _e5 = line_past(dir_3, h_4, radius_11);
-    AirPath _e6 = air_path(_e5, h_4, radius_11, thickness_2);
+void air_ray(vec3 dir_3, float h_4, float radius_11, float thickness_2, vec3 sun_2, inout float out_start_1, inout float out_length_2, inout float out_excess_1, inout float out_r_mu_2, inout float out_perigee_excess_1, inout float out_sun_r_mu_2, inout float out_nu_2, inout float out_sin2_2, inout float out_shadow_b_2, inout float out_shadow_c_2, inout float out_shadow_half2_2, inout bool out_ground_1) {
+    float s_sun_r_mu_2 = 0.0;
+    float s_nu_2 = 0.0;
+    float s_sin2_3 = 0.0;
+    float s_shadow_b_3 = 0.0;
+    float s_shadow_c_3 = 0.0;
+    float s_shadow_half2_2 = 0.0;
+    bool unnamed_3 = false;
+    float line_r_mu_2 = 0.0;
+    float line_perigee_excess_2 = 0.0;
+    bool line_ground_1 = false;
+    float path_start = 0.0;
+    float path_length = 0.0;
+    float path_excess = 0.0;
+    float path_r_mu = 0.0;
+    float sun_side_inside_sun_r_mu = 0.0;
+    float sun_side_inside_nu = 0.0;
+    float sun_side_inside_sin2_ = 0.0;
+    float sun_side_inside_shadow_b = 0.0;
+    float sun_side_inside_shadow_c = 0.0;
+    float sun_side_inside_shadow_half2_ = 0.0;
+    float sun_side_outside_sun_r_mu = 0.0;
+    float sun_side_outside_nu = 0.0;
+    float sun_side_outside_sin2_ = 0.0;
+    float sun_side_outside_shadow_b = 0.0;
+    float sun_side_outside_shadow_c = 0.0;
+    float sun_side_outside_shadow_half2_ = 0.0;
+    line_past(dir_3, h_4, radius_11, line_r_mu_2, line_perigee_excess_2, line_ground_1);
+    float _e18 = line_r_mu_2;
+    float _e19 = line_perigee_excess_2;
+    bool _e20 = line_ground_1;
+    air_path(_e18, _e19, _e20, h_4, radius_11, thickness_2, path_start, path_length, path_excess, path_r_mu);
+    float _e26 = path_start;
+    float _e27 = path_length;
+    float _e28 = path_excess;
+    float _e29 = path_r_mu;
     if ((h_4 <= thickness_2)) {
-        SunSide _e11 = sun_side_inside(dir_3, sun_2, (radius_11 + h_4), _e6.excess, radius_11);
-        s_3 = _e11;
+        sun_side_inside(dir_3, sun_2, (radius_11 + h_4), _e28, radius_11, sun_side_inside_sun_r_mu, sun_side_inside_nu, sun_side_inside_sin2_, sun_side_inside_shadow_b, sun_side_inside_shadow_c, sun_side_inside_shadow_half2_);
+        float _e39 = sun_side_inside_sun_r_mu;
+        float _e40 = sun_side_inside_nu;
+        float _e41 = sun_side_inside_sin2_;
+        float _e42 = sun_side_inside_shadow_b;
+        float _e43 = sun_side_inside_shadow_c;
+        float _e44 = sun_side_inside_shadow_half2_;
+        s_sun_r_mu_2 = _e39;
+        s_nu_2 = _e40;
+        s_sin2_3 = _e41;
+        s_shadow_b_3 = _e42;
+        s_shadow_c_3 = _e43;
+        s_shadow_half2_2 = _e44;
     } else {
-        if ((_e6.length_ > 0.0)) {
-            SunSide _e20 = sun_side_outside(dir_3, sun_2, (radius_11 + h_4), _e6.start, -(_e6.r_mu), _e6.excess, radius_11);
-            s_3 = _e20;
+        if ((_e27 > 0.0)) {
+            sun_side_outside(dir_3, sun_2, (radius_11 + h_4), _e26, -(_e29), _e28, radius_11, sun_side_outside_sun_r_mu, sun_side_outside_nu, sun_side_outside_sin2_, sun_side_outside_shadow_b, sun_side_outside_shadow_c, sun_side_outside_shadow_half2_);
+            float _e61 = sun_side_outside_sun_r_mu;
+            float _e62 = sun_side_outside_nu;
+            float _e63 = sun_side_outside_sin2_;
+            float _e64 = sun_side_outside_shadow_b;
+            float _e65 = sun_side_outside_shadow_c;
+            float _e66 = sun_side_outside_shadow_half2_;
+            s_sun_r_mu_2 = _e61;
+            s_nu_2 = _e62;
+            s_sin2_3 = _e63;
+            s_shadow_b_3 = _e64;
+            s_shadow_c_3 = _e65;
+            s_shadow_half2_2 = _e66;
         } else {
-            s_3.nu = dot(dir_3, sun_2);
+            s_nu_2 = dot(dir_3, sun_2);
         }
     }
-    if (_e5.ground) {
-        local_3 = (_e6.length_ >= 0.0);
+    if (_e20) {
+        unnamed_3 = (_e27 >= 0.0);
     } else {
-        local_3 = false;
+        unnamed_3 = false;
     }
-    bool ground_2 = local_3;
-    float _e37 = s_3.sun_r_mu;
-    float _e39 = s_3.nu;
-    float _e41 = s_3.sin2_;
-    float _e43 = s_3.shadow_b;
-    float _e45 = s_3.shadow_c;
-    float _e47 = s_3.shadow_half2_;
-    return AirRay(_e6.start, _e6.length_, _e6.excess, _e6.r_mu, _e5.perigee_excess, _e37, _e39, _e41, _e43, _e45, _e47, ground_2);
+    bool ground_2 = unnamed_3;
+    float _e74 = s_sun_r_mu_2;
+    float _e75 = s_nu_2;
+    float _e76 = s_sin2_3;
+    float _e77 = s_shadow_b_3;
+    float _e78 = s_shadow_c_3;
+    float _e79 = s_shadow_half2_2;
+    out_start_1 = _e26;
+    out_length_2 = _e27;
+    out_excess_1 = _e28;
+    out_r_mu_2 = _e29;
+    out_perigee_excess_1 = _e19;
+    out_sun_r_mu_2 = _e74;
+    out_nu_2 = _e75;
+    out_sin2_2 = _e76;
+    out_shadow_b_2 = _e77;
+    out_shadow_c_2 = _e78;
+    out_shadow_half2_2 = _e79;
+    out_ground_1 = ground_2;
 }
 
-Perigee perigee_of(AirRay ray, float length_2, float radius_12) {
-    bool local_4 = false;
-    if ((ray.r_mu >= 0.0)) {
-        return Perigee(0.0, ray.excess, ray.r_mu);
+void perigee_of(float ray_length_2, float ray_excess_1, float ray_r_mu_1, float ray_perigee_excess_1, bool ray_ground_1, float length_2, float radius_12, inout float out_distance, inout float out_excess_2, inout float out_r_mu_3) {
+    bool unnamed_4 = false;
+    if ((ray_r_mu_1 >= 0.0)) {
+        out_distance = 0.0;
+        out_excess_2 = ray_excess_1;
+        out_r_mu_3 = ray_r_mu_1;
+        return;
     }
-    if ((-(ray.r_mu) <= length_2)) {
-        return Perigee(-(ray.r_mu), ray.perigee_excess, 0.0);
+    if ((-(ray_r_mu_1) <= length_2)) {
+        out_distance = -(ray_r_mu_1);
+        out_excess_2 = ray_perigee_excess_1;
+        out_r_mu_3 = 0.0;
+        return;
     }
-    float r_mu_8 = (ray.r_mu + length_2);
-    if (ray.ground) {
-        local_4 = (length_2 >= ray.length_);
+    float r_mu_8 = (ray_r_mu_1 + length_2);
+    if (ray_ground_1) {
+        unnamed_4 = (length_2 >= ray_length_2);
     } else {
-        local_4 = false;
+        unnamed_4 = false;
     }
-    bool _e26 = local_4;
-    if (_e26) {
-        return Perigee(length_2, 0.0, r_mu_8);
+    bool _e21 = unnamed_4;
+    if (_e21) {
+        out_distance = length_2;
+        out_excess_2 = 0.0;
+        out_r_mu_3 = r_mu_8;
+        return;
     }
-    bool far = ((-(ray.r_mu) * length_2) > (radius_12 * radius_12));
-    float near_excess = (ray.excess + (length_2 * ((2.0 * ray.r_mu) + length_2)));
-    return Perigee(length_2, (far ? (ray.perigee_excess + (r_mu_8 * r_mu_8)) : near_excess), r_mu_8);
+    bool far = ((-(ray_r_mu_1) * length_2) > (radius_12 * radius_12));
+    float near_excess = (ray_excess_1 + (length_2 * ((2.0 * ray_r_mu_1) + length_2)));
+    out_distance = length_2;
+    out_excess_2 = (far ? (ray_perigee_excess_1 + (r_mu_8 * r_mu_8)) : near_excess);
+    out_r_mu_3 = r_mu_8;
 }
 
-vec2 shadow_stretch(AirRay ray_1) {
+vec2 shadow_stretch(float ray_sun_r_mu_1, float ray_nu_1, float ray_sin2_1, float ray_shadow_b_1, float ray_shadow_c_1, float ray_shadow_half2_1) {
     vec2 stretch = vec2(0.0);
     vec2 none = vec2(1.0, 0.0);
-    float a = ray_1.sin2_;
-    float b = ray_1.shadow_b;
-    float c_2 = ray_1.shadow_c;
     stretch = vec2(-(1e30), 1e30);
-    if ((a > 1e-30)) {
-        if ((ray_1.shadow_half2_ <= 0.0)) {
+    if ((ray_sin2_1 > 1e-30)) {
+        if ((ray_shadow_half2_1 <= 0.0)) {
             return none;
         }
-        float q_2 = -((b + (((b >= 0.0) ? 1.0 : -1.0) * sqrt((a * ray_1.shadow_half2_)))));
-        float t0_3 = (q_2 / a);
-        float t1_1 = ((q_2 != 0.0) ? (c_2 / q_2) : t0_3);
+        float q_2 = -((ray_shadow_b_1 + (((ray_shadow_b_1 >= 0.0) ? 1.0 : -1.0) * sqrt((ray_sin2_1 * ray_shadow_half2_1)))));
+        float t0_3 = (q_2 / ray_sin2_1);
+        float t1_1 = ((q_2 != 0.0) ? (ray_shadow_c_1 / q_2) : t0_3);
         stretch = vec2(min(t0_3, t1_1), max(t0_3, t1_1));
     } else {
-        if ((c_2 >= 0.0)) {
+        if ((ray_shadow_c_1 >= 0.0)) {
             return none;
         }
     }
-    if ((abs(ray_1.nu) < 1e-12)) {
-        if ((ray_1.sun_r_mu >= 0.0)) {
+    if ((abs(ray_nu_1) < 1e-12)) {
+        if ((ray_sun_r_mu_1 >= 0.0)) {
             return none;
         }
     } else {
-        float t_2 = (-(ray_1.sun_r_mu) / ray_1.nu);
-        if ((ray_1.nu > 0.0)) {
-            float _e53 = stretch.y;
-            stretch.y = min(_e53, t_2);
+        float t_2 = (-(ray_sun_r_mu_1) / ray_nu_1);
+        if ((ray_nu_1 > 0.0)) {
+            float _e48 = stretch.y;
+            stretch.y = min(_e48, t_2);
         } else {
-            float _e57 = stretch.x;
-            stretch.x = max(_e57, t_2);
+            float _e52 = stretch.x;
+            stretch.x = max(_e52, t_2);
         }
     }
-    vec2 _e59 = stretch;
-    return _e59;
+    vec2 _e54 = stretch;
+    return _e54;
 }
 
-vec4 layers_of(Medium m) {
-    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+vec4 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width) {
+    return vec4(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_center, m_ozone_inv_half_width);
 }
 
-mat3x3 coefficients_of(Medium m_1) {
-    return mat3x3(m_1.rayleigh, m_1.mie_extinction, m_1.ozone);
+mat3x3 coefficients_of(vec3 m_rayleigh, vec3 m_mie_extinction, vec3 m_ozone) {
+    return mat3x3(m_rayleigh, m_mie_extinction, m_ozone);
 }
 
 vec3 densities(vec4 layers, float h_5) {
@@ -423,8 +502,8 @@ vec3 densities(vec4 layers, float h_5) {
 vec3 extinction(mat3x3 coefficients, vec3 d_1) {
     vec3 sum = vec3(0.0);
     if (RAYLEIGH) {
-        vec3 _e6 = sum;
-        sum = (_e6 + (coefficients[0] * d_1.x));
+        vec3 _e4 = sum;
+        sum = (_e4 + (coefficients[0] * d_1.x));
     }
     if (MIE) {
         vec3 _e12 = sum;
@@ -456,26 +535,26 @@ vec3 path_densities(vec4 layers_1, float radius_13, float excess_5, float r_mu_6
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e43 = i;
-            i = (_e43 + 1u);
+            uint _e42 = i;
+            i = (_e42 + 1u);
         }
         loop_init = false;
-        uint _e23 = i;
-        if ((_e23 < samples)) {
+        uint _e18 = i;
+        if ((_e18 < samples)) {
         } else {
             break;
         }
         {
-            uint _e25 = i;
-            float u_1 = (u0_ + (du * float(_e25)));
-            float _e32 = u_to_distance(perigee_4, (u_1 + (0.5 * du)));
-            float _e34 = u_to_distance(perigee_4, (u_1 + du));
-            float _e35 = altitude_after(excess_5, r_mu_6, _e32, radius_13);
-            vec3 _e36 = sum_1;
-            vec3 _e37 = densities(layers_1, _e35);
+            uint _e20 = i;
+            float u_1 = (u0_ + (du * float(_e20)));
+            float _e27 = u_to_distance(perigee_4, (u_1 + (0.5 * du)));
+            float _e29 = u_to_distance(perigee_4, (u_1 + du));
+            float _e32 = altitude_after(excess_5, r_mu_6, _e27, radius_13);
+            vec3 _e34 = sum_1;
+            vec3 _e36 = densities(layers_1, _e32);
             float _e38 = t0_;
-            sum_1 = (_e36 + (_e37 * (_e34 - _e38)));
-            t0_ = _e34;
+            sum_1 = (_e34 + (_e36 * (_e29 - _e38)));
+            t0_ = _e29;
         }
     }
     vec3 _e45 = sum_1;
@@ -531,10 +610,10 @@ vec3 mie_phase(float away_2, float toward_2, vec3 asymmetry) {
 }
 
 vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_14, float thickness_3, float excess_6, float sun_r_mu, uint samples_1) {
-    float _e7 = excess_of(thickness_3, radius_14);
-    float _e8 = distance_to_top(excess_6, sun_r_mu, _e7);
-    vec3 _e9 = path_densities(layers_2, radius_14, excess_6, sun_r_mu, _e8, samples_1);
-    vec3 _e10 = extinction(coefficients_1, _e9);
+    float _e2 = excess_of(thickness_3, radius_14);
+    float _e5 = distance_to_top(excess_6, sun_r_mu, _e2);
+    vec3 _e8 = path_densities(layers_2, radius_14, excess_6, sun_r_mu, _e5, samples_1);
+    vec3 _e10 = extinction(coefficients_1, _e8);
     return exp(-(_e10));
 }
 
@@ -542,145 +621,201 @@ vec3 sun_visibility(vec3 dir_4, float distance_3) {
     return vec3(1.0);
 }
 
-Scattered single_scattering(Medium m_2, AirRay ray_2, vec3 dir_5, float length_3, float away_3, uint view_samples, uint light_samples) {
+void single_scattering(vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, vec3 m_mie_extinction_1, float m_ozone_center_1, vec3 m_mie_asymmetry, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_thickness, float ray_start_1, float ray_length_3, float ray_excess_2, float ray_r_mu_2, float ray_perigee_excess_2, float ray_sun_r_mu_2, float ray_nu_2, float ray_sin2_2, float ray_shadow_b_2, float ray_shadow_c_2, float ray_shadow_half2_2, bool ray_ground_2, vec3 dir_5, float length_3, float away_3, uint view_samples, uint light_samples, inout vec3 out_radiance, inout vec3 out_transmittance) {
     vec3 rayleigh = vec3(0.0);
     vec3 mie = vec3(0.0);
     vec2 shadow_1 = vec2(0.0);
-    Scattered out_ = Scattered(vec3(0.0), vec3(1.0));
+    vec3 out_radiance_1 = vec3(0.0);
+    vec3 out_transmittance_1 = vec3(1.0);
     float t0_2 = 0.0;
     uint i_1 = 0u;
     vec3 source = vec3(0.0);
+    float perigee_distance = 0.0;
+    float perigee_excess = 0.0;
+    float perigee_r_mu = 0.0;
     if (SUNLIGHT) {
-        vec2 _e17 = shadow_stretch(ray_2);
-        shadow_1 = _e17;
+        vec2 _e27 = shadow_stretch(ray_sun_r_mu_2, ray_nu_2, ray_sin2_2, ray_shadow_b_2, ray_shadow_c_2, ray_shadow_half2_2);
+        shadow_1 = _e27;
         if (RAYLEIGH) {
-            float _e22 = rayleigh_phase((1.0 - away_3));
-            rayleigh = (m_2.rayleigh * _e22);
+            float _e44 = rayleigh_phase((1.0 - away_3));
+            rayleigh = (m_rayleigh_1 * _e44);
         }
         if (MIE) {
-            float toward_3 = ((away_3 > 1.0) ? (ray_2.sin2_ / max(away_3, 1.0)) : (2.0 - away_3));
-            vec3 _e36 = mie_phase(away_3, toward_3, m_2.mie_asymmetry);
-            mie = (m_2.mie_scattering * _e36);
+            float toward_3 = ((away_3 > 1.0) ? (ray_sin2_2 / max(away_3, 1.0)) : (2.0 - away_3));
+            vec3 _e56 = mie_phase(away_3, toward_3, m_mie_asymmetry);
+            mie = (m_mie_scattering * _e56);
         }
     }
-    vec4 _e38 = layers_of(m_2);
-    mat3x3 _e39 = coefficients_of(m_2);
-    Perigee _e41 = perigee_of(ray_2, length_3, m_2.radius);
-    float nearest = _e41.distance_;
+    vec4 _e59 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
+    mat3x3 _e60 = coefficients_of(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
+    perigee_of(ray_length_3, ray_excess_2, ray_r_mu_2, ray_perigee_excess_2, ray_ground_2, length_3, m_radius, perigee_distance, perigee_excess, perigee_r_mu);
+    float nearest = perigee_distance;
+    float _e66 = perigee_excess;
+    float _e67 = perigee_r_mu;
     float u0_1 = -(sqrt(nearest));
     float du_1 = ((sqrt((length_3 - nearest)) - u0_1) / float(view_samples));
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            uint _e151 = i_1;
-            i_1 = (_e151 + 1u);
+            uint _e158 = i_1;
+            i_1 = (_e158 + 1u);
         }
         loop_init_1 = false;
-        uint _e60 = i_1;
-        if ((_e60 < view_samples)) {
+        uint _e77 = i_1;
+        if ((_e77 < view_samples)) {
         } else {
             break;
         }
         {
-            uint _e62 = i_1;
-            float u_2 = (u0_1 + (du_1 * float(_e62)));
-            float _e67 = u_to_distance(nearest, (u_2 + du_1));
-            float _e71 = u_to_distance(nearest, (u_2 + (0.5 * du_1)));
-            float _e76 = altitude_after(_e41.excess, _e41.r_mu, (_e71 - nearest), m_2.radius);
-            vec3 _e77 = densities(_e38, _e76);
-            vec3 _e78 = extinction(_e39, _e77);
-            float _e79 = t0_2;
-            vec3 tau_1 = (_e78 * (_e67 - _e79));
+            uint _e79 = i_1;
+            float u_2 = (u0_1 + (du_1 * float(_e79)));
+            float _e84 = u_to_distance(nearest, (u_2 + du_1));
+            float _e88 = u_to_distance(nearest, (u_2 + (0.5 * du_1)));
+            float _e90 = altitude_after(_e66, _e67, (_e88 - nearest), m_radius);
+            vec3 _e91 = densities(_e59, _e90);
+            vec3 _e92 = extinction(_e60, _e91);
+            float _e94 = t0_2;
+            vec3 tau_1 = (_e92 * (_e84 - _e94));
             if (SUNLIGHT) {
-                vec2 _e83 = shadow_1;
-                float _e84 = t0_2;
-                vec2 _e85 = lit_part(_e83, nearest, _e84, _e67, _e71);
-                if ((_e85.x > 0.0)) {
-                    float past = (_e85.y - nearest);
-                    float excess_7 = (_e41.excess + (past * ((2.0 * _e41.r_mu) + past)));
-                    float _e99 = altitude_of(excess_7, m_2.radius);
-                    vec3 _e102 = densities(_e38, max(_e99, 0.0));
+                vec2 _e98 = shadow_1;
+                float _e99 = t0_2;
+                vec2 _e100 = lit_part(_e98, nearest, _e99, _e84, _e88);
+                if ((_e100.x > 0.0)) {
+                    float past = (_e100.y - nearest);
+                    float excess_7 = (_e66 + (past * ((2.0 * _e67) + past)));
+                    float _e111 = altitude_of(excess_7, m_radius);
+                    vec3 _e114 = densities(_e59, max(_e111, 0.0));
                     source = vec3(0.0);
                     if (RAYLEIGH) {
-                        vec3 _e107 = source;
-                        vec3 _e108 = rayleigh;
-                        source = (_e107 + (_e108 * _e102.x));
+                        vec3 _e119 = source;
+                        vec3 _e120 = rayleigh;
+                        source = (_e119 + (_e120 * _e114.x));
                     }
                     if (MIE) {
-                        vec3 _e113 = source;
-                        vec3 _e114 = mie;
-                        source = (_e113 + (_e114 * _e102.y));
+                        vec3 _e125 = source;
+                        vec3 _e126 = mie;
+                        source = (_e125 + (_e126 * _e114.y));
                     }
-                    float sun_r_mu_1 = (ray_2.sun_r_mu + (ray_2.nu * _e85.y));
-                    vec3 _e123 = source;
-                    vec3 _e126 = sun_transmittance(_e39, _e38, m_2.radius, m_2.thickness, excess_7, sun_r_mu_1, light_samples);
-                    source = (_e123 * _e126);
-                    vec3 _e128 = source;
-                    vec3 _e132 = sun_visibility(dir_5, (ray_2.start + _e85.y));
-                    source = (_e128 * _e132);
-                    vec3 _e135 = out_.radiance;
-                    vec3 _e137 = out_.transmittance;
-                    vec3 _e138 = mean_transmittance(tau_1);
-                    vec3 _e140 = source;
-                    out_.radiance = (_e135 + (((_e137 * _e138) * _e140) * _e85.x));
+                    float sun_r_mu_1 = (ray_sun_r_mu_2 + (ray_nu_2 * _e100.y));
+                    vec3 _e133 = source;
+                    vec3 _e135 = sun_transmittance(_e60, _e59, m_radius, m_thickness, excess_7, sun_r_mu_1, light_samples);
+                    source = (_e133 * _e135);
+                    vec3 _e137 = source;
+                    vec3 _e141 = sun_visibility(dir_5, (ray_start_1 + _e100.y));
+                    source = (_e137 * _e141);
+                    vec3 _e145 = out_radiance_1;
+                    vec3 _e146 = out_transmittance_1;
+                    vec3 _e147 = mean_transmittance(tau_1);
+                    vec3 _e149 = source;
+                    out_radiance_1 = (_e145 + (((_e146 * _e147) * _e149) * _e100.x));
                 }
             }
-            vec3 _e146 = out_.transmittance;
-            out_.transmittance = (_e146 * exp(-(tau_1)));
-            t0_2 = _e67;
+            vec3 _e154 = out_transmittance_1;
+            out_transmittance_1 = (_e154 * exp(-(tau_1)));
+            t0_2 = _e84;
         }
     }
-    Scattered _e153 = out_;
-    return _e153;
+    vec3 _e161 = out_radiance_1;
+    vec3 _e162 = out_transmittance_1;
+    out_radiance = _e161;
+    out_transmittance = _e162;
 }
 
 void main() {
     vec4 position = gl_FragCoord;
     vec4 scene = vec4(0.0);
-    bool local = false;
-    Medium m_3 = _group_0_binding_0_fs.medium;
+    bool unnamed = false;
+    float ray_start = 0.0;
+    float ray_length = 0.0;
+    float ray_excess = 0.0;
+    float ray_r_mu = 0.0;
+    float ray_perigee_excess = 0.0;
+    float ray_sun_r_mu = 0.0;
+    float ray_nu = 0.0;
+    float ray_sin2_ = 0.0;
+    float ray_shadow_b = 0.0;
+    float ray_shadow_c = 0.0;
+    float ray_shadow_half2_ = 0.0;
+    bool ray_ground = false;
+    float end_length = 0.0;
+    float end_weight = 0.0;
+    bool end_dims = false;
+    vec3 s_radiance = vec3(0.0);
+    vec3 s_transmittance = vec3(0.0);
+    vec3 m_rayleigh_2 = _group_0_binding_0_fs.medium.rayleigh;
+    float m_rayleigh_inv_height_2 = _group_0_binding_0_fs.medium.rayleigh_inv_height;
+    vec3 m_mie_scattering_1 = _group_0_binding_0_fs.medium.mie_scattering;
+    float m_mie_inv_height_2 = _group_0_binding_0_fs.medium.mie_inv_height;
+    vec3 m_mie_extinction_2 = _group_0_binding_0_fs.medium.mie_extinction;
+    float m_ozone_center_2 = _group_0_binding_0_fs.medium.ozone_center;
+    vec3 m_mie_asymmetry_1 = _group_0_binding_0_fs.medium.mie_asymmetry;
+    float m_ozone_inv_half_width_2 = _group_0_binding_0_fs.medium.ozone_inv_half_width;
+    vec3 m_ozone_2 = _group_0_binding_0_fs.medium.ozone;
+    float m_radius_1 = _group_0_binding_0_fs.medium.radius;
+    vec3 m_irradiance = _group_0_binding_0_fs.medium.irradiance;
+    float m_thickness_1 = _group_0_binding_0_fs.medium.thickness;
     ivec2 pixel_1 = ivec2(position.xy);
     if (BLEND) {
     } else {
-        vec4 _e12 = texelFetch(_group_0_binding_1_fs, pixel_1, 0);
-        scene = _e12;
+        vec4 _e34 = texelFetch(_group_0_binding_1_fs, pixel_1, 0);
+        scene = _e34;
     }
-    vec2 _e16 = _group_0_binding_0_fs.size;
-    vec3 _e19 = _group_0_binding_0_fs.ray_forward;
-    vec3 _e22 = _group_0_binding_0_fs.ray_right;
-    vec3 _e25 = _group_0_binding_0_fs.ray_up;
-    vec3 _e26 = pixel_ray(position.xy, _e16, _e19, _e22, _e25);
-    float ray_length_1 = length(_e26);
-    DepthCode _e30 = _group_0_binding_0_fs.depth;
-    vec4 _e33 = texelFetch(_group_0_binding_2_fs, pixel_1, 0);
-    float _e35 = depth_distance(_e30, _e33.x, ray_length_1);
-    vec3 dir_6 = (_e26 / vec3(ray_length_1));
-    float _e40 = _group_0_binding_0_fs.altitude;
-    vec3 _e45 = _group_0_binding_0_fs.sun;
-    AirRay _e46 = air_ray(dir_6, _e40, m_3.radius, m_3.thickness, _e45);
-    float _e54 = _group_0_binding_0_fs.pixel_angle;
-    float _e57 = _group_0_binding_0_fs.shell_weight;
-    RayEnd _e58 = ray_end(_e46.start, _e46.length_, _e46.r_mu, _e46.ground, _e35, m_3.radius, _e54, _e57);
-    if (!((_e58.length_ <= 0.0))) {
-        local = (_e58.weight <= 0.0);
+    vec2 _e39 = _group_0_binding_0_fs.size;
+    vec3 _e42 = _group_0_binding_0_fs.ray_forward;
+    vec3 _e45 = _group_0_binding_0_fs.ray_right;
+    vec3 _e48 = _group_0_binding_0_fs.ray_up;
+    vec3 _e49 = pixel_ray(position.xy, _e39, _e42, _e45, _e48);
+    float ray_length_4 = length(_e49);
+    float _e54 = _group_0_binding_0_fs.depth.scale;
+    float _e56 = _group_0_binding_0_fs.depth.bias;
+    float _e58 = _group_0_binding_0_fs.depth.log_;
+    float _e60 = _group_0_binding_0_fs.depth.background;
+    vec4 _e63 = texelFetch(_group_0_binding_2_fs, pixel_1, 0);
+    float _e65 = depth_distance(_e54, _e56, _e58, _e60, _e63.x, ray_length_4);
+    vec3 dir_6 = (_e49 / vec3(ray_length_4));
+    float _e70 = _group_0_binding_0_fs.altitude;
+    vec3 _e73 = _group_0_binding_0_fs.sun;
+    air_ray(dir_6, _e70, m_radius_1, m_thickness_1, _e73, ray_start, ray_length, ray_excess, ray_r_mu, ray_perigee_excess, ray_sun_r_mu, ray_nu, ray_sin2_, ray_shadow_b, ray_shadow_c, ray_shadow_half2_, ray_ground);
+    float _e86 = ray_start;
+    float _e87 = ray_length;
+    float _e88 = ray_excess;
+    float _e89 = ray_r_mu;
+    float _e90 = ray_perigee_excess;
+    float _e91 = ray_sun_r_mu;
+    float _e92 = ray_nu;
+    float _e93 = ray_sin2_;
+    float _e94 = ray_shadow_b;
+    float _e95 = ray_shadow_c;
+    float _e96 = ray_shadow_half2_;
+    bool _e97 = ray_ground;
+    float _e100 = _group_0_binding_0_fs.pixel_angle;
+    float _e103 = _group_0_binding_0_fs.shell_weight;
+    ray_end(_e86, _e87, _e89, _e97, _e65, m_radius_1, _e100, _e103, end_length, end_weight, end_dims);
+    float _e107 = end_length;
+    float _e108 = end_weight;
+    bool _e109 = end_dims;
+    if (!((_e107 <= 0.0))) {
+        unnamed = (_e108 <= 0.0);
     } else {
-        local = true;
+        unnamed = true;
     }
-    bool _e69 = local;
-    if (_e69) {
-        vec4 _e70 = scene;
-        _fs2p_location0 = _e70;
+    bool _e118 = unnamed;
+    if (_e118) {
+        vec4 _e119 = scene;
+        _fs2p_location0 = _e119;
         return;
     }
-    vec3 _e73 = _group_0_binding_0_fs.sun;
-    vec3 offset = (dir_6 - _e73);
-    uint _e81 = _group_0_binding_0_fs.view_samples;
-    uint _e84 = _group_0_binding_0_fs.light_samples;
-    Scattered _e85 = single_scattering(m_3, _e46, dir_6, _e58.length_, (0.5 * dot(offset, offset)), _e81, _e84);
-    vec3 transmittance_2 = (_e58.dims ? _e85.transmittance : vec3(1.0));
-    vec4 _e91 = scene;
-    vec4 _e97 = compose(_e91, transmittance_2, ((_e85.radiance * m_3.irradiance) * _e58.weight));
-    _fs2p_location0 = _e97;
+    vec3 _e122 = _group_0_binding_0_fs.sun;
+    vec3 offset = (dir_6 - _e122);
+    uint _e129 = _group_0_binding_0_fs.view_samples;
+    uint _e132 = _group_0_binding_0_fs.light_samples;
+    single_scattering(m_rayleigh_2, m_rayleigh_inv_height_2, m_mie_scattering_1, m_mie_inv_height_2, m_mie_extinction_2, m_ozone_center_2, m_mie_asymmetry_1, m_ozone_inv_half_width_2, m_ozone_2, m_radius_1, m_thickness_1, _e86, _e87, _e88, _e89, _e90, _e91, _e92, _e93, _e94, _e95, _e96, _e97, dir_6, _e107, (0.5 * dot(offset, offset)), _e129, _e132, s_radiance, s_transmittance);
+    vec3 _e135 = s_radiance;
+    vec3 _e136 = s_transmittance;
+    vec3 transmittance_2 = (_e109 ? _e136 : vec3(1.0));
+    vec4 _e140 = scene;
+    vec4 _e143 = compose(_e140, transmittance_2, ((_e135 * m_irradiance) * _e108));
+    _fs2p_location0 = _e143;
     return;
 }
 

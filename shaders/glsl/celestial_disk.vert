@@ -66,9 +66,9 @@ layout(std140) uniform Uniforms_block_0Vertex { Uniforms _group_0_binding_0_vs; 
 
 void main() {
     uint index = uint(gl_VertexID);
-    float _e4 = _group_0_binding_0_vs.rectangle.x;
-    float _e8 = _group_0_binding_0_vs.rectangle.z;
-    float x = (((index & 1u) != 0u) ? _e8 : _e4);
+    float _e3 = _group_0_binding_0_vs.rectangle.x;
+    float _e7 = _group_0_binding_0_vs.rectangle.z;
+    float x = (((index & 1u) != 0u) ? _e7 : _e3);
     float _e17 = _group_0_binding_0_vs.rectangle.y;
     float _e21 = _group_0_binding_0_vs.rectangle.w;
     float y = (((index & 2u) != 0u) ? _e21 : _e17);

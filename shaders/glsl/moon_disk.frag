@@ -43,18 +43,6 @@ struct Frame {
     float camera_altitude;
     vec4 sky_view_mapping;
 };
-struct Line {
-    float r_mu;
-    float perigee;
-    float perigee_excess;
-    bool ground;
-};
-struct AirPath {
-    float start;
-    float length_;
-    float excess;
-    float r_mu;
-};
 struct Uniforms {
     Frame frame;
     vec4 rectangle;
@@ -112,66 +100,75 @@ float half_chord2_(float r_mu_2, float above, float depth, float p) {
     return (depth * (sphere + p));
 }
 
-Line line_past(vec3 dir, float h_1, float radius_3) {
-    bool local_1 = false;
+void line_past(vec3 dir, float h_1, float radius_3, inout float out_r_mu, inout float out_perigee_excess, inout bool out_ground) {
+    bool unnamed_1 = false;
     float r = (radius_3 + h_1);
     float r_mu_5 = (r * dir.z);
     float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
-    float _e11 = excess_of(h_1, radius_3);
-    float _e13 = half_chord2_(r_mu_5, _e11, (radius_3 - p_1), p_1);
+    float _e14 = excess_of(h_1, radius_3);
+    float _e16 = half_chord2_(r_mu_5, _e14, (radius_3 - p_1), p_1);
     if ((r_mu_5 < 0.0)) {
-        local_1 = (_e13 >= 0.0);
+        unnamed_1 = (_e16 >= 0.0);
     } else {
-        local_1 = false;
+        unnamed_1 = false;
     }
-    bool _e22 = local_1;
-    return Line(r_mu_5, p_1, -(_e13), _e22);
+    bool _e25 = unnamed_1;
+    out_r_mu = r_mu_5;
+    out_perigee_excess = -(_e16);
+    out_ground = _e25;
 }
 
-float top_half_chord2_(Line line, float h_2, float radius_4, float thickness) {
-    float r_mu2_ = (line.r_mu * line.r_mu);
-    float _e7 = excess_of(thickness, radius_4);
+float top_half_chord2_(float line_r_mu_1, float line_perigee_excess_1, float h_2, float radius_4, float thickness) {
+    float r_mu2_ = (line_r_mu_1 * line_r_mu_1);
+    float _e5 = excess_of(thickness, radius_4);
     float above_1 = ((h_2 - thickness) * (((2.0 * radius_4) + thickness) + h_2));
-    return ((r_mu2_ < _e7) ? (r_mu2_ - above_1) : (_e7 - line.perigee_excess));
+    return ((r_mu2_ < _e5) ? (r_mu2_ - above_1) : (_e5 - line_perigee_excess_1));
 }
 
 float distance_to_ground(float excess_3, float r_mu_3, float root) {
     return min((excess_3 / (root - r_mu_3)), -(r_mu_3));
 }
 
-AirPath air_path(Line line_1, float h_3, float radius_5, float thickness_1) {
-    bool local_2 = false;
-    float _e4 = excess_of(thickness_1, radius_5);
-    float ground_root = sqrt(max(-(line_1.perigee_excess), 0.0));
+void air_path(float line_r_mu_2, float line_perigee_excess_2, bool line_ground_1, float h_3, float radius_5, float thickness_1, inout float out_length, inout float out_excess, inout float out_r_mu_1) {
+    bool unnamed_2 = false;
+    float _e5 = excess_of(thickness_1, radius_5);
+    float ground_root = sqrt(max(-(line_perigee_excess_2), 0.0));
     if ((h_3 <= thickness_1)) {
-        float _e11 = excess_of(h_3, radius_5);
-        float _e13 = distance_to_top(_e11, line_1.r_mu, _e4);
-        float _e15 = distance_to_ground(_e11, line_1.r_mu, ground_root);
-        return AirPath(0.0, (line_1.ground ? _e15 : _e13), _e11, line_1.r_mu);
+        float _e15 = excess_of(h_3, radius_5);
+        float _e16 = distance_to_top(_e15, line_r_mu_2, _e5);
+        float _e17 = distance_to_ground(_e15, line_r_mu_2, ground_root);
+        out_length = (line_ground_1 ? _e17 : _e16);
+        out_excess = _e15;
+        out_r_mu_1 = line_r_mu_2;
+        return;
     }
-    float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_5) + thickness_1) + h_3));
-    float _e27 = top_half_chord2_(line_1, h_3, radius_5, thickness_1);
-    if (!((line_1.r_mu >= 0.0))) {
-        local_2 = (_e27 <= 0.0);
+    float _e19 = top_half_chord2_(line_r_mu_2, line_perigee_excess_2, h_3, radius_5, thickness_1);
+    if (!((line_r_mu_2 >= 0.0))) {
+        unnamed_2 = (_e19 <= 0.0);
     } else {
-        local_2 = true;
+        unnamed_2 = true;
     }
-    bool _e37 = local_2;
-    if (_e37) {
-        return AirPath(0.0, -1.0, 0.0, 0.0);
+    bool _e28 = unnamed_2;
+    if (_e28) {
+        out_length = -1.0;
+        out_excess = 0.0;
+        out_r_mu_1 = 0.0;
+        return;
     }
-    float half_ = sqrt(_e27);
-    float _e47 = distance_to_ground(_e4, -(half_), ground_root);
-    float reach = (line_1.ground ? _e47 : (2.0 * half_));
-    return AirPath((above_2 / (half_ - line_1.r_mu)), reach, _e4, -(half_));
+    float half_ = sqrt(_e19);
+    float _e36 = distance_to_ground(_e5, -(half_), ground_root);
+    float reach = (line_ground_1 ? _e36 : (2.0 * half_));
+    out_length = reach;
+    out_excess = _e5;
+    out_r_mu_1 = -(half_);
 }
 
-vec4 layers_of(Medium m) {
-    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+vec4 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width) {
+    return vec4(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_center, m_ozone_inv_half_width);
 }
 
-mat3x3 coefficients_of(Medium m_1) {
-    return mat3x3(m_1.rayleigh, m_1.mie_extinction, m_1.ozone);
+mat3x3 coefficients_of(vec3 m_rayleigh, vec3 m_mie_extinction, vec3 m_ozone) {
+    return mat3x3(m_rayleigh, m_mie_extinction, m_ozone);
 }
 
 vec3 densities(vec4 layers, float h_4) {
@@ -192,8 +189,8 @@ vec3 densities(vec4 layers, float h_4) {
 vec3 extinction(mat3x3 coefficients, vec3 d_1) {
     vec3 sum = vec3(0.0);
     if (RAYLEIGH) {
-        vec3 _e6 = sum;
-        sum = (_e6 + (coefficients[0] * d_1.x));
+        vec3 _e4 = sum;
+        sum = (_e4 + (coefficients[0] * d_1.x));
     }
     if (MIE) {
         vec3 _e12 = sum;
@@ -221,26 +218,26 @@ vec3 path_densities(vec4 layers_1, float radius_6, float excess_4, float r_mu_4,
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e43 = i;
-            i = (_e43 + 1u);
+            uint _e42 = i;
+            i = (_e42 + 1u);
         }
         loop_init = false;
-        uint _e23 = i;
-        if ((_e23 < samples)) {
+        uint _e18 = i;
+        if ((_e18 < samples)) {
         } else {
             break;
         }
         {
-            uint _e25 = i;
-            float u_1 = (u0_ + (du * float(_e25)));
-            float _e32 = u_to_distance(perigee_1, (u_1 + (0.5 * du)));
-            float _e34 = u_to_distance(perigee_1, (u_1 + du));
-            float _e35 = altitude_after(excess_4, r_mu_4, _e32, radius_6);
-            vec3 _e36 = sum_1;
-            vec3 _e37 = densities(layers_1, _e35);
+            uint _e20 = i;
+            float u_1 = (u0_ + (du * float(_e20)));
+            float _e27 = u_to_distance(perigee_1, (u_1 + (0.5 * du)));
+            float _e29 = u_to_distance(perigee_1, (u_1 + du));
+            float _e32 = altitude_after(excess_4, r_mu_4, _e27, radius_6);
+            vec3 _e34 = sum_1;
+            vec3 _e36 = densities(layers_1, _e32);
             float _e38 = t0_;
-            sum_1 = (_e36 + (_e37 * (_e34 - _e38)));
-            t0_ = _e34;
+            sum_1 = (_e34 + (_e36 * (_e29 - _e38)));
+            t0_ = _e29;
         }
     }
     vec3 _e45 = sum_1;
@@ -251,27 +248,33 @@ float disk_coverage(vec3 offset, float chord, float pixel_1) {
     return clamp((((chord - length(offset)) / pixel_1) + 0.5), 0.0, 1.0);
 }
 
-vec4 disk_color(vec3 light, Line line_2, float altitude, Medium m_2) {
+vec4 disk_color(vec3 light, float line_r_mu_3, float line_perigee_excess_3, bool line_ground_2, float altitude, vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, float m_mie_inv_height_1, vec3 m_mie_extinction_1, float m_ozone_center_1, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_thickness) {
     vec3 seen = vec3(0.0);
+    float path_length = 0.0;
+    float path_excess = 0.0;
+    float path_r_mu = 0.0;
     seen = light;
     if (AIR) {
-        AirPath _e8 = air_path(line_2, altitude, m_2.radius, m_2.thickness);
-        if ((_e8.length_ > 0.0)) {
-            vec4 _e12 = layers_of(m_2);
-            vec3 _e18 = path_densities(_e12, m_2.radius, _e8.excess, _e8.r_mu, _e8.length_, DISK_STEPS);
-            vec3 _e19 = seen;
-            mat3x3 _e20 = coefficients_of(m_2);
-            vec3 _e21 = extinction(_e20, _e18);
-            seen = (_e19 * exp(-(_e21)));
+        air_path(line_r_mu_3, line_perigee_excess_3, line_ground_2, altitude, m_radius, m_thickness, path_length, path_excess, path_r_mu);
+        float _e19 = path_length;
+        float _e20 = path_excess;
+        float _e21 = path_r_mu;
+        if ((_e19 > 0.0)) {
+            vec4 _e24 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
+            vec3 _e26 = path_densities(_e24, m_radius, _e20, _e21, _e19, DISK_STEPS);
+            vec3 _e27 = seen;
+            mat3x3 _e28 = coefficients_of(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
+            vec3 _e29 = extinction(_e28, _e26);
+            seen = (_e27 * exp(-(_e29)));
         }
     }
-    vec3 _e25 = seen;
-    seen = min(_e25, vec3(32000.0));
-    vec3 _e29 = seen;
-    float _e31 = seen.x;
-    float _e33 = seen.y;
-    float _e35 = seen.z;
-    return vec4(_e29, (max(_e31, max(_e33, _e35)) * 3.125e-5));
+    vec3 _e33 = seen;
+    seen = min(_e33, vec3(32000.0));
+    vec3 _e37 = seen;
+    float _e39 = seen.x;
+    float _e41 = seen.y;
+    float _e43 = seen.z;
+    return vec4(_e37, (max(_e39, max(_e41, _e43)) * 3.125e-5));
 }
 
 float lommel_seeliger(vec3 normal, vec3 dir_1, vec3 sun, float albedo_over_pi, float earthshine) {
@@ -288,32 +291,53 @@ vec3 moon_normal(vec3 dir_2, vec3 apart, float sine) {
 
 void main() {
     vec4 position = gl_FragCoord;
-    bool local = false;
-    Frame f = _group_0_binding_0_fs.frame;
-    Medium m_3 = f.medium;
-    vec3 _e10 = pixel_ray(position.xy, f.size, f.ray_forward, f.ray_right, f.ray_up);
-    vec3 dir_3 = normalize(_e10);
-    Line _e14 = line_past(dir_3, f.altitude, m_3.radius);
-    vec3 _e17 = _group_0_binding_0_fs.moon_direction;
-    vec3 apart_1 = (dir_3 - _e17);
-    float _e21 = _group_0_binding_0_fs.moon_chord;
-    float _e23 = disk_coverage(apart_1, _e21, f.pixel_angle);
-    if (!(_e14.ground)) {
-        local = (_e23 <= 0.0);
+    bool unnamed = false;
+    float line_r_mu = 0.0;
+    float line_perigee_excess = 0.0;
+    bool line_ground = false;
+    vec3 f_medium_rayleigh = _group_0_binding_0_fs.frame.medium.rayleigh;
+    float f_medium_rayleigh_inv_height = _group_0_binding_0_fs.frame.medium.rayleigh_inv_height;
+    float f_medium_mie_inv_height = _group_0_binding_0_fs.frame.medium.mie_inv_height;
+    vec3 f_medium_mie_extinction = _group_0_binding_0_fs.frame.medium.mie_extinction;
+    float f_medium_ozone_center = _group_0_binding_0_fs.frame.medium.ozone_center;
+    float f_medium_ozone_inv_half_width = _group_0_binding_0_fs.frame.medium.ozone_inv_half_width;
+    vec3 f_medium_ozone = _group_0_binding_0_fs.frame.medium.ozone;
+    float f_medium_radius = _group_0_binding_0_fs.frame.medium.radius;
+    vec3 f_medium_irradiance = _group_0_binding_0_fs.frame.medium.irradiance;
+    float f_medium_thickness = _group_0_binding_0_fs.frame.medium.thickness;
+    vec3 f_ray_forward = _group_0_binding_0_fs.frame.ray_forward;
+    float f_altitude = _group_0_binding_0_fs.frame.altitude;
+    vec3 f_ray_right = _group_0_binding_0_fs.frame.ray_right;
+    vec3 f_ray_up = _group_0_binding_0_fs.frame.ray_up;
+    vec3 f_sun = _group_0_binding_0_fs.frame.sun;
+    vec2 f_size = _group_0_binding_0_fs.frame.size;
+    float f_pixel_angle = _group_0_binding_0_fs.frame.pixel_angle;
+    vec3 _e39 = pixel_ray(position.xy, f_size, f_ray_forward, f_ray_right, f_ray_up);
+    vec3 dir_3 = normalize(_e39);
+    line_past(dir_3, f_altitude, f_medium_radius, line_r_mu, line_perigee_excess, line_ground);
+    float _e44 = line_r_mu;
+    float _e45 = line_perigee_excess;
+    bool _e46 = line_ground;
+    vec3 _e49 = _group_0_binding_0_fs.moon_direction;
+    vec3 apart_1 = (dir_3 - _e49);
+    float _e53 = _group_0_binding_0_fs.moon_chord;
+    float _e54 = disk_coverage(apart_1, _e53, f_pixel_angle);
+    if (!(_e46)) {
+        unnamed = (_e54 <= 0.0);
     } else {
-        local = true;
+        unnamed = true;
     }
-    bool _e31 = local;
-    if (_e31) {
+    bool _e61 = unnamed;
+    if (_e61) {
         discard;
     }
-    float _e34 = _group_0_binding_0_fs.moon_sine;
-    vec3 _e35 = moon_normal(dir_3, apart_1, _e34);
-    float _e39 = _group_0_binding_0_fs.albedo_over_pi;
-    float _e42 = _group_0_binding_0_fs.earthshine;
-    float _e43 = lommel_seeliger(_e35, dir_3, f.sun, _e39, _e42);
-    vec4 _e48 = disk_color((m_3.irradiance * (_e23 * _e43)), _e14, f.altitude, m_3);
-    _fs2p_location0 = _e48;
+    float _e64 = _group_0_binding_0_fs.moon_sine;
+    vec3 _e65 = moon_normal(dir_3, apart_1, _e64);
+    float _e68 = _group_0_binding_0_fs.albedo_over_pi;
+    float _e71 = _group_0_binding_0_fs.earthshine;
+    float _e72 = lommel_seeliger(_e65, dir_3, f_sun, _e68, _e71);
+    vec4 _e75 = disk_color((f_medium_irradiance * (_e54 * _e72)), _e44, _e45, _e46, f_altitude, f_medium_rayleigh, f_medium_rayleigh_inv_height, f_medium_mie_inv_height, f_medium_mie_extinction, f_medium_ozone_center, f_medium_ozone_inv_half_width, f_medium_ozone, f_medium_radius, f_medium_thickness);
+    _fs2p_location0 = _e75;
     return;
 }
 

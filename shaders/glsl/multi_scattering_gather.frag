@@ -3,33 +3,6 @@
 precision highp float;
 precision highp int;
 
-struct AirRay {
-    float start;
-    float length_;
-    float excess;
-    float r_mu;
-    float perigee_excess;
-    float sun_r_mu;
-    float nu;
-    float sin2_;
-    float shadow_b;
-    float shadow_c;
-    float shadow_half2_;
-    bool ground;
-};
-struct SunSide {
-    float sun_r_mu;
-    float nu;
-    float sin2_;
-    float shadow_b;
-    float shadow_c;
-    float shadow_half2_;
-};
-struct Perigee {
-    float distance_;
-    float excess;
-    float r_mu;
-};
 struct Medium {
     vec3 rayleigh;
     float rayleigh_inv_height;
@@ -64,26 +37,6 @@ struct Luts {
     uint shift;
     uint slices;
     float aerial_ground_rows;
-};
-struct Corner {
-    ivec2 first;
-    ivec2 last;
-    vec2 between;
-};
-struct Source {
-    vec3 gas;
-    vec3 aerosol;
-};
-struct Gathered {
-    vec3 radiance;
-    vec3 transmittance;
-    vec3 optical_path;
-};
-struct Direction {
-    float mu;
-    float azimuth;
-    bool above;
-    float weight;
 };
 struct Uniforms {
     Medium medium;
@@ -129,10 +82,10 @@ float altitude_after(float excess_1, float r_mu, float t, float radius_2) {
 }
 
 float distance_to_top(float excess_2, float r_mu_1, float top_excess) {
-    float c_2 = max((top_excess - excess_2), 0.0);
-    float root_1 = sqrt(((r_mu_1 * r_mu_1) + c_2));
+    float c = max((top_excess - excess_2), 0.0);
+    float root_1 = sqrt(((r_mu_1 * r_mu_1) + c));
     if ((r_mu_1 > 0.0)) {
-        return (c_2 / (r_mu_1 + root_1));
+        return (c / (r_mu_1 + root_1));
     }
     return (root_1 - r_mu_1);
 }
@@ -145,120 +98,168 @@ float half_chord2_(float r_mu_2, float above, float depth, float p) {
     return (depth * (sphere + p));
 }
 
-float shadow_half2_(SunSide s, float side_z, float r, float radius_3) {
-    float sine = max(sqrt(s.sin2_), 1e-18);
+float shadow_half2_(float s_sin2_, float s_shadow_b, float s_shadow_c, float side_z, float r, float radius_3) {
+    float sine = max(sqrt(s_sin2_), 1e-18);
     float p_1 = ((r * abs(side_z)) / sine);
-    float _e15 = half_chord2_((s.shadow_b / sine), s.shadow_c, (radius_3 - p_1), p_1);
-    return _e15;
+    float _e14 = half_chord2_((s_shadow_b / sine), s_shadow_c, (radius_3 - p_1), p_1);
+    return _e14;
 }
 
-SunSide sun_side_inside(vec3 dir, vec3 sun, float r_1, float excess_3, float radius_4) {
-    SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    s_1.nu = dot(dir, sun);
-    float _e9 = s_1.nu;
-    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s_1.sin2_ = dot(side, side);
-    s_1.sun_r_mu = (r_1 * sun.z);
-    s_1.shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+void sun_side_inside(vec3 dir, vec3 sun, float r_1, float excess_3, float radius_4, inout float out_sun_r_mu, inout float out_nu, inout float out_sin2_, inout float out_shadow_b, inout float out_shadow_c, inout float out_shadow_half2_) {
+    float s_sun_r_mu = 0.0;
+    float s_nu = 0.0;
+    float s_sin2_1 = 0.0;
+    float s_shadow_b_1 = 0.0;
+    float s_shadow_c_1 = 0.0;
+    float s_shadow_half2_ = 0.0;
+    s_nu = dot(dir, sun);
+    float _e15 = s_nu;
+    vec3 side = cross((dir - (((_e15 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    s_sin2_1 = dot(side, side);
+    s_sun_r_mu = (r_1 * sun.z);
+    s_shadow_b_1 = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
     float q = (r_1 * length(sun.xy));
-    float _e37 = s_1.sun_r_mu;
-    float _e39 = half_chord2_(_e37, excess_3, (radius_4 - q), q);
-    s_1.shadow_c = -(_e39);
-    SunSide _e42 = s_1;
-    float _e44 = shadow_half2_(_e42, side.z, r_1, radius_4);
-    s_1.shadow_half2_ = _e44;
-    SunSide _e45 = s_1;
-    return _e45;
+    float _e39 = s_sun_r_mu;
+    float _e43 = half_chord2_(_e39, excess_3, (radius_4 - q), q);
+    s_shadow_c_1 = -(_e43);
+    float _e45 = s_sin2_1;
+    float _e46 = s_shadow_b_1;
+    float _e47 = s_shadow_c_1;
+    float _e49 = shadow_half2_(_e45, _e46, _e47, side.z, r_1, radius_4);
+    s_shadow_half2_ = _e49;
+    float _e50 = s_sun_r_mu;
+    float _e51 = s_nu;
+    float _e52 = s_sin2_1;
+    float _e53 = s_shadow_b_1;
+    float _e54 = s_shadow_c_1;
+    float _e55 = s_shadow_half2_;
+    out_sun_r_mu = _e50;
+    out_nu = _e51;
+    out_sin2_ = _e52;
+    out_shadow_b = _e53;
+    out_shadow_c = _e54;
+    out_shadow_half2_ = _e55;
 }
 
 float distance_to_ground(float excess_4, float r_mu_3, float root) {
     return min((excess_4 / (root - r_mu_3)), -(r_mu_3));
 }
 
-AirRay inner_ray(vec3 dir_1, float h_1, float radius_5, float thickness, vec3 sun_1, bool ground) {
-    bool local = false;
+void inner_ray(vec3 dir_1, float h_1, float radius_5, float thickness, vec3 sun_1, bool ground, inout float out_start, inout float out_length, inout float out_excess, inout float out_r_mu, inout float out_perigee_excess, inout float out_sun_r_mu_1, inout float out_nu_1, inout float out_sin2_1, inout float out_shadow_b_1, inout float out_shadow_c_1, inout float out_shadow_half2_1, inout bool out_ground) {
+    bool unnamed = false;
+    float s_sun_r_mu_1 = 0.0;
+    float s_nu_1 = 0.0;
+    float s_sin2_2 = 0.0;
+    float s_shadow_b_2 = 0.0;
+    float s_shadow_c_2 = 0.0;
+    float s_shadow_half2_1 = 0.0;
     float r_2 = (radius_5 + h_1);
-    float _e7 = excess_of(h_1, radius_5);
+    float _e15 = excess_of(h_1, radius_5);
     float r_mu_6 = (r_2 * dir_1.z);
     float p_2 = (r_2 * sqrt(dot(dir_1.xy, dir_1.xy)));
-    float _e16 = half_chord2_(r_mu_6, _e7, (radius_5 - p_2), p_2);
-    SunSide _e17 = sun_side_inside(dir_1, sun_1, r_2, _e7, radius_5);
-    float _e18 = excess_of(thickness, radius_5);
-    float _e19 = distance_to_top(_e7, r_mu_6, _e18);
-    float _e23 = distance_to_ground(_e7, r_mu_6, sqrt(max(_e16, 0.0)));
+    float _e25 = half_chord2_(r_mu_6, _e15, (radius_5 - p_2), p_2);
+    sun_side_inside(dir_1, sun_1, r_2, _e15, radius_5, s_sun_r_mu_1, s_nu_1, s_sin2_2, s_shadow_b_2, s_shadow_c_2, s_shadow_half2_1);
+    float _e33 = s_sun_r_mu_1;
+    float _e34 = s_nu_1;
+    float _e35 = s_sin2_2;
+    float _e36 = s_shadow_b_2;
+    float _e37 = s_shadow_c_2;
+    float _e38 = s_shadow_half2_1;
+    float _e40 = excess_of(thickness, radius_5);
+    float _e41 = distance_to_top(_e15, r_mu_6, _e40);
+    float _e45 = distance_to_ground(_e15, r_mu_6, sqrt(max(_e25, 0.0)));
     if (ground) {
-        local = (r_mu_6 < 0.0);
+        unnamed = (r_mu_6 < 0.0);
     } else {
-        local = false;
+        unnamed = false;
     }
-    bool _e29 = local;
-    float reach = (_e29 ? _e23 : _e19);
-    return AirRay(0.0, reach, _e7, r_mu_6, -(_e16), _e17.sun_r_mu, _e17.nu, _e17.sin2_, _e17.shadow_b, _e17.shadow_c, _e17.shadow_half2_, ground);
+    bool _e52 = unnamed;
+    float reach = (_e52 ? _e45 : _e41);
+    out_start = 0.0;
+    out_length = reach;
+    out_excess = _e15;
+    out_r_mu = r_mu_6;
+    out_perigee_excess = -(_e25);
+    out_sun_r_mu_1 = _e33;
+    out_nu_1 = _e34;
+    out_sin2_1 = _e35;
+    out_shadow_b_1 = _e36;
+    out_shadow_c_1 = _e37;
+    out_shadow_half2_1 = _e38;
+    out_ground = ground;
 }
 
-Perigee perigee_of(AirRay ray, float length_, float radius_6) {
-    bool local_1 = false;
-    if ((ray.r_mu >= 0.0)) {
-        return Perigee(0.0, ray.excess, ray.r_mu);
+void perigee_of(float ray_length_1, float ray_excess_1, float ray_r_mu_1, float ray_perigee_excess_1, bool ray_ground_1, float length_, float radius_6, inout float out_distance, inout float out_excess_1, inout float out_r_mu_1) {
+    bool unnamed_1 = false;
+    if ((ray_r_mu_1 >= 0.0)) {
+        out_distance = 0.0;
+        out_excess_1 = ray_excess_1;
+        out_r_mu_1 = ray_r_mu_1;
+        return;
     }
-    if ((-(ray.r_mu) <= length_)) {
-        return Perigee(-(ray.r_mu), ray.perigee_excess, 0.0);
+    if ((-(ray_r_mu_1) <= length_)) {
+        out_distance = -(ray_r_mu_1);
+        out_excess_1 = ray_perigee_excess_1;
+        out_r_mu_1 = 0.0;
+        return;
     }
-    float r_mu_7 = (ray.r_mu + length_);
-    if (ray.ground) {
-        local_1 = (length_ >= ray.length_);
+    float r_mu_7 = (ray_r_mu_1 + length_);
+    if (ray_ground_1) {
+        unnamed_1 = (length_ >= ray_length_1);
     } else {
-        local_1 = false;
+        unnamed_1 = false;
     }
-    bool _e26 = local_1;
-    if (_e26) {
-        return Perigee(length_, 0.0, r_mu_7);
+    bool _e21 = unnamed_1;
+    if (_e21) {
+        out_distance = length_;
+        out_excess_1 = 0.0;
+        out_r_mu_1 = r_mu_7;
+        return;
     }
-    bool far = ((-(ray.r_mu) * length_) > (radius_6 * radius_6));
-    float near_excess = (ray.excess + (length_ * ((2.0 * ray.r_mu) + length_)));
-    return Perigee(length_, (far ? (ray.perigee_excess + (r_mu_7 * r_mu_7)) : near_excess), r_mu_7);
+    bool far = ((-(ray_r_mu_1) * length_) > (radius_6 * radius_6));
+    float near_excess = (ray_excess_1 + (length_ * ((2.0 * ray_r_mu_1) + length_)));
+    out_distance = length_;
+    out_excess_1 = (far ? (ray_perigee_excess_1 + (r_mu_7 * r_mu_7)) : near_excess);
+    out_r_mu_1 = r_mu_7;
 }
 
-vec2 shadow_stretch(AirRay ray_1) {
+vec2 shadow_stretch(float ray_sun_r_mu_1, float ray_nu_1, float ray_sin2_1, float ray_shadow_b_1, float ray_shadow_c_1, float ray_shadow_half2_1) {
     vec2 stretch = vec2(0.0);
     vec2 none = vec2(1.0, 0.0);
-    float a = ray_1.sin2_;
-    float b = ray_1.shadow_b;
-    float c_3 = ray_1.shadow_c;
     stretch = vec2(-(1e30), 1e30);
-    if ((a > 1e-30)) {
-        if ((ray_1.shadow_half2_ <= 0.0)) {
+    if ((ray_sin2_1 > 1e-30)) {
+        if ((ray_shadow_half2_1 <= 0.0)) {
             return none;
         }
-        float q_1 = -((b + (((b >= 0.0) ? 1.0 : -1.0) * sqrt((a * ray_1.shadow_half2_)))));
-        float t0_2 = (q_1 / a);
-        float t1_1 = ((q_1 != 0.0) ? (c_3 / q_1) : t0_2);
+        float q_1 = -((ray_shadow_b_1 + (((ray_shadow_b_1 >= 0.0) ? 1.0 : -1.0) * sqrt((ray_sin2_1 * ray_shadow_half2_1)))));
+        float t0_2 = (q_1 / ray_sin2_1);
+        float t1_1 = ((q_1 != 0.0) ? (ray_shadow_c_1 / q_1) : t0_2);
         stretch = vec2(min(t0_2, t1_1), max(t0_2, t1_1));
     } else {
-        if ((c_3 >= 0.0)) {
+        if ((ray_shadow_c_1 >= 0.0)) {
             return none;
         }
     }
-    if ((abs(ray_1.nu) < 1e-12)) {
-        if ((ray_1.sun_r_mu >= 0.0)) {
+    if ((abs(ray_nu_1) < 1e-12)) {
+        if ((ray_sun_r_mu_1 >= 0.0)) {
             return none;
         }
     } else {
-        float t_2 = (-(ray_1.sun_r_mu) / ray_1.nu);
-        if ((ray_1.nu > 0.0)) {
-            float _e53 = stretch.y;
-            stretch.y = min(_e53, t_2);
+        float t_2 = (-(ray_sun_r_mu_1) / ray_nu_1);
+        if ((ray_nu_1 > 0.0)) {
+            float _e48 = stretch.y;
+            stretch.y = min(_e48, t_2);
         } else {
-            float _e57 = stretch.x;
-            stretch.x = max(_e57, t_2);
+            float _e52 = stretch.x;
+            stretch.x = max(_e52, t_2);
         }
     }
-    vec2 _e59 = stretch;
-    return _e59;
+    vec2 _e54 = stretch;
+    return _e54;
 }
 
-vec4 layers_of(Medium m) {
-    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+vec4 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width) {
+    return vec4(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_center, m_ozone_inv_half_width);
 }
 
 vec3 densities(vec4 layers, float h_2) {
@@ -279,8 +280,8 @@ vec3 densities(vec4 layers, float h_2) {
 vec3 extinction(mat3x3 coefficients, vec3 d_1) {
     vec3 sum = vec3(0.0);
     if (RAYLEIGH) {
-        vec3 _e6 = sum;
-        sum = (_e6 + (coefficients[0] * d_1.x));
+        vec3 _e4 = sum;
+        sum = (_e4 + (coefficients[0] * d_1.x));
     }
     if (MIE) {
         vec3 _e12 = sum;
@@ -324,40 +325,48 @@ vec2 lit_part(vec2 shadow, float perigee_2, float t0_, float t1_, float mid) {
     return vec2(((t1_ - t0_) - dark), _e33);
 }
 
-Corner corner(vec2 position_1, ivec2 size) {
+void corner(vec2 position_1, ivec2 size, inout ivec2 out_first, inout ivec2 out_last, inout vec2 out_between) {
     vec2 inside = clamp(position_1, vec2(0.0), vec2((size - ivec2(1))));
     ivec2 first_1 = min(ivec2(inside), (size - ivec2(1)));
-    return Corner(first_1, min((first_1 + ivec2(1)), (size - ivec2(1))), (inside - vec2(first_1)));
+    out_first = first_1;
+    out_last = min((first_1 + ivec2(1)), (size - ivec2(1)));
+    out_between = (inside - vec2(first_1));
 }
 
-vec4 bilinear(highp sampler2D lut, Corner c, ivec2 origin) {
-    ivec2 first_2 = (c.first + origin);
-    ivec2 last = (c.last + origin);
+vec4 bilinear(highp sampler2D lut, ivec2 c_first, ivec2 c_last, vec2 c_between, ivec2 origin) {
+    ivec2 first_2 = (c_first + origin);
+    ivec2 last = (c_last + origin);
     vec4 _e8 = texelFetch(lut, first_2, 0);
     vec4 _e13 = texelFetch(lut, ivec2(last.x, first_2.y), 0);
-    vec4 bottom = mix(_e8, _e13, c.between.x);
-    vec4 _e21 = texelFetch(lut, ivec2(first_2.x, last.y), 0);
-    vec4 _e23 = texelFetch(lut, last, 0);
-    vec4 top = mix(_e21, _e23, c.between.x);
-    return mix(bottom, top, c.between.y);
+    vec4 bottom = mix(_e8, _e13, c_between.x);
+    vec4 _e20 = texelFetch(lut, ivec2(first_2.x, last.y), 0);
+    vec4 _e22 = texelFetch(lut, last, 0);
+    vec4 top = mix(_e20, _e22, c_between.x);
+    return mix(bottom, top, c_between.y);
 }
 
 vec2 transmittance_uv(float excess_5, float h_3, float r_mu_4, float radius_7, float thickness_1) {
-    float _e5 = excess_of(thickness_1, radius_7);
+    float _e2 = excess_of(thickness_1, radius_7);
     float rho = sqrt(max(excess_5, 0.0));
-    float rho_top = sqrt(_e5);
-    float _e10 = distance_to_top(excess_5, r_mu_4, _e5);
+    float rho_top = sqrt(_e2);
+    float _e9 = distance_to_top(excess_5, r_mu_4, _e2);
     float shortest = max((thickness_1 - h_3), 0.0);
-    return vec2(((_e10 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
+    return vec2(((_e9 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
 }
 
 vec3 optical_path_to_top(highp sampler2D lut_1, float radius_8, float thickness_2, float excess_6, float h_4, float r_mu_5) {
+    ivec2 corner_first = ivec2(0);
+    ivec2 corner_last = ivec2(0);
+    vec2 corner_between = vec2(0.0);
     ivec2 size_1 = ivec2(uvec2(textureSize(lut_1, 0).xy));
     vec2 _e8 = transmittance_uv(excess_6, h_4, r_mu_5, radius_8, thickness_2);
     vec2 position_2 = (_e8 * vec2((size_1 - ivec2(1))));
-    Corner _e14 = corner(position_2, size_1);
-    vec4 _e17 = bilinear(lut_1, _e14, ivec2(0));
-    return exp2(_e17.xyz);
+    corner(position_2, size_1, corner_first, corner_last, corner_between);
+    ivec2 _e17 = corner_first;
+    ivec2 _e18 = corner_last;
+    vec2 _e19 = corner_between;
+    vec4 _e22 = bilinear(lut_1, _e17, _e18, _e19, ivec2(0));
+    return exp2(_e22.xyz);
 }
 
 float altitude_to_v(float steepness, float growth, float h_5, float thickness_3) {
@@ -366,14 +375,14 @@ float altitude_to_v(float steepness, float growth, float h_5, float thickness_3)
     return sqrt((((grown < 0.05) ? series_1 : log((1.0 + grown))) / steepness));
 }
 
-float v_to_altitude(Luts luts, float v, float thickness_4) {
-    float s_2 = ((luts.altitude_steepness * v) * v);
-    float grown_1 = ((s_2 < 0.05) ? (s_2 * (1.0 + (s_2 * (0.5 + (s_2 * (0.16666667 + (s_2 * 0.041666668))))))) : (exp(s_2) - 1.0));
-    return (thickness_4 * min((grown_1 / luts.altitude_growth), 1.0));
+float v_to_altitude(float luts_altitude_steepness, float luts_altitude_growth, float v, float thickness_4) {
+    float s = ((luts_altitude_steepness * v) * v);
+    float grown_1 = ((s < 0.05) ? (s * (1.0 + (s * (0.5 + (s * (0.16666667 + (s * 0.041666668))))))) : (exp(s) - 1.0));
+    return (thickness_4 * min((grown_1 / luts_altitude_growth), 1.0));
 }
 
-vec4 sun_axis(Luts luts_1) {
-    return vec4(luts_1.sun_middle, luts_1.sun_width, luts_1.sun_first, luts_1.sun_span);
+vec4 sun_axis(float luts_sun_middle, float luts_sun_width, float luts_sun_first, float luts_sun_span) {
+    return vec4(luts_sun_middle, luts_sun_width, luts_sun_first, luts_sun_span);
 }
 
 float mu_sun_to_u(vec4 axis, float mu_sun) {
@@ -381,8 +390,8 @@ float mu_sun_to_u(vec4 axis, float mu_sun) {
     return (((sign(y) * log((abs(y) + sqrt(((y * y) + 1.0))))) - axis.z) / axis.w);
 }
 
-float u_to_mu_sun(Luts luts_2, float u_1) {
-    return clamp((luts_2.sun_middle + (luts_2.sun_width * sinh((luts_2.sun_first + (u_1 * luts_2.sun_span))))), -1.0, 1.0);
+float u_to_mu_sun(float luts_sun_middle_1, float luts_sun_width_1, float luts_sun_first_1, float luts_sun_span_1, float u_1) {
+    return clamp((luts_sun_middle_1 + (luts_sun_width_1 * sinh((luts_sun_first_1 + (u_1 * luts_sun_span_1))))), -1.0, 1.0);
 }
 
 vec2 multi_scattering_span(highp sampler2D lut_2) {
@@ -413,57 +422,88 @@ float harmonic(int index, float mu, float along) {
     }
 }
 
-Source multi_scattering_source(highp sampler2D lut_3, vec2 node, vec3 gas, mat3x3 aerosol, float mu_1, float mu_sun_1, float nu) {
-    Corner c_1 = Corner(ivec2(0), ivec2(0), vec2(0.0));
-    Source source = Source(vec3(0.0), vec3(0.0));
+void multi_scattering_source(highp sampler2D lut_3, vec2 node, vec3 gas, mat3x3 aerosol, float mu_1, float mu_sun_1, float nu, inout vec3 out_gas, inout vec3 out_aerosol) {
+    ivec2 c_first_1 = ivec2(0);
+    ivec2 c_last_1 = ivec2(0);
+    vec2 c_between_1 = vec2(0.0);
+    vec3 source_gas = vec3(0.0);
+    vec3 source_aerosol = vec3(0.0);
+    ivec2 corner_first_1 = ivec2(0);
+    ivec2 corner_last_1 = ivec2(0);
+    vec2 corner_between_1 = vec2(0.0);
     ivec2 dims_1 = ivec2(uvec2(textureSize(lut_3, 0).xy));
-    Corner _e16 = corner(node, ivec2(dims_1.x, ((dims_1.y - 1) / MOMENTS)));
-    c_1 = _e16;
-    int _e20 = c_1.first.y;
-    c_1.first.y = (_e20 * MOMENTS);
-    int _e25 = c_1.last.y;
-    c_1.last.y = (_e25 * MOMENTS);
-    Corner _e28 = c_1;
-    vec4 _e31 = bilinear(lut_3, _e28, ivec2(0));
-    vec3 mean = exp2(_e31.xyz);
+    corner(node, ivec2(dims_1.x, ((dims_1.y - 1) / MOMENTS)), corner_first_1, corner_last_1, corner_between_1);
+    ivec2 _e20 = corner_first_1;
+    ivec2 _e21 = corner_last_1;
+    vec2 _e22 = corner_between_1;
+    c_first_1 = _e20;
+    c_last_1 = _e21;
+    c_between_1 = _e22;
+    int _e27 = c_first_1.y;
+    c_first_1.y = (_e27 * MOMENTS);
+    int _e31 = c_last_1.y;
+    c_last_1.y = (_e31 * MOMENTS);
+    ivec2 _e34 = c_first_1;
+    ivec2 _e35 = c_last_1;
+    vec2 _e36 = c_between_1;
+    vec4 _e39 = bilinear(lut_3, _e34, _e35, _e36, ivec2(0));
+    vec3 mean = exp2(_e39.xyz);
     float sin_sun = sqrt(max(((1.0 - mu_sun_1) * (1.0 + mu_sun_1)), 1e-12));
     float sin_view = sqrt(max(((1.0 - mu_1) * (1.0 + mu_1)), 0.0));
     float along_1 = clamp(((nu - (mu_1 * mu_sun_1)) / sin_sun), -(sin_view), sin_view);
-    Corner _e55 = c_1;
-    vec4 _e59 = bilinear(lut_3, _e55, ivec2(0, 3));
-    float _e62 = harmonic(3, mu_1, along_1);
-    Corner _e64 = c_1;
-    vec4 _e68 = bilinear(lut_3, _e64, ivec2(0, 4));
-    float _e71 = harmonic(4, mu_1, along_1);
-    Corner _e74 = c_1;
-    vec4 _e78 = bilinear(lut_3, _e74, ivec2(0, 5));
-    float _e81 = harmonic(5, mu_1, along_1);
-    vec3 l2_ = (((_e59.xyz * _e62) + (_e68.xyz * _e71)) + (_e78.xyz * _e81));
+    ivec2 _e66 = c_first_1;
+    ivec2 _e67 = c_last_1;
+    vec2 _e68 = c_between_1;
+    vec4 _e72 = bilinear(lut_3, _e66, _e67, _e68, ivec2(0, 3));
+    float _e75 = harmonic(3, mu_1, along_1);
+    ivec2 _e77 = c_first_1;
+    ivec2 _e78 = c_last_1;
+    vec2 _e79 = c_between_1;
+    vec4 _e83 = bilinear(lut_3, _e77, _e78, _e79, ivec2(0, 4));
+    float _e86 = harmonic(4, mu_1, along_1);
+    ivec2 _e89 = c_first_1;
+    ivec2 _e90 = c_last_1;
+    vec2 _e91 = c_between_1;
+    vec4 _e95 = bilinear(lut_3, _e89, _e90, _e91, ivec2(0, 5));
+    float _e98 = harmonic(5, mu_1, along_1);
+    vec3 l2_ = (((_e72.xyz * _e75) + (_e83.xyz * _e86)) + (_e95.xyz * _e98));
     if (RAYLEIGH) {
-        source.gas = ((gas * (vec3(0.2820948) + (0.1 * l2_))) * mean);
+        source_gas = ((gas * (vec3(0.2820948) + (0.1 * l2_))) * mean);
     }
     if (MIE) {
-        Corner _e100 = c_1;
-        vec4 _e104 = bilinear(lut_3, _e100, ivec2(0, 1));
-        float _e107 = harmonic(1, mu_1, along_1);
-        Corner _e109 = c_1;
-        vec4 _e113 = bilinear(lut_3, _e109, ivec2(0, 2));
-        float _e116 = harmonic(2, mu_1, along_1);
-        vec3 l1_ = ((_e104.xyz * _e107) + (_e113.xyz * _e116));
-        source.aerosol = ((((SH0_ * aerosol[0]) + (l1_ * aerosol[1])) + (l2_ * aerosol[2])) * mean);
+        ivec2 _e113 = c_first_1;
+        ivec2 _e114 = c_last_1;
+        vec2 _e115 = c_between_1;
+        vec4 _e119 = bilinear(lut_3, _e113, _e114, _e115, ivec2(0, 1));
+        float _e122 = harmonic(1, mu_1, along_1);
+        ivec2 _e124 = c_first_1;
+        ivec2 _e125 = c_last_1;
+        vec2 _e126 = c_between_1;
+        vec4 _e130 = bilinear(lut_3, _e124, _e125, _e126, ivec2(0, 2));
+        float _e133 = harmonic(2, mu_1, along_1);
+        vec3 l1_ = ((_e119.xyz * _e122) + (_e130.xyz * _e133));
+        source_aerosol = ((((SH0_ * aerosol[0]) + (l1_ * aerosol[1])) + (l2_ * aerosol[2])) * mean);
     }
-    Source _e130 = source;
-    return _e130;
+    vec3 _e147 = source_gas;
+    vec3 _e148 = source_aerosol;
+    out_gas = _e147;
+    out_aerosol = _e148;
 }
 
-vec3 ground_irradiance(highp sampler2D lut_4, Luts luts_3, float mu_sun_2) {
+vec3 ground_irradiance(highp sampler2D lut_4, float luts_sun_middle_2, float luts_sun_width_2, float luts_sun_first_2, float luts_sun_span_2, float mu_sun_2) {
+    ivec2 corner_first_2 = ivec2(0);
+    ivec2 corner_last_2 = ivec2(0);
+    vec2 corner_between_2 = vec2(0.0);
     ivec2 dims_2 = ivec2(uvec2(textureSize(lut_4, 0).xy));
-    vec4 _e5 = sun_axis(luts_3);
-    float _e6 = mu_sun_to_u(_e5, mu_sun_2);
-    vec2 position_3 = vec2((_e6 * float((dims_2.x - 1))), 0.0);
-    Corner _e17 = corner(position_3, ivec2(dims_2.x, 1));
-    vec4 _e23 = bilinear(lut_4, _e17, ivec2(0, (dims_2.y - 1)));
-    return exp2(_e23.xyz);
+    vec4 _e7 = sun_axis(luts_sun_middle_2, luts_sun_width_2, luts_sun_first_2, luts_sun_span_2);
+    float _e9 = mu_sun_to_u(_e7, mu_sun_2);
+    vec2 position_3 = vec2((_e9 * float((dims_2.x - 1))), 0.0);
+    corner(position_3, ivec2(dims_2.x, 1), corner_first_2, corner_last_2, corner_between_2);
+    ivec2 _e23 = corner_first_2;
+    ivec2 _e24 = corner_last_2;
+    vec2 _e25 = corner_between_2;
+    vec4 _e31 = bilinear(lut_4, _e23, _e24, _e25, ivec2(0, (dims_2.y - 1)));
+    return exp2(_e31.xyz);
 }
 
 vec3 sun_visibility(vec3 dir_2, float distance_) {
@@ -474,87 +514,91 @@ vec3 sun_visibility_around(vec3 dir_3, float distance_1) {
     return vec3(1.0);
 }
 
-Gathered gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_lut, Medium m_1, Luts luts_4, AirRay ray_2, vec3 dir_4, Perigee perigee_3, float u_from, float u_to, vec3 gas_1, vec3 aerosol_1, float multiple) {
-    Gathered out_ = Gathered(vec3(0.0), vec3(1.0), vec3(0.0));
+void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_lut, vec3 m_rayleigh, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, float m_ozone_center_1, float m_ozone_inv_half_width_1, vec3 m_ozone, float m_radius, float m_thickness, vec3 luts_mie_extinction, float luts_altitude_steepness_1, vec3 luts_mie_moment0_, float luts_altitude_growth_1, vec3 luts_mie_moment1_, float luts_sun_middle_3, vec3 luts_mie_moment2_, float luts_sun_width_3, float luts_sun_first_3, float luts_sun_span_3, uint luts_steps, float ray_start_1, float ray_sun_r_mu_2, float ray_nu_2, float ray_sin2_2, float ray_shadow_b_2, float ray_shadow_c_2, float ray_shadow_half2_2, vec3 dir_4, float perigee_distance_1, float perigee_excess_1, float perigee_r_mu_1, float u_from, float u_to, vec3 gas_1, vec3 aerosol_1, float multiple, inout vec3 out_radiance, inout vec3 out_transmittance) {
+    vec3 out_radiance_1 = vec3(0.0);
+    vec3 out_transmittance_1 = vec3(1.0);
     float t0_1 = 0.0;
     uint i = 0u;
-    vec3 source_1 = vec3(0.0);
-    vec4 _e12 = layers_of(m_1);
-    mat3x3 coefficients_1 = mat3x3(m_1.rayleigh, luts_4.mie_extinction, m_1.ozone);
-    vec2 _e17 = shadow_stretch(ray_2);
-    vec4 _e18 = sun_axis(luts_4);
-    vec2 _e19 = multi_scattering_span(multi_scattering_lut);
-    mat3x3 moments = mat3x3((m_1.mie_scattering * luts_4.mie_moment0_), (m_1.mie_scattering * luts_4.mie_moment1_), (m_1.mie_scattering * luts_4.mie_moment2_));
-    float nearest = perigee_3.distance_;
-    float du = ((u_to - u_from) / float(luts_4.steps));
-    float _e43 = u_to_distance(nearest, u_from);
-    t0_1 = _e43;
+    vec3 source = vec3(0.0);
+    vec3 before_gas = vec3(0.0);
+    vec3 before_aerosol = vec3(0.0);
+    vec4 _e16 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
+    mat3x3 coefficients_1 = mat3x3(m_rayleigh, luts_mie_extinction, m_ozone);
+    vec2 _e36 = shadow_stretch(ray_sun_r_mu_2, ray_nu_2, ray_sin2_2, ray_shadow_b_2, ray_shadow_c_2, ray_shadow_half2_2);
+    vec4 _e37 = sun_axis(luts_sun_middle_3, luts_sun_width_3, luts_sun_first_3, luts_sun_span_3);
+    vec2 _e39 = multi_scattering_span(multi_scattering_lut);
+    mat3x3 moments = mat3x3((m_mie_scattering * luts_mie_moment0_), (m_mie_scattering * luts_mie_moment1_), (m_mie_scattering * luts_mie_moment2_));
+    float du = ((u_to - u_from) / float(luts_steps));
+    float _e52 = u_to_distance(perigee_distance_1, u_from);
+    t0_1 = _e52;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e180 = i;
-            i = (_e180 + 1u);
+            uint _e165 = i;
+            i = (_e165 + 1u);
         }
         loop_init = false;
-        uint _e47 = i;
-        if ((_e47 < luts_4.steps)) {
+        uint _e55 = i;
+        if ((_e55 < luts_steps)) {
         } else {
             break;
         }
         {
-            uint _e50 = i;
-            float u_2 = (u_from + (du * float(_e50)));
-            float _e55 = u_to_distance(nearest, (u_2 + du));
-            float _e56 = t0_1;
-            float step_ = (_e55 - _e56);
-            float _e61 = u_to_distance(nearest, (u_2 + (0.5 * du)));
-            float _e66 = altitude_after(perigee_3.excess, perigee_3.r_mu, (_e61 - nearest), m_1.radius);
-            vec3 _e67 = densities(_e12, _e66);
-            vec3 _e68 = extinction(coefficients_1, _e67);
-            vec3 tau_1 = (_e68 * step_);
-            vec3 _e71 = out_.transmittance;
-            vec3 _e72 = mean_transmittance(tau_1);
-            vec3 weight = (_e71 * _e72);
-            float _e74 = t0_1;
-            vec2 _e75 = lit_part(_e17, nearest, _e74, _e55, _e61);
-            if ((_e75.x > 0.0)) {
-                float past = (_e75.y - nearest);
-                float lit_excess = max((perigee_3.excess + (past * ((2.0 * perigee_3.r_mu) + past))), 0.0);
-                float _e91 = altitude_of(lit_excess, m_1.radius);
-                vec3 _e92 = densities(_e12, _e91);
-                float sun_r_mu_1 = (ray_2.sun_r_mu + (ray_2.nu * _e75.y));
-                vec3 _e100 = optical_path_to_top(transmittance_lut, m_1.radius, m_1.thickness, lit_excess, _e91, sun_r_mu_1);
-                vec3 _e106 = extinction(coefficients_1, _e100);
-                source_1 = (((gas_1 * _e92.x) + (aerosol_1 * _e92.y)) * exp(-(_e106)));
-                vec3 _e111 = source_1;
-                vec3 _e115 = sun_visibility(dir_4, (ray_2.start + _e75.y));
-                source_1 = (_e111 * _e115);
-                vec3 _e118 = out_.radiance;
-                vec3 _e119 = source_1;
-                out_.radiance = (_e118 + ((weight * _e119) * _e75.x));
+            uint _e57 = i;
+            float u_2 = (u_from + (du * float(_e57)));
+            float _e62 = u_to_distance(perigee_distance_1, (u_2 + du));
+            float _e63 = t0_1;
+            float step_ = (_e62 - _e63);
+            float _e68 = u_to_distance(perigee_distance_1, (u_2 + (0.5 * du)));
+            float _e70 = altitude_after(perigee_excess_1, perigee_r_mu_1, (_e68 - perigee_distance_1), m_radius);
+            vec3 _e71 = densities(_e16, _e70);
+            vec3 _e72 = extinction(coefficients_1, _e71);
+            vec3 tau_1 = (_e72 * step_);
+            vec3 _e76 = out_transmittance_1;
+            vec3 _e77 = mean_transmittance(tau_1);
+            vec3 weight = (_e76 * _e77);
+            float _e79 = t0_1;
+            vec2 _e80 = lit_part(_e36, perigee_distance_1, _e79, _e62, _e68);
+            if ((_e80.x > 0.0)) {
+                float past = (_e80.y - perigee_distance_1);
+                float lit_excess = max((perigee_excess_1 + (past * ((2.0 * perigee_r_mu_1) + past))), 0.0);
+                float _e93 = altitude_of(lit_excess, m_radius);
+                vec3 _e94 = densities(_e16, _e93);
+                float sun_r_mu_1 = (ray_sun_r_mu_2 + (ray_nu_2 * _e80.y));
+                vec3 _e99 = optical_path_to_top(transmittance_lut, m_radius, m_thickness, lit_excess, _e93, sun_r_mu_1);
+                vec3 _e107 = extinction(coefficients_1, _e99);
+                source = (((gas_1 * _e94.x) + (aerosol_1 * _e94.y)) * exp(-(_e107)));
+                vec3 _e112 = source;
+                vec3 _e116 = sun_visibility(dir_4, (ray_start_1 + _e80.y));
+                source = (_e112 * _e116);
+                vec3 _e118 = out_radiance_1;
+                vec3 _e119 = source;
+                out_radiance_1 = (_e118 + ((weight * _e119) * _e80.x));
             }
             if (MULTI_SCATTERING) {
-                float r_3 = (m_1.radius + _e66);
-                float mu_3 = clamp((((perigee_3.r_mu + _e61) - nearest) / r_3), -1.0, 1.0);
-                float mu_sun_3 = clamp(((ray_2.sun_r_mu + (ray_2.nu * _e61)) / r_3), -1.0, 1.0);
-                float _e145 = altitude_to_v(luts_4.altitude_steepness, luts_4.altitude_growth, _e66, m_1.thickness);
-                float _e146 = mu_sun_to_u(_e18, mu_sun_3);
-                vec2 node_1 = (vec2(_e146, _e145) * _e19);
-                Source _e151 = multi_scattering_source(multi_scattering_lut, node_1, m_1.rayleigh, moments, mu_3, mu_sun_3, ray_2.nu);
-                vec3 _e154 = sun_visibility_around(dir_4, (ray_2.start + _e61));
-                vec3 source_2 = (((_e151.gas * _e154) * _e67.x) + ((_e151.aerosol * _e154) * _e67.y));
-                vec3 _e165 = out_.radiance;
-                out_.radiance = (_e165 + ((weight * (step_ * multiple)) * source_2));
+                float r_3 = (m_radius + _e70);
+                float mu_3 = clamp((((perigee_r_mu_1 + _e68) - perigee_distance_1) / r_3), -1.0, 1.0);
+                float mu_sun_3 = clamp(((ray_sun_r_mu_2 + (ray_nu_2 * _e68)) / r_3), -1.0, 1.0);
+                float _e138 = altitude_to_v(luts_altitude_steepness_1, luts_altitude_growth_1, _e70, m_thickness);
+                float _e139 = mu_sun_to_u(_e37, mu_sun_3);
+                vec2 node_1 = (vec2(_e139, _e138) * _e39);
+                multi_scattering_source(multi_scattering_lut, node_1, m_rayleigh, moments, mu_3, mu_sun_3, ray_nu_2, before_gas, before_aerosol);
+                vec3 _e144 = before_gas;
+                vec3 _e145 = before_aerosol;
+                vec3 _e147 = sun_visibility_around(dir_4, (ray_start_1 + _e68));
+                vec3 source_1 = (((_e144 * _e147) * _e71.x) + ((_e145 * _e147) * _e71.y));
+                vec3 _e155 = out_radiance_1;
+                out_radiance_1 = (_e155 + ((weight * (step_ * multiple)) * source_1));
             }
-            vec3 _e171 = out_.transmittance;
-            out_.transmittance = (_e171 * exp(-(tau_1)));
-            vec3 _e176 = out_.optical_path;
-            out_.optical_path = (_e176 + (_e67 * step_));
-            t0_1 = _e55;
+            vec3 _e161 = out_transmittance_1;
+            out_transmittance_1 = (_e161 * exp(-(tau_1)));
+            t0_1 = _e62;
         }
     }
-    Gathered _e182 = out_;
-    return _e182;
+    vec3 _e168 = out_radiance_1;
+    vec3 _e169 = out_transmittance_1;
+    out_radiance = _e168;
+    out_transmittance = _e169;
 }
 
 float rayleigh_phase(float mu_2) {
@@ -596,65 +640,126 @@ vec2 gauss8_(int i_1) {
     }
 }
 
-Direction node_direction(int zenith, int azimuth, float h_6, float radius_9) {
+void node_direction(int zenith, int azimuth, float h_6, float radius_9, inout float out_mu, inout float out_azimuth, inout bool out_above) {
     bool above_1 = (zenith < 8);
     vec2 _e8 = gauss8_((above_1 ? zenith : (zenith - 8)));
-    float _e9 = excess_of(h_6, radius_9);
-    float horizon = (-(sqrt(_e9)) / (radius_9 + h_6));
+    float _e11 = excess_of(h_6, radius_9);
+    float horizon = (-(sqrt(_e11)) / (radius_9 + h_6));
     float span = (above_1 ? (1.0 - horizon) : (-1.0 - horizon));
     float mu_4 = clamp((horizon + ((span * _e8.x) * _e8.x)), -1.0, 1.0);
-    return Direction(mu_4, ((float(azimuth) + 0.5) * 0.3926991), above_1, (((((abs(span) * 2.0) * _e8.x) * _e8.y) * 2.0) * 0.3926991));
+    out_mu = mu_4;
+    out_azimuth = ((float(azimuth) + 0.5) * 0.3926991);
+    out_above = above_1;
 }
 
-vec3 ground_radiance(Medium m_2, Luts luts_5, float sun_r_mu) {
+vec3 ground_radiance(vec3 m_rayleigh_1, vec3 m_ozone_1, float m_radius_1, float m_thickness_1, vec3 luts_mie_extinction_1, float luts_sun_middle_4, float luts_sun_width_4, vec3 luts_albedo, float luts_sun_first_4, float luts_sun_span_4, float sun_r_mu) {
     vec3 light = vec3(0.0);
-    float mu_sun_4 = clamp((sun_r_mu / m_2.radius), -1.0, 1.0);
-    vec3 _e9 = ground_irradiance(_group_0_binding_2_fs, luts_5, mu_sun_4);
-    light = _e9;
+    float mu_sun_4 = clamp((sun_r_mu / m_radius_1), -1.0, 1.0);
+    vec3 _e16 = ground_irradiance(_group_0_binding_2_fs, luts_sun_middle_4, luts_sun_width_4, luts_sun_first_4, luts_sun_span_4, mu_sun_4);
+    light = _e16;
     if ((mu_sun_4 > 0.0)) {
-        mat3x3 coefficients_2 = mat3x3(m_2.rayleigh, luts_5.mie_extinction, m_2.ozone);
-        vec3 _e22 = optical_path_to_top(_group_0_binding_1_fs, m_2.radius, m_2.thickness, 0.0, 0.0, sun_r_mu);
-        vec3 _e23 = light;
-        vec3 _e24 = extinction(coefficients_2, _e22);
-        light = (_e23 + (mu_sun_4 * exp(-(_e24))));
+        mat3x3 coefficients_2 = mat3x3(m_rayleigh_1, luts_mie_extinction_1, m_ozone_1);
+        vec3 _e24 = optical_path_to_top(_group_0_binding_1_fs, m_radius_1, m_thickness_1, 0.0, 0.0, sun_r_mu);
+        vec3 _e25 = light;
+        vec3 _e26 = extinction(coefficients_2, _e24);
+        light = (_e25 + (mu_sun_4 * exp(-(_e26))));
     }
-    vec3 _e29 = light;
-    return ((_e29 * luts_5.albedo) * 0.31830987);
+    vec3 _e31 = light;
+    return ((_e31 * luts_albedo) * 0.31830987);
 }
 
 void main() {
     vec4 position = gl_FragCoord;
     vec3 radiance = vec3(0.0);
-    Medium m_3 = _group_0_binding_0_fs.medium;
-    Luts luts_6 = _group_0_binding_0_fs.luts;
+    float view_mu = 0.0;
+    float view_azimuth = 0.0;
+    bool view_above = false;
+    float ray_start = 0.0;
+    float ray_length = 0.0;
+    float ray_excess = 0.0;
+    float ray_r_mu = 0.0;
+    float ray_perigee_excess = 0.0;
+    float ray_sun_r_mu = 0.0;
+    float ray_nu = 0.0;
+    float ray_sin2_ = 0.0;
+    float ray_shadow_b = 0.0;
+    float ray_shadow_c = 0.0;
+    float ray_shadow_half2_ = 0.0;
+    bool ray_ground = false;
+    float perigee_distance = 0.0;
+    float perigee_excess = 0.0;
+    float perigee_r_mu = 0.0;
+    vec3 g_radiance = vec3(0.0);
+    vec3 g_transmittance = vec3(0.0);
+    vec3 m_rayleigh_2 = _group_0_binding_0_fs.medium.rayleigh;
+    float m_rayleigh_inv_height_2 = _group_0_binding_0_fs.medium.rayleigh_inv_height;
+    vec3 m_mie_scattering_1 = _group_0_binding_0_fs.medium.mie_scattering;
+    float m_mie_inv_height_2 = _group_0_binding_0_fs.medium.mie_inv_height;
+    float m_ozone_center_2 = _group_0_binding_0_fs.medium.ozone_center;
+    float m_ozone_inv_half_width_2 = _group_0_binding_0_fs.medium.ozone_inv_half_width;
+    vec3 m_ozone_2 = _group_0_binding_0_fs.medium.ozone;
+    float m_radius_2 = _group_0_binding_0_fs.medium.radius;
+    float m_thickness_2 = _group_0_binding_0_fs.medium.thickness;
+    vec3 luts_mie_extinction_2 = _group_0_binding_0_fs.luts.mie_extinction;
+    float luts_altitude_steepness_2 = _group_0_binding_0_fs.luts.altitude_steepness;
+    vec3 luts_mie_moment0_1 = _group_0_binding_0_fs.luts.mie_moment0_;
+    float luts_altitude_growth_2 = _group_0_binding_0_fs.luts.altitude_growth;
+    vec3 luts_mie_moment1_1 = _group_0_binding_0_fs.luts.mie_moment1_;
+    float luts_sun_middle_5 = _group_0_binding_0_fs.luts.sun_middle;
+    vec3 luts_mie_moment2_1 = _group_0_binding_0_fs.luts.mie_moment2_;
+    float luts_sun_width_5 = _group_0_binding_0_fs.luts.sun_width;
+    vec3 luts_mie_asymmetry = _group_0_binding_0_fs.luts.mie_asymmetry;
+    vec3 luts_albedo_1 = _group_0_binding_0_fs.luts.albedo;
+    float luts_sun_first_5 = _group_0_binding_0_fs.luts.sun_first;
+    float luts_sun_span_5 = _group_0_binding_0_fs.luts.sun_span;
+    uint luts_steps_1 = _group_0_binding_0_fs.luts.steps;
     ivec2 texel = ivec2(position.xy);
     ivec2 node_2 = ivec2((texel.x / AZIMUTHS), (texel.y / ZENITHS));
-    vec2 _e18 = multi_scattering_span(_group_0_binding_2_fs);
-    vec2 uv = (vec2(node_2) / _e18);
-    float _e21 = u_to_mu_sun(luts_6, uv.x);
-    float _e24 = v_to_altitude(luts_6, uv.y, m_3.thickness);
-    vec3 sun_2 = vec3(sqrt(max(((1.0 - _e21) * (1.0 + _e21)), 0.0)), 0.0, _e21);
-    Direction _e42 = node_direction((texel.y % ZENITHS), (texel.x % AZIMUTHS), _e24, m_3.radius);
-    float sine_1 = sqrt(max(((1.0 - _e42.mu) * (1.0 + _e42.mu)), 0.0));
-    vec3 dir_5 = vec3((sine_1 * cos(_e42.azimuth)), (sine_1 * sin(_e42.azimuth)), _e42.mu);
-    AirRay _e65 = inner_ray(dir_5, _e24, m_3.radius, m_3.thickness, sun_2, !(_e42.above));
-    float nu_1 = _e65.nu;
-    float _e68 = rayleigh_phase(nu_1);
-    vec3 gas_2 = (m_3.rayleigh * _e68);
-    vec3 _e78 = henyey_greenstein_phase((1.0 - nu_1), (1.0 + nu_1), luts_6.mie_asymmetry);
-    vec3 aerosol_2 = ((m_3.mie_scattering * luts_6.mie_moment0_) * _e78);
-    Perigee _e82 = perigee_of(_e65, _e65.length_, m_3.radius);
-    float _e85 = distance_to_u(_e82.distance_, 0.0);
-    float _e88 = distance_to_u(_e82.distance_, _e65.length_);
-    Gathered _e92 = gather(_group_0_binding_1_fs, _group_0_binding_2_fs, m_3, luts_6, _e65, dir_5, _e82, _e85, _e88, gas_2, aerosol_2, 1.0);
-    radiance = _e92.radiance;
-    if (_e65.ground) {
-        vec3 _e96 = radiance;
-        vec3 _e103 = ground_radiance(m_3, luts_6, (_e65.sun_r_mu + (_e65.nu * _e65.length_)));
-        radiance = (_e96 + (_e92.transmittance * _e103));
+    vec2 _e60 = multi_scattering_span(_group_0_binding_2_fs);
+    vec2 uv = (vec2(node_2) / _e60);
+    float _e63 = u_to_mu_sun(luts_sun_middle_5, luts_sun_width_5, luts_sun_first_5, luts_sun_span_5, uv.x);
+    float _e65 = v_to_altitude(luts_altitude_steepness_2, luts_altitude_growth_2, uv.y, m_thickness_2);
+    vec3 sun_2 = vec3(sqrt(max(((1.0 - _e63) * (1.0 + _e63)), 0.0)), 0.0, _e63);
+    node_direction((texel.y % ZENITHS), (texel.x % AZIMUTHS), _e65, m_radius_2, view_mu, view_azimuth, view_above);
+    float _e85 = view_mu;
+    float _e86 = view_azimuth;
+    bool _e87 = view_above;
+    float sine_1 = sqrt(max(((1.0 - _e85) * (1.0 + _e85)), 0.0));
+    vec3 dir_5 = vec3((sine_1 * cos(_e86)), (sine_1 * sin(_e86)), _e85);
+    inner_ray(dir_5, _e65, m_radius_2, m_thickness_2, sun_2, !(_e87), ray_start, ray_length, ray_excess, ray_r_mu, ray_perigee_excess, ray_sun_r_mu, ray_nu, ray_sin2_, ray_shadow_b, ray_shadow_c, ray_shadow_half2_, ray_ground);
+    float _e114 = ray_start;
+    float _e115 = ray_length;
+    float _e116 = ray_excess;
+    float _e117 = ray_r_mu;
+    float _e118 = ray_perigee_excess;
+    float _e119 = ray_sun_r_mu;
+    float nu_1 = ray_nu;
+    float _e121 = ray_sin2_;
+    float _e122 = ray_shadow_b;
+    float _e123 = ray_shadow_c;
+    float _e124 = ray_shadow_half2_;
+    bool _e125 = ray_ground;
+    float _e126 = rayleigh_phase(nu_1);
+    vec3 gas_2 = (m_rayleigh_2 * _e126);
+    vec3 _e133 = henyey_greenstein_phase((1.0 - nu_1), (1.0 + nu_1), luts_mie_asymmetry);
+    vec3 aerosol_2 = ((m_mie_scattering_1 * luts_mie_moment0_1) * _e133);
+    perigee_of(_e115, _e116, _e117, _e118, _e125, _e115, m_radius_2, perigee_distance, perigee_excess, perigee_r_mu);
+    float _e138 = perigee_distance;
+    float _e139 = perigee_excess;
+    float _e140 = perigee_r_mu;
+    float _e142 = distance_to_u(_e138, 0.0);
+    float _e143 = distance_to_u(_e138, _e115);
+    gather(_group_0_binding_1_fs, _group_0_binding_2_fs, m_rayleigh_2, m_rayleigh_inv_height_2, m_mie_scattering_1, m_mie_inv_height_2, m_ozone_center_2, m_ozone_inv_half_width_2, m_ozone_2, m_radius_2, m_thickness_2, luts_mie_extinction_2, luts_altitude_steepness_2, luts_mie_moment0_1, luts_altitude_growth_2, luts_mie_moment1_1, luts_sun_middle_5, luts_mie_moment2_1, luts_sun_width_5, luts_sun_first_5, luts_sun_span_5, luts_steps_1, _e114, _e119, nu_1, _e121, _e122, _e123, _e124, dir_5, _e138, _e139, _e140, _e142, _e143, gas_2, aerosol_2, 1.0, g_radiance, g_transmittance);
+    vec3 _e149 = g_radiance;
+    vec3 _e150 = g_transmittance;
+    radiance = _e149;
+    if (_e125) {
+        vec3 _e152 = radiance;
+        vec3 _e155 = ground_radiance(m_rayleigh_2, m_ozone_2, m_radius_2, m_thickness_2, luts_mie_extinction_2, luts_sun_middle_5, luts_sun_width_5, luts_albedo_1, luts_sun_first_5, luts_sun_span_5, (_e119 + (nu_1 * _e115)));
+        radiance = (_e152 + (_e150 * _e155));
     }
-    vec3 _e106 = radiance;
-    _fs2p_location0 = vec4(_e106, 0.0);
+    vec3 _e158 = radiance;
+    _fs2p_location0 = vec4(_e158, 0.0);
     return;
 }
 

@@ -3,69 +3,6 @@
 precision highp float;
 precision highp int;
 
-struct Medium {
-    vec3 rayleigh;
-    float rayleigh_inv_height;
-    vec3 mie_scattering;
-    float mie_inv_height;
-    vec3 mie_extinction;
-    float ozone_center;
-    vec3 mie_asymmetry;
-    float ozone_inv_half_width;
-    vec3 ozone;
-    float radius;
-    vec3 irradiance;
-    float thickness;
-};
-struct Case {
-    Medium medium;
-    vec4 view;
-    vec4 light;
-    vec4 path;
-    vec4 angle;
-    vec4 uv;
-    vec4 scale;
-    vec4 mapping;
-};
-struct AirRay {
-    float start;
-    float length_;
-    float excess;
-    float r_mu;
-    float perigee_excess;
-    float sun_r_mu;
-    float nu;
-    float sin2_;
-    float shadow_b;
-    float shadow_c;
-    float shadow_half2_;
-    bool ground;
-};
-struct SunSide {
-    float sun_r_mu;
-    float nu;
-    float sin2_;
-    float shadow_b;
-    float shadow_c;
-    float shadow_half2_;
-};
-struct Line {
-    float r_mu;
-    float perigee;
-    float perigee_excess;
-    bool ground;
-};
-struct AirPath {
-    float start;
-    float length_;
-    float excess;
-    float r_mu;
-};
-struct Perigee {
-    float distance_;
-    float excess;
-    float r_mu;
-};
 const int CASE_TEXELS = 13;
 const int ANSWERS = 4;
 
@@ -73,22 +10,18 @@ uniform highp sampler2D _group_0_binding_1_fs;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
-Case case_of(ivec2 pixel, int answers) {
+void case_of(ivec2 pixel, int answers, inout float out_medium_radius, inout float out_medium_thickness, inout vec4 out_view, inout vec4 out_light, inout vec4 out_path) {
     ivec2 first = ivec2(((pixel.x / answers) * CASE_TEXELS), pixel.y);
-    vec4 a = texelFetch(_group_0_binding_1_fs, first, 0);
-    vec4 b = texelFetch(_group_0_binding_1_fs, (first + ivec2(1, 0)), 0);
-    vec4 c = texelFetch(_group_0_binding_1_fs, (first + ivec2(2, 0)), 0);
-    vec4 d = texelFetch(_group_0_binding_1_fs, (first + ivec2(3, 0)), 0);
     vec4 e = texelFetch(_group_0_binding_1_fs, (first + ivec2(4, 0)), 0);
     vec4 f = texelFetch(_group_0_binding_1_fs, (first + ivec2(5, 0)), 0);
-    vec4 _e65 = texelFetch(_group_0_binding_1_fs, (first + ivec2(6, 0)), 0);
-    vec4 _e72 = texelFetch(_group_0_binding_1_fs, (first + ivec2(7, 0)), 0);
-    vec4 _e79 = texelFetch(_group_0_binding_1_fs, (first + ivec2(8, 0)), 0);
-    vec4 _e86 = texelFetch(_group_0_binding_1_fs, (first + ivec2(9, 0)), 0);
-    vec4 _e93 = texelFetch(_group_0_binding_1_fs, (first + ivec2(10, 0)), 0);
-    vec4 _e100 = texelFetch(_group_0_binding_1_fs, (first + ivec2(11, 0)), 0);
-    vec4 _e107 = texelFetch(_group_0_binding_1_fs, (first + ivec2(12, 0)), 0);
-    return Case(Medium(a.xyz, a.w, b.xyz, b.w, c.xyz, c.w, d.xyz, d.w, e.xyz, e.w, f.xyz, f.w), _e65, _e72, _e79, _e86, _e93, _e100, _e107);
+    vec4 _e35 = texelFetch(_group_0_binding_1_fs, (first + ivec2(6, 0)), 0);
+    vec4 _e42 = texelFetch(_group_0_binding_1_fs, (first + ivec2(7, 0)), 0);
+    vec4 _e49 = texelFetch(_group_0_binding_1_fs, (first + ivec2(8, 0)), 0);
+    out_medium_radius = e.w;
+    out_medium_thickness = f.w;
+    out_view = _e35;
+    out_light = _e42;
+    out_path = _e49;
 }
 
 float altitude_of(float excess, float radius) {
@@ -105,10 +38,10 @@ float altitude_after(float excess_1, float r_mu, float t, float radius_2) {
 }
 
 float distance_to_top(float excess_2, float r_mu_1, float top_excess) {
-    float c_1 = max((top_excess - excess_2), 0.0);
-    float root_1 = sqrt(((r_mu_1 * r_mu_1) + c_1));
+    float c = max((top_excess - excess_2), 0.0);
+    float root_1 = sqrt(((r_mu_1 * r_mu_1) + c));
     if ((r_mu_1 > 0.0)) {
-        return (c_1 / (r_mu_1 + root_1));
+        return (c / (r_mu_1 + root_1));
     }
     return (root_1 - r_mu_1);
 }
@@ -121,247 +54,409 @@ float half_chord2_(float r_mu_2, float above, float depth, float p) {
     return (depth * (sphere + p));
 }
 
-float shadow_half2_(SunSide s, float side_z, float r, float radius_3) {
-    float sine = max(sqrt(s.sin2_), 1e-18);
+float shadow_half2_(float s_sin2_, float s_shadow_b, float s_shadow_c, float side_z, float r, float radius_3) {
+    float sine = max(sqrt(s_sin2_), 1e-18);
     float p_1 = ((r * abs(side_z)) / sine);
-    float _e15 = half_chord2_((s.shadow_b / sine), s.shadow_c, (radius_3 - p_1), p_1);
-    return _e15;
+    float _e14 = half_chord2_((s_shadow_b / sine), s_shadow_c, (radius_3 - p_1), p_1);
+    return _e14;
 }
 
-SunSide sun_side_inside(vec3 dir, vec3 sun, float r_1, float excess_3, float radius_4) {
-    SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    s_1.nu = dot(dir, sun);
-    float _e9 = s_1.nu;
-    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s_1.sin2_ = dot(side, side);
-    s_1.sun_r_mu = (r_1 * sun.z);
-    s_1.shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+void sun_side_inside(vec3 dir, vec3 sun, float r_1, float excess_3, float radius_4, inout float out_sun_r_mu, inout float out_nu, inout float out_sin2_, inout float out_shadow_b, inout float out_shadow_c, inout float out_shadow_half2_) {
+    float s_sun_r_mu = 0.0;
+    float s_nu = 0.0;
+    float s_sin2_1 = 0.0;
+    float s_shadow_b_1 = 0.0;
+    float s_shadow_c_1 = 0.0;
+    float s_shadow_half2_ = 0.0;
+    s_nu = dot(dir, sun);
+    float _e15 = s_nu;
+    vec3 side = cross((dir - (((_e15 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    s_sin2_1 = dot(side, side);
+    s_sun_r_mu = (r_1 * sun.z);
+    s_shadow_b_1 = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
     float q = (r_1 * length(sun.xy));
-    float _e37 = s_1.sun_r_mu;
-    float _e39 = half_chord2_(_e37, excess_3, (radius_4 - q), q);
-    s_1.shadow_c = -(_e39);
-    SunSide _e42 = s_1;
-    float _e44 = shadow_half2_(_e42, side.z, r_1, radius_4);
-    s_1.shadow_half2_ = _e44;
-    SunSide _e45 = s_1;
-    return _e45;
+    float _e39 = s_sun_r_mu;
+    float _e43 = half_chord2_(_e39, excess_3, (radius_4 - q), q);
+    s_shadow_c_1 = -(_e43);
+    float _e45 = s_sin2_1;
+    float _e46 = s_shadow_b_1;
+    float _e47 = s_shadow_c_1;
+    float _e49 = shadow_half2_(_e45, _e46, _e47, side.z, r_1, radius_4);
+    s_shadow_half2_ = _e49;
+    float _e50 = s_sun_r_mu;
+    float _e51 = s_nu;
+    float _e52 = s_sin2_1;
+    float _e53 = s_shadow_b_1;
+    float _e54 = s_shadow_c_1;
+    float _e55 = s_shadow_half2_;
+    out_sun_r_mu = _e50;
+    out_nu = _e51;
+    out_sin2_ = _e52;
+    out_shadow_b = _e53;
+    out_shadow_c = _e54;
+    out_shadow_half2_ = _e55;
 }
 
-SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half_, float top_excess_1, float radius_5) {
-    SunSide s_2 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    s_2.nu = dot(dir_1, sun_1);
-    float _e11 = s_2.nu;
-    float same = ((_e11 >= 0.0) ? 1.0 : -1.0);
+void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half_, float top_excess_1, float radius_5, inout float out_sun_r_mu_1, inout float out_nu_1, inout float out_sin2_1, inout float out_shadow_b_1, inout float out_shadow_c_1, inout float out_shadow_half2_1) {
+    float s_sun_r_mu_1 = 0.0;
+    float s_nu_1 = 0.0;
+    float s_sin2_2 = 0.0;
+    float s_shadow_b_2 = 0.0;
+    float s_shadow_c_2 = 0.0;
+    float s_shadow_half2_1 = 0.0;
+    s_nu_1 = dot(dir_1, sun_1);
+    float _e15 = s_nu_1;
+    float same = ((_e15 >= 0.0) ? 1.0 : -1.0);
     vec3 apart = (dir_1 - (same * sun_1));
     vec3 side_1 = cross(apart, sun_1);
-    s_2.sin2_ = dot(side_1, side_1);
+    s_sin2_2 = dot(side_1, side_1);
     vec3 perigee = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
     float there = (-(same) * dot(perigee, apart));
     float here = (r_2 * sun_1.z);
-    float _e38 = s_2.nu;
-    float _e44 = s_2.nu;
-    bool nearer = ((abs(here) + (start * abs(_e38))) < (abs(there) + (half_ * abs(_e44))));
-    float _e51 = s_2.nu;
-    float _e55 = s_2.nu;
-    s_2.sun_r_mu = (nearer ? (here + (start * _e55)) : (there - (half_ * _e51)));
+    float _e41 = s_nu_1;
+    float _e47 = s_nu_1;
+    bool nearer = ((abs(here) + (start * abs(_e41))) < (abs(there) + (half_ * abs(_e47))));
+    float _e53 = s_nu_1;
+    float _e56 = s_nu_1;
+    s_sun_r_mu_1 = (nearer ? (here + (start * _e56)) : (there - (half_ * _e53)));
     vec3 perigee_side = cross(perigee, sun_1);
-    float _e63 = s_2.sin2_;
-    s_2.shadow_b = (dot(perigee_side, side_1) - (half_ * _e63));
+    float _e62 = s_sin2_2;
+    s_shadow_b_2 = (dot(perigee_side, side_1) - (half_ * _e62));
     float q_1 = length((perigee_side - (half_ * side_1)));
-    float _e71 = s_2.sun_r_mu;
-    float _e73 = half_chord2_(_e71, top_excess_1, (radius_5 - q_1), q_1);
-    s_2.shadow_c = -(_e73);
-    SunSide _e76 = s_2;
-    float _e78 = shadow_half2_(_e76, side_1.z, r_2, radius_5);
-    s_2.shadow_half2_ = _e78;
-    SunSide _e79 = s_2;
-    return _e79;
+    float _e68 = s_sun_r_mu_1;
+    float _e72 = half_chord2_(_e68, top_excess_1, (radius_5 - q_1), q_1);
+    s_shadow_c_2 = -(_e72);
+    float _e74 = s_sin2_2;
+    float _e75 = s_shadow_b_2;
+    float _e76 = s_shadow_c_2;
+    float _e78 = shadow_half2_(_e74, _e75, _e76, side_1.z, r_2, radius_5);
+    s_shadow_half2_1 = _e78;
+    float _e79 = s_sun_r_mu_1;
+    float _e80 = s_nu_1;
+    float _e81 = s_sin2_2;
+    float _e82 = s_shadow_b_2;
+    float _e83 = s_shadow_c_2;
+    float _e84 = s_shadow_half2_1;
+    out_sun_r_mu_1 = _e79;
+    out_nu_1 = _e80;
+    out_sin2_1 = _e81;
+    out_shadow_b_1 = _e82;
+    out_shadow_c_1 = _e83;
+    out_shadow_half2_1 = _e84;
 }
 
-Line line_past(vec3 dir_2, float h_1, float radius_6) {
-    bool local = false;
+void line_past(vec3 dir_2, float h_1, float radius_6, inout float out_r_mu, inout float out_perigee_excess, inout bool out_ground) {
+    bool unnamed = false;
     float r_3 = (radius_6 + h_1);
     float r_mu_4 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
-    float _e11 = excess_of(h_1, radius_6);
-    float _e13 = half_chord2_(r_mu_4, _e11, (radius_6 - p_2), p_2);
+    float _e14 = excess_of(h_1, radius_6);
+    float _e16 = half_chord2_(r_mu_4, _e14, (radius_6 - p_2), p_2);
     if ((r_mu_4 < 0.0)) {
-        local = (_e13 >= 0.0);
+        unnamed = (_e16 >= 0.0);
     } else {
-        local = false;
+        unnamed = false;
     }
-    bool _e22 = local;
-    return Line(r_mu_4, p_2, -(_e13), _e22);
+    bool _e25 = unnamed;
+    out_r_mu = r_mu_4;
+    out_perigee_excess = -(_e16);
+    out_ground = _e25;
 }
 
-float top_half_chord2_(Line line, float h_2, float radius_7, float thickness) {
-    float r_mu2_ = (line.r_mu * line.r_mu);
-    float _e7 = excess_of(thickness, radius_7);
+float top_half_chord2_(float line_r_mu, float line_perigee_excess, float h_2, float radius_7, float thickness) {
+    float r_mu2_ = (line_r_mu * line_r_mu);
+    float _e5 = excess_of(thickness, radius_7);
     float above_1 = ((h_2 - thickness) * (((2.0 * radius_7) + thickness) + h_2));
-    return ((r_mu2_ < _e7) ? (r_mu2_ - above_1) : (_e7 - line.perigee_excess));
+    return ((r_mu2_ < _e5) ? (r_mu2_ - above_1) : (_e5 - line_perigee_excess));
 }
 
 float distance_to_ground(float excess_4, float r_mu_3, float root) {
     return min((excess_4 / (root - r_mu_3)), -(r_mu_3));
 }
 
-AirPath air_path(Line line_1, float h_3, float radius_8, float thickness_1) {
-    bool local_1 = false;
-    float _e4 = excess_of(thickness_1, radius_8);
-    float ground_root = sqrt(max(-(line_1.perigee_excess), 0.0));
+void air_path(float line_r_mu_1, float line_perigee_excess_1, bool line_ground, float h_3, float radius_8, float thickness_1, inout float out_start, inout float out_length, inout float out_excess, inout float out_r_mu_1) {
+    bool unnamed_1 = false;
+    float _e6 = excess_of(thickness_1, radius_8);
+    float ground_root = sqrt(max(-(line_perigee_excess_1), 0.0));
     if ((h_3 <= thickness_1)) {
-        float _e11 = excess_of(h_3, radius_8);
-        float _e13 = distance_to_top(_e11, line_1.r_mu, _e4);
-        float _e15 = distance_to_ground(_e11, line_1.r_mu, ground_root);
-        return AirPath(0.0, (line_1.ground ? _e15 : _e13), _e11, line_1.r_mu);
+        float _e16 = excess_of(h_3, radius_8);
+        float _e17 = distance_to_top(_e16, line_r_mu_1, _e6);
+        float _e18 = distance_to_ground(_e16, line_r_mu_1, ground_root);
+        out_start = 0.0;
+        out_length = (line_ground ? _e18 : _e17);
+        out_excess = _e16;
+        out_r_mu_1 = line_r_mu_1;
+        return;
     }
     float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_8) + thickness_1) + h_3));
-    float _e27 = top_half_chord2_(line_1, h_3, radius_8, thickness_1);
-    if (!((line_1.r_mu >= 0.0))) {
-        local_1 = (_e27 <= 0.0);
+    float _e27 = top_half_chord2_(line_r_mu_1, line_perigee_excess_1, h_3, radius_8, thickness_1);
+    if (!((line_r_mu_1 >= 0.0))) {
+        unnamed_1 = (_e27 <= 0.0);
     } else {
-        local_1 = true;
+        unnamed_1 = true;
     }
-    bool _e37 = local_1;
-    if (_e37) {
-        return AirPath(0.0, -1.0, 0.0, 0.0);
+    bool _e36 = unnamed_1;
+    if (_e36) {
+        out_start = 0.0;
+        out_length = -1.0;
+        out_excess = 0.0;
+        out_r_mu_1 = 0.0;
+        return;
     }
     float half_1 = sqrt(_e27);
-    float _e47 = distance_to_ground(_e4, -(half_1), ground_root);
-    float reach = (line_1.ground ? _e47 : (2.0 * half_1));
-    return AirPath((above_2 / (half_1 - line_1.r_mu)), reach, _e4, -(half_1));
+    float _e45 = distance_to_ground(_e6, -(half_1), ground_root);
+    float reach = (line_ground ? _e45 : (2.0 * half_1));
+    out_start = (above_2 / (half_1 - line_r_mu_1));
+    out_length = reach;
+    out_excess = _e6;
+    out_r_mu_1 = -(half_1);
 }
 
-AirRay air_ray(vec3 dir_3, float h_4, float radius_9, float thickness_2, vec3 sun_2) {
-    SunSide s_3 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    bool local_2 = false;
-    Line _e5 = line_past(dir_3, h_4, radius_9);
-    AirPath _e6 = air_path(_e5, h_4, radius_9, thickness_2);
+void air_ray(vec3 dir_3, float h_4, float radius_9, float thickness_2, vec3 sun_2, inout float out_start_1, inout float out_length_1, inout float out_excess_1, inout float out_r_mu_2, inout float out_perigee_excess_1, inout float out_sun_r_mu_2, inout float out_nu_2, inout float out_sin2_2, inout float out_shadow_b_2, inout float out_shadow_c_2, inout float out_shadow_half2_2, inout bool out_ground_1) {
+    float s_sun_r_mu_2 = 0.0;
+    float s_nu_2 = 0.0;
+    float s_sin2_3 = 0.0;
+    float s_shadow_b_3 = 0.0;
+    float s_shadow_c_3 = 0.0;
+    float s_shadow_half2_2 = 0.0;
+    bool unnamed_2 = false;
+    float line_r_mu_2 = 0.0;
+    float line_perigee_excess_2 = 0.0;
+    bool line_ground_1 = false;
+    float path_start = 0.0;
+    float path_length = 0.0;
+    float path_excess = 0.0;
+    float path_r_mu = 0.0;
+    float sun_side_inside_sun_r_mu = 0.0;
+    float sun_side_inside_nu = 0.0;
+    float sun_side_inside_sin2_ = 0.0;
+    float sun_side_inside_shadow_b = 0.0;
+    float sun_side_inside_shadow_c = 0.0;
+    float sun_side_inside_shadow_half2_ = 0.0;
+    float sun_side_outside_sun_r_mu = 0.0;
+    float sun_side_outside_nu = 0.0;
+    float sun_side_outside_sin2_ = 0.0;
+    float sun_side_outside_shadow_b = 0.0;
+    float sun_side_outside_shadow_c = 0.0;
+    float sun_side_outside_shadow_half2_ = 0.0;
+    line_past(dir_3, h_4, radius_9, line_r_mu_2, line_perigee_excess_2, line_ground_1);
+    float _e18 = line_r_mu_2;
+    float _e19 = line_perigee_excess_2;
+    bool _e20 = line_ground_1;
+    air_path(_e18, _e19, _e20, h_4, radius_9, thickness_2, path_start, path_length, path_excess, path_r_mu);
+    float _e26 = path_start;
+    float _e27 = path_length;
+    float _e28 = path_excess;
+    float _e29 = path_r_mu;
     if ((h_4 <= thickness_2)) {
-        SunSide _e11 = sun_side_inside(dir_3, sun_2, (radius_9 + h_4), _e6.excess, radius_9);
-        s_3 = _e11;
+        sun_side_inside(dir_3, sun_2, (radius_9 + h_4), _e28, radius_9, sun_side_inside_sun_r_mu, sun_side_inside_nu, sun_side_inside_sin2_, sun_side_inside_shadow_b, sun_side_inside_shadow_c, sun_side_inside_shadow_half2_);
+        float _e39 = sun_side_inside_sun_r_mu;
+        float _e40 = sun_side_inside_nu;
+        float _e41 = sun_side_inside_sin2_;
+        float _e42 = sun_side_inside_shadow_b;
+        float _e43 = sun_side_inside_shadow_c;
+        float _e44 = sun_side_inside_shadow_half2_;
+        s_sun_r_mu_2 = _e39;
+        s_nu_2 = _e40;
+        s_sin2_3 = _e41;
+        s_shadow_b_3 = _e42;
+        s_shadow_c_3 = _e43;
+        s_shadow_half2_2 = _e44;
     } else {
-        if ((_e6.length_ > 0.0)) {
-            SunSide _e20 = sun_side_outside(dir_3, sun_2, (radius_9 + h_4), _e6.start, -(_e6.r_mu), _e6.excess, radius_9);
-            s_3 = _e20;
+        if ((_e27 > 0.0)) {
+            sun_side_outside(dir_3, sun_2, (radius_9 + h_4), _e26, -(_e29), _e28, radius_9, sun_side_outside_sun_r_mu, sun_side_outside_nu, sun_side_outside_sin2_, sun_side_outside_shadow_b, sun_side_outside_shadow_c, sun_side_outside_shadow_half2_);
+            float _e61 = sun_side_outside_sun_r_mu;
+            float _e62 = sun_side_outside_nu;
+            float _e63 = sun_side_outside_sin2_;
+            float _e64 = sun_side_outside_shadow_b;
+            float _e65 = sun_side_outside_shadow_c;
+            float _e66 = sun_side_outside_shadow_half2_;
+            s_sun_r_mu_2 = _e61;
+            s_nu_2 = _e62;
+            s_sin2_3 = _e63;
+            s_shadow_b_3 = _e64;
+            s_shadow_c_3 = _e65;
+            s_shadow_half2_2 = _e66;
         } else {
-            s_3.nu = dot(dir_3, sun_2);
+            s_nu_2 = dot(dir_3, sun_2);
         }
     }
-    if (_e5.ground) {
-        local_2 = (_e6.length_ >= 0.0);
+    if (_e20) {
+        unnamed_2 = (_e27 >= 0.0);
     } else {
-        local_2 = false;
+        unnamed_2 = false;
     }
-    bool ground = local_2;
-    float _e37 = s_3.sun_r_mu;
-    float _e39 = s_3.nu;
-    float _e41 = s_3.sin2_;
-    float _e43 = s_3.shadow_b;
-    float _e45 = s_3.shadow_c;
-    float _e47 = s_3.shadow_half2_;
-    return AirRay(_e6.start, _e6.length_, _e6.excess, _e6.r_mu, _e5.perigee_excess, _e37, _e39, _e41, _e43, _e45, _e47, ground);
+    bool ground = unnamed_2;
+    float _e74 = s_sun_r_mu_2;
+    float _e75 = s_nu_2;
+    float _e76 = s_sin2_3;
+    float _e77 = s_shadow_b_3;
+    float _e78 = s_shadow_c_3;
+    float _e79 = s_shadow_half2_2;
+    out_start_1 = _e26;
+    out_length_1 = _e27;
+    out_excess_1 = _e28;
+    out_r_mu_2 = _e29;
+    out_perigee_excess_1 = _e19;
+    out_sun_r_mu_2 = _e74;
+    out_nu_2 = _e75;
+    out_sin2_2 = _e76;
+    out_shadow_b_2 = _e77;
+    out_shadow_c_2 = _e78;
+    out_shadow_half2_2 = _e79;
+    out_ground_1 = ground;
 }
 
-Perigee perigee_of(AirRay ray, float length_, float radius_10) {
-    bool local_3 = false;
-    if ((ray.r_mu >= 0.0)) {
-        return Perigee(0.0, ray.excess, ray.r_mu);
+void perigee_of(float ray_length_1, float ray_excess_1, float ray_r_mu_1, float ray_perigee_excess_1, bool ray_ground_1, float length_, float radius_10, inout float out_distance, inout float out_excess_2, inout float out_r_mu_3) {
+    bool unnamed_3 = false;
+    if ((ray_r_mu_1 >= 0.0)) {
+        out_distance = 0.0;
+        out_excess_2 = ray_excess_1;
+        out_r_mu_3 = ray_r_mu_1;
+        return;
     }
-    if ((-(ray.r_mu) <= length_)) {
-        return Perigee(-(ray.r_mu), ray.perigee_excess, 0.0);
+    if ((-(ray_r_mu_1) <= length_)) {
+        out_distance = -(ray_r_mu_1);
+        out_excess_2 = ray_perigee_excess_1;
+        out_r_mu_3 = 0.0;
+        return;
     }
-    float r_mu_5 = (ray.r_mu + length_);
-    if (ray.ground) {
-        local_3 = (length_ >= ray.length_);
+    float r_mu_5 = (ray_r_mu_1 + length_);
+    if (ray_ground_1) {
+        unnamed_3 = (length_ >= ray_length_1);
     } else {
-        local_3 = false;
+        unnamed_3 = false;
     }
-    bool _e26 = local_3;
-    if (_e26) {
-        return Perigee(length_, 0.0, r_mu_5);
+    bool _e21 = unnamed_3;
+    if (_e21) {
+        out_distance = length_;
+        out_excess_2 = 0.0;
+        out_r_mu_3 = r_mu_5;
+        return;
     }
-    bool far = ((-(ray.r_mu) * length_) > (radius_10 * radius_10));
-    float near_excess = (ray.excess + (length_ * ((2.0 * ray.r_mu) + length_)));
-    return Perigee(length_, (far ? (ray.perigee_excess + (r_mu_5 * r_mu_5)) : near_excess), r_mu_5);
+    bool far = ((-(ray_r_mu_1) * length_) > (radius_10 * radius_10));
+    float near_excess = (ray_excess_1 + (length_ * ((2.0 * ray_r_mu_1) + length_)));
+    out_distance = length_;
+    out_excess_2 = (far ? (ray_perigee_excess_1 + (r_mu_5 * r_mu_5)) : near_excess);
+    out_r_mu_3 = r_mu_5;
 }
 
 bool hits_planet(vec3 dir_4, float h_5, float radius_11) {
-    Line _e3 = line_past(dir_4, h_5, radius_11);
-    return _e3.ground;
+    float line_past_r_mu = 0.0;
+    float line_past_perigee_excess = 0.0;
+    bool line_past_ground = false;
+    line_past(dir_4, h_5, radius_11, line_past_r_mu, line_past_perigee_excess, line_past_ground);
+    bool _e6 = line_past_ground;
+    return _e6;
 }
 
-vec2 shadow_stretch(AirRay ray_1) {
+vec2 shadow_stretch(float ray_sun_r_mu_1, float ray_nu_1, float ray_sin2_1, float ray_shadow_b_1, float ray_shadow_c_1, float ray_shadow_half2_1) {
     vec2 stretch = vec2(0.0);
     vec2 none = vec2(1.0, 0.0);
-    float a_1 = ray_1.sin2_;
-    float b_1 = ray_1.shadow_b;
-    float c_2 = ray_1.shadow_c;
     stretch = vec2(-(1e30), 1e30);
-    if ((a_1 > 1e-30)) {
-        if ((ray_1.shadow_half2_ <= 0.0)) {
+    if ((ray_sin2_1 > 1e-30)) {
+        if ((ray_shadow_half2_1 <= 0.0)) {
             return none;
         }
-        float q_2 = -((b_1 + (((b_1 >= 0.0) ? 1.0 : -1.0) * sqrt((a_1 * ray_1.shadow_half2_)))));
-        float t0_ = (q_2 / a_1);
-        float t1_ = ((q_2 != 0.0) ? (c_2 / q_2) : t0_);
+        float q_2 = -((ray_shadow_b_1 + (((ray_shadow_b_1 >= 0.0) ? 1.0 : -1.0) * sqrt((ray_sin2_1 * ray_shadow_half2_1)))));
+        float t0_ = (q_2 / ray_sin2_1);
+        float t1_ = ((q_2 != 0.0) ? (ray_shadow_c_1 / q_2) : t0_);
         stretch = vec2(min(t0_, t1_), max(t0_, t1_));
     } else {
-        if ((c_2 >= 0.0)) {
+        if ((ray_shadow_c_1 >= 0.0)) {
             return none;
         }
     }
-    if ((abs(ray_1.nu) < 1e-12)) {
-        if ((ray_1.sun_r_mu >= 0.0)) {
+    if ((abs(ray_nu_1) < 1e-12)) {
+        if ((ray_sun_r_mu_1 >= 0.0)) {
             return none;
         }
     } else {
-        float t_1 = (-(ray_1.sun_r_mu) / ray_1.nu);
-        if ((ray_1.nu > 0.0)) {
-            float _e53 = stretch.y;
-            stretch.y = min(_e53, t_1);
+        float t_1 = (-(ray_sun_r_mu_1) / ray_nu_1);
+        if ((ray_nu_1 > 0.0)) {
+            float _e48 = stretch.y;
+            stretch.y = min(_e48, t_1);
         } else {
-            float _e57 = stretch.x;
-            stretch.x = max(_e57, t_1);
+            float _e52 = stretch.x;
+            stretch.x = max(_e52, t_1);
         }
     }
-    vec2 _e59 = stretch;
-    return _e59;
+    vec2 _e54 = stretch;
+    return _e54;
 }
 
 void main() {
     vec4 position = gl_FragCoord;
+    float c_medium_radius = 0.0;
+    float c_medium_thickness = 0.0;
+    vec4 c_view = vec4(0.0);
+    vec4 c_light = vec4(0.0);
+    vec4 c_path = vec4(0.0);
+    float ray_start = 0.0;
+    float ray_length = 0.0;
+    float ray_excess = 0.0;
+    float ray_r_mu = 0.0;
+    float ray_perigee_excess = 0.0;
+    float ray_sun_r_mu = 0.0;
+    float ray_nu = 0.0;
+    float ray_sin2_ = 0.0;
+    float ray_shadow_b = 0.0;
+    float ray_shadow_c = 0.0;
+    float ray_shadow_half2_ = 0.0;
+    bool ray_ground = false;
+    float perigee_distance = 0.0;
+    float perigee_excess = 0.0;
+    float perigee_r_mu = 0.0;
     ivec2 pixel_1 = ivec2(position.xy);
-    Case _e4 = case_of(pixel_1, ANSWERS);
-    Medium m = _e4.medium;
-    AirRay _e14 = air_ray(_e4.view.xyz, _e4.view.w, m.radius, m.thickness, _e4.light.xyz);
+    case_of(pixel_1, ANSWERS, c_medium_radius, c_medium_thickness, c_view, c_light, c_path);
+    float _e9 = c_medium_radius;
+    float _e10 = c_medium_thickness;
+    vec4 _e11 = c_view;
+    vec4 _e12 = c_light;
+    vec4 _e13 = c_path;
+    air_ray(_e11.xyz, _e11.w, _e9, _e10, _e12.xyz, ray_start, ray_length, ray_excess, ray_r_mu, ray_perigee_excess, ray_sun_r_mu, ray_nu, ray_sin2_, ray_shadow_b, ray_shadow_c, ray_shadow_half2_, ray_ground);
+    float _e29 = ray_start;
+    float _e30 = ray_length;
+    float _e31 = ray_excess;
+    float _e32 = ray_r_mu;
+    float _e33 = ray_perigee_excess;
+    float _e34 = ray_sun_r_mu;
+    float _e35 = ray_nu;
+    float _e36 = ray_sin2_;
+    float _e37 = ray_shadow_b;
+    float _e38 = ray_shadow_c;
+    float _e39 = ray_shadow_half2_;
+    bool _e40 = ray_ground;
     switch((pixel_1.x % ANSWERS)) {
         case 0: {
-            _fs2p_location0 = vec4(_e14.start, _e14.length_, _e14.excess, _e14.r_mu);
+            _fs2p_location0 = vec4(_e29, _e30, _e31, _e32);
             return;
         }
         case 1: {
-            _fs2p_location0 = vec4(_e14.sun_r_mu, _e14.nu, _e14.sin2_, float(_e14.ground));
+            _fs2p_location0 = vec4(_e34, _e35, _e36, float(_e40));
             return;
         }
         case 2: {
-            float reach_1 = max(_e14.length_, 0.0);
-            vec2 _e32 = shadow_stretch(_e14);
-            vec2 shadow = clamp(_e32, vec2(0.0), vec2(reach_1));
-            bool _e42 = hits_planet(_e4.view.xyz, _e4.view.w, m.radius);
-            float hits = float(_e42);
-            Perigee _e45 = perigee_of(_e14, reach_1, m.radius);
-            float t_2 = ((_e4.light.w * reach_1) - _e45.distance_);
-            float _e54 = altitude_after(_e45.excess, _e45.r_mu, t_2, m.radius);
-            _fs2p_location0 = vec4(_e54, hits, shadow);
+            float reach_1 = max(_e30, 0.0);
+            vec2 _e49 = shadow_stretch(_e34, _e35, _e36, _e37, _e38, _e39);
+            vec2 shadow = clamp(_e49, vec2(0.0), vec2(reach_1));
+            bool _e56 = hits_planet(_e11.xyz, _e11.w, _e9);
+            float hits = float(_e56);
+            perigee_of(_e30, _e31, _e32, _e33, _e40, reach_1, _e9, perigee_distance, perigee_excess, perigee_r_mu);
+            float _e61 = perigee_distance;
+            float _e62 = perigee_excess;
+            float _e63 = perigee_r_mu;
+            float t_2 = ((_e12.w * reach_1) - _e61);
+            float _e67 = altitude_after(_e62, _e63, t_2, _e9);
+            _fs2p_location0 = vec4(_e67, hits, shadow);
             return;
         }
         default: {
-            float _e59 = excess_of(_e4.view.w, m.radius);
-            float _e66 = excess_of(m.thickness, m.radius);
-            float _e67 = distance_to_top(_e4.path.x, _e4.path.y, _e66);
-            float _e69 = altitude_of(_e59, m.radius);
-            _fs2p_location0 = vec4(_e59, _e69, _e67, 0.0);
+            float _e70 = excess_of(_e11.w, _e9);
+            float _e73 = excess_of(_e10, _e9);
+            float _e74 = distance_to_top(_e13.x, _e13.y, _e73);
+            float _e75 = altitude_of(_e70, _e9);
+            _fs2p_location0 = vec4(_e70, _e75, _e74, 0.0);
             return;
         }
     }

@@ -3,30 +3,6 @@
 precision highp float;
 precision highp int;
 
-struct Medium {
-    vec3 rayleigh;
-    float rayleigh_inv_height;
-    vec3 mie_scattering;
-    float mie_inv_height;
-    vec3 mie_extinction;
-    float ozone_center;
-    vec3 mie_asymmetry;
-    float ozone_inv_half_width;
-    vec3 ozone;
-    float radius;
-    vec3 irradiance;
-    float thickness;
-};
-struct Case {
-    Medium medium;
-    vec4 view;
-    vec4 light;
-    vec4 path;
-    vec4 angle;
-    vec4 uv;
-    vec4 scale;
-    vec4 mapping;
-};
 const int CASE_TEXELS = 13;
 const bool RAYLEIGH = true;
 const bool MIE = true;
@@ -40,7 +16,7 @@ uniform highp sampler2D _group_0_binding_1_fs;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
-Case case_of(ivec2 pixel, int answers) {
+void case_of(ivec2 pixel, int answers, inout vec3 out_medium_rayleigh, inout float out_medium_rayleigh_inv_height, inout float out_medium_mie_inv_height, inout vec3 out_medium_mie_extinction, inout float out_medium_ozone_center, inout float out_medium_ozone_inv_half_width, inout vec3 out_medium_ozone, inout float out_medium_radius, inout float out_medium_thickness, inout vec4 out_path) {
     ivec2 first = ivec2(((pixel.x / answers) * CASE_TEXELS), pixel.y);
     vec4 a = texelFetch(_group_0_binding_1_fs, first, 0);
     vec4 b = texelFetch(_group_0_binding_1_fs, (first + ivec2(1, 0)), 0);
@@ -48,14 +24,17 @@ Case case_of(ivec2 pixel, int answers) {
     vec4 d_2 = texelFetch(_group_0_binding_1_fs, (first + ivec2(3, 0)), 0);
     vec4 e = texelFetch(_group_0_binding_1_fs, (first + ivec2(4, 0)), 0);
     vec4 f = texelFetch(_group_0_binding_1_fs, (first + ivec2(5, 0)), 0);
-    vec4 _e65 = texelFetch(_group_0_binding_1_fs, (first + ivec2(6, 0)), 0);
-    vec4 _e72 = texelFetch(_group_0_binding_1_fs, (first + ivec2(7, 0)), 0);
-    vec4 _e79 = texelFetch(_group_0_binding_1_fs, (first + ivec2(8, 0)), 0);
-    vec4 _e86 = texelFetch(_group_0_binding_1_fs, (first + ivec2(9, 0)), 0);
-    vec4 _e93 = texelFetch(_group_0_binding_1_fs, (first + ivec2(10, 0)), 0);
-    vec4 _e100 = texelFetch(_group_0_binding_1_fs, (first + ivec2(11, 0)), 0);
-    vec4 _e107 = texelFetch(_group_0_binding_1_fs, (first + ivec2(12, 0)), 0);
-    return Case(Medium(a.xyz, a.w, b.xyz, b.w, c.xyz, c.w, d_2.xyz, d_2.w, e.xyz, e.w, f.xyz, f.w), _e65, _e72, _e79, _e86, _e93, _e100, _e107);
+    vec4 _e71 = texelFetch(_group_0_binding_1_fs, (first + ivec2(8, 0)), 0);
+    out_medium_rayleigh = a.xyz;
+    out_medium_rayleigh_inv_height = a.w;
+    out_medium_mie_inv_height = b.w;
+    out_medium_mie_extinction = c.xyz;
+    out_medium_ozone_center = c.w;
+    out_medium_ozone_inv_half_width = d_2.w;
+    out_medium_ozone = e.xyz;
+    out_medium_radius = e.w;
+    out_medium_thickness = f.w;
+    out_path = _e71;
 }
 
 float altitude_of(float excess, float radius) {
@@ -80,12 +59,12 @@ float distance_to_top(float excess_2, float r_mu_1, float top_excess) {
     return (root - r_mu_1);
 }
 
-vec4 layers_of(Medium m) {
-    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+vec4 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width) {
+    return vec4(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_center, m_ozone_inv_half_width);
 }
 
-mat3x3 coefficients_of(Medium m_1) {
-    return mat3x3(m_1.rayleigh, m_1.mie_extinction, m_1.ozone);
+mat3x3 coefficients_of(vec3 m_rayleigh, vec3 m_mie_extinction, vec3 m_ozone) {
+    return mat3x3(m_rayleigh, m_mie_extinction, m_ozone);
 }
 
 vec3 densities(vec4 layers, float h_1) {
@@ -106,8 +85,8 @@ vec3 densities(vec4 layers, float h_1) {
 vec3 extinction(mat3x3 coefficients, vec3 d_1) {
     vec3 sum = vec3(0.0);
     if (RAYLEIGH) {
-        vec3 _e6 = sum;
-        sum = (_e6 + (coefficients[0] * d_1.x));
+        vec3 _e4 = sum;
+        sum = (_e4 + (coefficients[0] * d_1.x));
     }
     if (MIE) {
         vec3 _e12 = sum;
@@ -135,26 +114,26 @@ vec3 path_densities(vec4 layers_1, float radius_3, float excess_3, float r_mu_2,
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e43 = i;
-            i = (_e43 + 1u);
+            uint _e42 = i;
+            i = (_e42 + 1u);
         }
         loop_init = false;
-        uint _e23 = i;
-        if ((_e23 < samples)) {
+        uint _e18 = i;
+        if ((_e18 < samples)) {
         } else {
             break;
         }
         {
-            uint _e25 = i;
-            float u_1 = (u0_ + (du * float(_e25)));
-            float _e32 = u_to_distance(perigee_1, (u_1 + (0.5 * du)));
-            float _e34 = u_to_distance(perigee_1, (u_1 + du));
-            float _e35 = altitude_after(excess_3, r_mu_2, _e32, radius_3);
-            vec3 _e36 = sum_1;
-            vec3 _e37 = densities(layers_1, _e35);
+            uint _e20 = i;
+            float u_1 = (u0_ + (du * float(_e20)));
+            float _e27 = u_to_distance(perigee_1, (u_1 + (0.5 * du)));
+            float _e29 = u_to_distance(perigee_1, (u_1 + du));
+            float _e32 = altitude_after(excess_3, r_mu_2, _e27, radius_3);
+            vec3 _e34 = sum_1;
+            vec3 _e36 = densities(layers_1, _e32);
             float _e38 = t0_;
-            sum_1 = (_e36 + (_e37 * (_e34 - _e38)));
-            t0_ = _e34;
+            sum_1 = (_e34 + (_e36 * (_e29 - _e38)));
+            t0_ = _e29;
         }
     }
     vec3 _e45 = sum_1;
@@ -162,28 +141,47 @@ vec3 path_densities(vec4 layers_1, float radius_3, float excess_3, float r_mu_2,
 }
 
 vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_4, float thickness, float excess_4, float sun_r_mu, uint samples_1) {
-    float _e7 = excess_of(thickness, radius_4);
-    float _e8 = distance_to_top(excess_4, sun_r_mu, _e7);
-    vec3 _e9 = path_densities(layers_2, radius_4, excess_4, sun_r_mu, _e8, samples_1);
-    vec3 _e10 = extinction(coefficients_1, _e9);
+    float _e2 = excess_of(thickness, radius_4);
+    float _e5 = distance_to_top(excess_4, sun_r_mu, _e2);
+    vec3 _e8 = path_densities(layers_2, radius_4, excess_4, sun_r_mu, _e5, samples_1);
+    vec3 _e10 = extinction(coefficients_1, _e8);
     return exp(-(_e10));
 }
 
 void main() {
     vec4 position = gl_FragCoord;
+    vec3 c_medium_rayleigh = vec3(0.0);
+    float c_medium_rayleigh_inv_height = 0.0;
+    float c_medium_mie_inv_height = 0.0;
+    vec3 c_medium_mie_extinction = vec3(0.0);
+    float c_medium_ozone_center = 0.0;
+    float c_medium_ozone_inv_half_width = 0.0;
+    vec3 c_medium_ozone = vec3(0.0);
+    float c_medium_radius = 0.0;
+    float c_medium_thickness = 0.0;
+    vec4 c_path = vec4(0.0);
     ivec2 pixel_1 = ivec2(position.xy);
-    Case _e4 = case_of(pixel_1, ANSWERS);
-    Medium m_2 = _e4.medium;
-    uint samples_2 = uint(_e4.path.w);
-    vec4 _e9 = layers_of(m_2);
+    case_of(pixel_1, ANSWERS, c_medium_rayleigh, c_medium_rayleigh_inv_height, c_medium_mie_inv_height, c_medium_mie_extinction, c_medium_ozone_center, c_medium_ozone_inv_half_width, c_medium_ozone, c_medium_radius, c_medium_thickness, c_path);
+    vec3 _e14 = c_medium_rayleigh;
+    float _e15 = c_medium_rayleigh_inv_height;
+    float _e16 = c_medium_mie_inv_height;
+    vec3 _e17 = c_medium_mie_extinction;
+    float _e18 = c_medium_ozone_center;
+    float _e19 = c_medium_ozone_inv_half_width;
+    vec3 _e20 = c_medium_ozone;
+    float _e21 = c_medium_radius;
+    float _e22 = c_medium_thickness;
+    vec4 _e23 = c_path;
+    uint samples_2 = uint(_e23.w);
+    vec4 _e26 = layers_of(_e15, _e16, _e18, _e19);
     if (((pixel_1.x % ANSWERS) == 0)) {
-        vec3 _e22 = path_densities(_e9, m_2.radius, _e4.path.x, _e4.path.y, _e4.path.z, samples_2);
-        _fs2p_location0 = vec4(_e22, 0.0);
+        vec3 _e35 = path_densities(_e26, _e21, _e23.x, _e23.y, _e23.z, samples_2);
+        _fs2p_location0 = vec4(_e35, 0.0);
         return;
     }
-    mat3x3 _e25 = coefficients_of(m_2);
-    vec3 _e32 = sun_transmittance(_e25, _e9, m_2.radius, m_2.thickness, _e4.path.x, _e4.path.y, samples_2);
-    _fs2p_location0 = vec4(_e32, 0.0);
+    mat3x3 _e38 = coefficients_of(_e14, _e17, _e20);
+    vec3 _e41 = sun_transmittance(_e38, _e26, _e21, _e22, _e23.x, _e23.y, samples_2);
+    _fs2p_location0 = vec4(_e41, 0.0);
     return;
 }
 

@@ -43,45 +43,6 @@ struct Frame {
     float camera_altitude;
     vec4 sky_view_mapping;
 };
-struct AirRay {
-    float start;
-    float length_;
-    float excess;
-    float r_mu;
-    float perigee_excess;
-    float sun_r_mu;
-    float nu;
-    float sin2_;
-    float shadow_b;
-    float shadow_c;
-    float shadow_half2_;
-    bool ground;
-};
-struct SunSide {
-    float sun_r_mu;
-    float nu;
-    float sin2_;
-    float shadow_b;
-    float shadow_c;
-    float shadow_half2_;
-};
-struct Line {
-    float r_mu;
-    float perigee;
-    float perigee_excess;
-    bool ground;
-};
-struct AirPath {
-    float start;
-    float length_;
-    float excess;
-    float r_mu;
-};
-struct Perigee {
-    float distance_;
-    float excess;
-    float r_mu;
-};
 struct Luts {
     vec3 mie_extinction;
     float altitude_steepness;
@@ -103,20 +64,6 @@ struct Luts {
     uint slices;
     float aerial_ground_rows;
 };
-struct Corner {
-    ivec2 first;
-    ivec2 last;
-    vec2 between;
-};
-struct Source {
-    vec3 gas;
-    vec3 aerosol;
-};
-struct Gathered {
-    vec3 radiance;
-    vec3 transmittance;
-    vec3 optical_path;
-};
 struct MoonShadow {
     vec3 across;
     float along;
@@ -129,10 +76,6 @@ struct Uniforms {
     Frame frame;
     Luts luts;
     MoonShadow moon_shadow;
-};
-struct Scattered {
-    vec3 radiance;
-    vec3 transmittance;
 };
 const float HALF_MAX = 32000.0;
 const bool RAYLEIGH = true;
@@ -185,10 +128,10 @@ float altitude_after(float excess_1, float r_mu, float t, float radius_2) {
 }
 
 float distance_to_top(float excess_2, float r_mu_1, float top_excess) {
-    float c_2 = max((top_excess - excess_2), 0.0);
-    float root_1 = sqrt(((r_mu_1 * r_mu_1) + c_2));
+    float c = max((top_excess - excess_2), 0.0);
+    float root_1 = sqrt(((r_mu_1 * r_mu_1) + c));
     if ((r_mu_1 > 0.0)) {
-        return (c_2 / (r_mu_1 + root_1));
+        return (c / (r_mu_1 + root_1));
     }
     return (root_1 - r_mu_1);
 }
@@ -201,220 +144,343 @@ float half_chord2_(float r_mu_2, float above, float depth, float p) {
     return (depth * (sphere + p));
 }
 
-float shadow_half2_(SunSide s, float side_z, float r, float radius_3) {
-    float sine = max(sqrt(s.sin2_), 1e-18);
+float shadow_half2_(float s_sin2_, float s_shadow_b, float s_shadow_c, float side_z, float r, float radius_3) {
+    float sine = max(sqrt(s_sin2_), 1e-18);
     float p_1 = ((r * abs(side_z)) / sine);
-    float _e15 = half_chord2_((s.shadow_b / sine), s.shadow_c, (radius_3 - p_1), p_1);
-    return _e15;
+    float _e14 = half_chord2_((s_shadow_b / sine), s_shadow_c, (radius_3 - p_1), p_1);
+    return _e14;
 }
 
-SunSide sun_side_inside(vec3 dir, vec3 sun, float r_1, float excess_3, float radius_4) {
-    SunSide s_1 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    s_1.nu = dot(dir, sun);
-    float _e9 = s_1.nu;
-    vec3 side = cross((dir - (((_e9 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s_1.sin2_ = dot(side, side);
-    s_1.sun_r_mu = (r_1 * sun.z);
-    s_1.shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+void sun_side_inside(vec3 dir, vec3 sun, float r_1, float excess_3, float radius_4, inout float out_sun_r_mu, inout float out_nu, inout float out_sin2_, inout float out_shadow_b, inout float out_shadow_c, inout float out_shadow_half2_) {
+    float s_sun_r_mu = 0.0;
+    float s_nu = 0.0;
+    float s_sin2_1 = 0.0;
+    float s_shadow_b_1 = 0.0;
+    float s_shadow_c_1 = 0.0;
+    float s_shadow_half2_ = 0.0;
+    s_nu = dot(dir, sun);
+    float _e15 = s_nu;
+    vec3 side = cross((dir - (((_e15 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    s_sin2_1 = dot(side, side);
+    s_sun_r_mu = (r_1 * sun.z);
+    s_shadow_b_1 = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
     float q = (r_1 * length(sun.xy));
-    float _e37 = s_1.sun_r_mu;
-    float _e39 = half_chord2_(_e37, excess_3, (radius_4 - q), q);
-    s_1.shadow_c = -(_e39);
-    SunSide _e42 = s_1;
-    float _e44 = shadow_half2_(_e42, side.z, r_1, radius_4);
-    s_1.shadow_half2_ = _e44;
-    SunSide _e45 = s_1;
-    return _e45;
+    float _e39 = s_sun_r_mu;
+    float _e43 = half_chord2_(_e39, excess_3, (radius_4 - q), q);
+    s_shadow_c_1 = -(_e43);
+    float _e45 = s_sin2_1;
+    float _e46 = s_shadow_b_1;
+    float _e47 = s_shadow_c_1;
+    float _e49 = shadow_half2_(_e45, _e46, _e47, side.z, r_1, radius_4);
+    s_shadow_half2_ = _e49;
+    float _e50 = s_sun_r_mu;
+    float _e51 = s_nu;
+    float _e52 = s_sin2_1;
+    float _e53 = s_shadow_b_1;
+    float _e54 = s_shadow_c_1;
+    float _e55 = s_shadow_half2_;
+    out_sun_r_mu = _e50;
+    out_nu = _e51;
+    out_sin2_ = _e52;
+    out_shadow_b = _e53;
+    out_shadow_c = _e54;
+    out_shadow_half2_ = _e55;
 }
 
-SunSide sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half_, float top_excess_1, float radius_5) {
-    SunSide s_2 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    s_2.nu = dot(dir_1, sun_1);
-    float _e11 = s_2.nu;
-    float same = ((_e11 >= 0.0) ? 1.0 : -1.0);
+void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half_, float top_excess_1, float radius_5, inout float out_sun_r_mu_1, inout float out_nu_1, inout float out_sin2_1, inout float out_shadow_b_1, inout float out_shadow_c_1, inout float out_shadow_half2_1) {
+    float s_sun_r_mu_1 = 0.0;
+    float s_nu_1 = 0.0;
+    float s_sin2_2 = 0.0;
+    float s_shadow_b_2 = 0.0;
+    float s_shadow_c_2 = 0.0;
+    float s_shadow_half2_1 = 0.0;
+    s_nu_1 = dot(dir_1, sun_1);
+    float _e15 = s_nu_1;
+    float same = ((_e15 >= 0.0) ? 1.0 : -1.0);
     vec3 apart_4 = (dir_1 - (same * sun_1));
     vec3 side_1 = cross(apart_4, sun_1);
-    s_2.sin2_ = dot(side_1, side_1);
-    vec3 perigee_4 = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
-    float there = (-(same) * dot(perigee_4, apart_4));
+    s_sin2_2 = dot(side_1, side_1);
+    vec3 perigee_3 = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
+    float there = (-(same) * dot(perigee_3, apart_4));
     float here = (r_2 * sun_1.z);
-    float _e38 = s_2.nu;
-    float _e44 = s_2.nu;
-    bool nearer = ((abs(here) + (start * abs(_e38))) < (abs(there) + (half_ * abs(_e44))));
-    float _e51 = s_2.nu;
-    float _e55 = s_2.nu;
-    s_2.sun_r_mu = (nearer ? (here + (start * _e55)) : (there - (half_ * _e51)));
-    vec3 perigee_side = cross(perigee_4, sun_1);
-    float _e63 = s_2.sin2_;
-    s_2.shadow_b = (dot(perigee_side, side_1) - (half_ * _e63));
+    float _e41 = s_nu_1;
+    float _e47 = s_nu_1;
+    bool nearer = ((abs(here) + (start * abs(_e41))) < (abs(there) + (half_ * abs(_e47))));
+    float _e53 = s_nu_1;
+    float _e56 = s_nu_1;
+    s_sun_r_mu_1 = (nearer ? (here + (start * _e56)) : (there - (half_ * _e53)));
+    vec3 perigee_side = cross(perigee_3, sun_1);
+    float _e62 = s_sin2_2;
+    s_shadow_b_2 = (dot(perigee_side, side_1) - (half_ * _e62));
     float q_1 = length((perigee_side - (half_ * side_1)));
-    float _e71 = s_2.sun_r_mu;
-    float _e73 = half_chord2_(_e71, top_excess_1, (radius_5 - q_1), q_1);
-    s_2.shadow_c = -(_e73);
-    SunSide _e76 = s_2;
-    float _e78 = shadow_half2_(_e76, side_1.z, r_2, radius_5);
-    s_2.shadow_half2_ = _e78;
-    SunSide _e79 = s_2;
-    return _e79;
+    float _e68 = s_sun_r_mu_1;
+    float _e72 = half_chord2_(_e68, top_excess_1, (radius_5 - q_1), q_1);
+    s_shadow_c_2 = -(_e72);
+    float _e74 = s_sin2_2;
+    float _e75 = s_shadow_b_2;
+    float _e76 = s_shadow_c_2;
+    float _e78 = shadow_half2_(_e74, _e75, _e76, side_1.z, r_2, radius_5);
+    s_shadow_half2_1 = _e78;
+    float _e79 = s_sun_r_mu_1;
+    float _e80 = s_nu_1;
+    float _e81 = s_sin2_2;
+    float _e82 = s_shadow_b_2;
+    float _e83 = s_shadow_c_2;
+    float _e84 = s_shadow_half2_1;
+    out_sun_r_mu_1 = _e79;
+    out_nu_1 = _e80;
+    out_sin2_1 = _e81;
+    out_shadow_b_1 = _e82;
+    out_shadow_c_1 = _e83;
+    out_shadow_half2_1 = _e84;
 }
 
-Line line_past(vec3 dir_2, float h_1, float radius_6) {
-    bool local = false;
+void line_past(vec3 dir_2, float h_1, float radius_6, inout float out_r_mu, inout float out_perigee_excess, inout bool out_ground) {
+    bool unnamed = false;
     float r_3 = (radius_6 + h_1);
     float r_mu_7 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
-    float _e11 = excess_of(h_1, radius_6);
-    float _e13 = half_chord2_(r_mu_7, _e11, (radius_6 - p_2), p_2);
+    float _e14 = excess_of(h_1, radius_6);
+    float _e16 = half_chord2_(r_mu_7, _e14, (radius_6 - p_2), p_2);
     if ((r_mu_7 < 0.0)) {
-        local = (_e13 >= 0.0);
+        unnamed = (_e16 >= 0.0);
     } else {
-        local = false;
+        unnamed = false;
     }
-    bool _e22 = local;
-    return Line(r_mu_7, p_2, -(_e13), _e22);
+    bool _e25 = unnamed;
+    out_r_mu = r_mu_7;
+    out_perigee_excess = -(_e16);
+    out_ground = _e25;
 }
 
-float top_half_chord2_(Line line, float h_2, float radius_7, float thickness) {
-    float r_mu2_ = (line.r_mu * line.r_mu);
-    float _e7 = excess_of(thickness, radius_7);
+float top_half_chord2_(float line_r_mu, float line_perigee_excess, float h_2, float radius_7, float thickness) {
+    float r_mu2_ = (line_r_mu * line_r_mu);
+    float _e5 = excess_of(thickness, radius_7);
     float above_1 = ((h_2 - thickness) * (((2.0 * radius_7) + thickness) + h_2));
-    return ((r_mu2_ < _e7) ? (r_mu2_ - above_1) : (_e7 - line.perigee_excess));
+    return ((r_mu2_ < _e5) ? (r_mu2_ - above_1) : (_e5 - line_perigee_excess));
 }
 
 float distance_to_ground(float excess_4, float r_mu_3, float root) {
     return min((excess_4 / (root - r_mu_3)), -(r_mu_3));
 }
 
-AirPath air_path(Line line_1, float h_3, float radius_8, float thickness_1) {
-    bool local_1 = false;
-    float _e4 = excess_of(thickness_1, radius_8);
-    float ground_root = sqrt(max(-(line_1.perigee_excess), 0.0));
+void air_path(float line_r_mu_1, float line_perigee_excess_1, bool line_ground, float h_3, float radius_8, float thickness_1, inout float out_start, inout float out_length, inout float out_excess, inout float out_r_mu_1) {
+    bool unnamed_1 = false;
+    float _e6 = excess_of(thickness_1, radius_8);
+    float ground_root = sqrt(max(-(line_perigee_excess_1), 0.0));
     if ((h_3 <= thickness_1)) {
-        float _e11 = excess_of(h_3, radius_8);
-        float _e13 = distance_to_top(_e11, line_1.r_mu, _e4);
-        float _e15 = distance_to_ground(_e11, line_1.r_mu, ground_root);
-        return AirPath(0.0, (line_1.ground ? _e15 : _e13), _e11, line_1.r_mu);
+        float _e16 = excess_of(h_3, radius_8);
+        float _e17 = distance_to_top(_e16, line_r_mu_1, _e6);
+        float _e18 = distance_to_ground(_e16, line_r_mu_1, ground_root);
+        out_start = 0.0;
+        out_length = (line_ground ? _e18 : _e17);
+        out_excess = _e16;
+        out_r_mu_1 = line_r_mu_1;
+        return;
     }
     float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_8) + thickness_1) + h_3));
-    float _e27 = top_half_chord2_(line_1, h_3, radius_8, thickness_1);
-    if (!((line_1.r_mu >= 0.0))) {
-        local_1 = (_e27 <= 0.0);
+    float _e27 = top_half_chord2_(line_r_mu_1, line_perigee_excess_1, h_3, radius_8, thickness_1);
+    if (!((line_r_mu_1 >= 0.0))) {
+        unnamed_1 = (_e27 <= 0.0);
     } else {
-        local_1 = true;
+        unnamed_1 = true;
     }
-    bool _e37 = local_1;
-    if (_e37) {
-        return AirPath(0.0, -1.0, 0.0, 0.0);
+    bool _e36 = unnamed_1;
+    if (_e36) {
+        out_start = 0.0;
+        out_length = -1.0;
+        out_excess = 0.0;
+        out_r_mu_1 = 0.0;
+        return;
     }
     float half_2 = sqrt(_e27);
-    float _e47 = distance_to_ground(_e4, -(half_2), ground_root);
-    float reach = (line_1.ground ? _e47 : (2.0 * half_2));
-    return AirPath((above_2 / (half_2 - line_1.r_mu)), reach, _e4, -(half_2));
+    float _e45 = distance_to_ground(_e6, -(half_2), ground_root);
+    float reach = (line_ground ? _e45 : (2.0 * half_2));
+    out_start = (above_2 / (half_2 - line_r_mu_1));
+    out_length = reach;
+    out_excess = _e6;
+    out_r_mu_1 = -(half_2);
 }
 
-AirRay air_ray(vec3 dir_3, float h_4, float radius_9, float thickness_2, vec3 sun_2) {
-    SunSide s_3 = SunSide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    bool local_2 = false;
-    Line _e5 = line_past(dir_3, h_4, radius_9);
-    AirPath _e6 = air_path(_e5, h_4, radius_9, thickness_2);
+void air_ray(vec3 dir_3, float h_4, float radius_9, float thickness_2, vec3 sun_2, inout float out_start_1, inout float out_length_1, inout float out_excess_1, inout float out_r_mu_2, inout float out_perigee_excess_1, inout float out_sun_r_mu_2, inout float out_nu_2, inout float out_sin2_2, inout float out_shadow_b_2, inout float out_shadow_c_2, inout float out_shadow_half2_2, inout bool out_ground_1) {
+    float s_sun_r_mu_2 = 0.0;
+    float s_nu_2 = 0.0;
+    float s_sin2_3 = 0.0;
+    float s_shadow_b_3 = 0.0;
+    float s_shadow_c_3 = 0.0;
+    float s_shadow_half2_2 = 0.0;
+    bool unnamed_2 = false;
+    float line_r_mu_2 = 0.0;
+    float line_perigee_excess_2 = 0.0;
+    bool line_ground_1 = false;
+    float path_start = 0.0;
+    float path_length = 0.0;
+    float path_excess = 0.0;
+    float path_r_mu = 0.0;
+    float sun_side_inside_sun_r_mu = 0.0;
+    float sun_side_inside_nu = 0.0;
+    float sun_side_inside_sin2_ = 0.0;
+    float sun_side_inside_shadow_b = 0.0;
+    float sun_side_inside_shadow_c = 0.0;
+    float sun_side_inside_shadow_half2_ = 0.0;
+    float sun_side_outside_sun_r_mu = 0.0;
+    float sun_side_outside_nu = 0.0;
+    float sun_side_outside_sin2_ = 0.0;
+    float sun_side_outside_shadow_b = 0.0;
+    float sun_side_outside_shadow_c = 0.0;
+    float sun_side_outside_shadow_half2_ = 0.0;
+    line_past(dir_3, h_4, radius_9, line_r_mu_2, line_perigee_excess_2, line_ground_1);
+    float _e18 = line_r_mu_2;
+    float _e19 = line_perigee_excess_2;
+    bool _e20 = line_ground_1;
+    air_path(_e18, _e19, _e20, h_4, radius_9, thickness_2, path_start, path_length, path_excess, path_r_mu);
+    float _e26 = path_start;
+    float _e27 = path_length;
+    float _e28 = path_excess;
+    float _e29 = path_r_mu;
     if ((h_4 <= thickness_2)) {
-        SunSide _e11 = sun_side_inside(dir_3, sun_2, (radius_9 + h_4), _e6.excess, radius_9);
-        s_3 = _e11;
+        sun_side_inside(dir_3, sun_2, (radius_9 + h_4), _e28, radius_9, sun_side_inside_sun_r_mu, sun_side_inside_nu, sun_side_inside_sin2_, sun_side_inside_shadow_b, sun_side_inside_shadow_c, sun_side_inside_shadow_half2_);
+        float _e39 = sun_side_inside_sun_r_mu;
+        float _e40 = sun_side_inside_nu;
+        float _e41 = sun_side_inside_sin2_;
+        float _e42 = sun_side_inside_shadow_b;
+        float _e43 = sun_side_inside_shadow_c;
+        float _e44 = sun_side_inside_shadow_half2_;
+        s_sun_r_mu_2 = _e39;
+        s_nu_2 = _e40;
+        s_sin2_3 = _e41;
+        s_shadow_b_3 = _e42;
+        s_shadow_c_3 = _e43;
+        s_shadow_half2_2 = _e44;
     } else {
-        if ((_e6.length_ > 0.0)) {
-            SunSide _e20 = sun_side_outside(dir_3, sun_2, (radius_9 + h_4), _e6.start, -(_e6.r_mu), _e6.excess, radius_9);
-            s_3 = _e20;
+        if ((_e27 > 0.0)) {
+            sun_side_outside(dir_3, sun_2, (radius_9 + h_4), _e26, -(_e29), _e28, radius_9, sun_side_outside_sun_r_mu, sun_side_outside_nu, sun_side_outside_sin2_, sun_side_outside_shadow_b, sun_side_outside_shadow_c, sun_side_outside_shadow_half2_);
+            float _e61 = sun_side_outside_sun_r_mu;
+            float _e62 = sun_side_outside_nu;
+            float _e63 = sun_side_outside_sin2_;
+            float _e64 = sun_side_outside_shadow_b;
+            float _e65 = sun_side_outside_shadow_c;
+            float _e66 = sun_side_outside_shadow_half2_;
+            s_sun_r_mu_2 = _e61;
+            s_nu_2 = _e62;
+            s_sin2_3 = _e63;
+            s_shadow_b_3 = _e64;
+            s_shadow_c_3 = _e65;
+            s_shadow_half2_2 = _e66;
         } else {
-            s_3.nu = dot(dir_3, sun_2);
+            s_nu_2 = dot(dir_3, sun_2);
         }
     }
-    if (_e5.ground) {
-        local_2 = (_e6.length_ >= 0.0);
+    if (_e20) {
+        unnamed_2 = (_e27 >= 0.0);
     } else {
-        local_2 = false;
+        unnamed_2 = false;
     }
-    bool ground = local_2;
-    float _e37 = s_3.sun_r_mu;
-    float _e39 = s_3.nu;
-    float _e41 = s_3.sin2_;
-    float _e43 = s_3.shadow_b;
-    float _e45 = s_3.shadow_c;
-    float _e47 = s_3.shadow_half2_;
-    return AirRay(_e6.start, _e6.length_, _e6.excess, _e6.r_mu, _e5.perigee_excess, _e37, _e39, _e41, _e43, _e45, _e47, ground);
+    bool ground = unnamed_2;
+    float _e74 = s_sun_r_mu_2;
+    float _e75 = s_nu_2;
+    float _e76 = s_sin2_3;
+    float _e77 = s_shadow_b_3;
+    float _e78 = s_shadow_c_3;
+    float _e79 = s_shadow_half2_2;
+    out_start_1 = _e26;
+    out_length_1 = _e27;
+    out_excess_1 = _e28;
+    out_r_mu_2 = _e29;
+    out_perigee_excess_1 = _e19;
+    out_sun_r_mu_2 = _e74;
+    out_nu_2 = _e75;
+    out_sin2_2 = _e76;
+    out_shadow_b_2 = _e77;
+    out_shadow_c_2 = _e78;
+    out_shadow_half2_2 = _e79;
+    out_ground_1 = ground;
 }
 
-Perigee perigee_of(AirRay ray, float length_, float radius_10) {
-    bool local_3 = false;
-    if ((ray.r_mu >= 0.0)) {
-        return Perigee(0.0, ray.excess, ray.r_mu);
+void perigee_of(float ray_length_1, float ray_excess_1, float ray_r_mu_1, float ray_perigee_excess_1, bool ray_ground_1, float length_, float radius_10, inout float out_distance, inout float out_excess_2, inout float out_r_mu_3) {
+    bool unnamed_3 = false;
+    if ((ray_r_mu_1 >= 0.0)) {
+        out_distance = 0.0;
+        out_excess_2 = ray_excess_1;
+        out_r_mu_3 = ray_r_mu_1;
+        return;
     }
-    if ((-(ray.r_mu) <= length_)) {
-        return Perigee(-(ray.r_mu), ray.perigee_excess, 0.0);
+    if ((-(ray_r_mu_1) <= length_)) {
+        out_distance = -(ray_r_mu_1);
+        out_excess_2 = ray_perigee_excess_1;
+        out_r_mu_3 = 0.0;
+        return;
     }
-    float r_mu_8 = (ray.r_mu + length_);
-    if (ray.ground) {
-        local_3 = (length_ >= ray.length_);
+    float r_mu_8 = (ray_r_mu_1 + length_);
+    if (ray_ground_1) {
+        unnamed_3 = (length_ >= ray_length_1);
     } else {
-        local_3 = false;
+        unnamed_3 = false;
     }
-    bool _e26 = local_3;
-    if (_e26) {
-        return Perigee(length_, 0.0, r_mu_8);
+    bool _e21 = unnamed_3;
+    if (_e21) {
+        out_distance = length_;
+        out_excess_2 = 0.0;
+        out_r_mu_3 = r_mu_8;
+        return;
     }
-    bool far = ((-(ray.r_mu) * length_) > (radius_10 * radius_10));
-    float near_excess = (ray.excess + (length_ * ((2.0 * ray.r_mu) + length_)));
-    return Perigee(length_, (far ? (ray.perigee_excess + (r_mu_8 * r_mu_8)) : near_excess), r_mu_8);
+    bool far = ((-(ray_r_mu_1) * length_) > (radius_10 * radius_10));
+    float near_excess = (ray_excess_1 + (length_ * ((2.0 * ray_r_mu_1) + length_)));
+    out_distance = length_;
+    out_excess_2 = (far ? (ray_perigee_excess_1 + (r_mu_8 * r_mu_8)) : near_excess);
+    out_r_mu_3 = r_mu_8;
 }
 
 bool hits_planet(vec3 dir_4, float h_5, float radius_11) {
-    Line _e3 = line_past(dir_4, h_5, radius_11);
-    return _e3.ground;
+    float line_past_r_mu = 0.0;
+    float line_past_perigee_excess = 0.0;
+    bool line_past_ground = false;
+    line_past(dir_4, h_5, radius_11, line_past_r_mu, line_past_perigee_excess, line_past_ground);
+    bool _e6 = line_past_ground;
+    return _e6;
 }
 
-vec2 shadow_stretch(AirRay ray_1) {
+vec2 shadow_stretch(float ray_sun_r_mu_1, float ray_nu_1, float ray_sin2_1, float ray_shadow_b_1, float ray_shadow_c_1, float ray_shadow_half2_1) {
     vec2 stretch = vec2(0.0);
     vec2 none = vec2(1.0, 0.0);
-    float a = ray_1.sin2_;
-    float b = ray_1.shadow_b;
-    float c_3 = ray_1.shadow_c;
     stretch = vec2(-(1e30), 1e30);
-    if ((a > 1e-30)) {
-        if ((ray_1.shadow_half2_ <= 0.0)) {
+    if ((ray_sin2_1 > 1e-30)) {
+        if ((ray_shadow_half2_1 <= 0.0)) {
             return none;
         }
-        float q_2 = -((b + (((b >= 0.0) ? 1.0 : -1.0) * sqrt((a * ray_1.shadow_half2_)))));
-        float t0_4 = (q_2 / a);
-        float t1_1 = ((q_2 != 0.0) ? (c_3 / q_2) : t0_4);
+        float q_2 = -((ray_shadow_b_1 + (((ray_shadow_b_1 >= 0.0) ? 1.0 : -1.0) * sqrt((ray_sin2_1 * ray_shadow_half2_1)))));
+        float t0_4 = (q_2 / ray_sin2_1);
+        float t1_1 = ((q_2 != 0.0) ? (ray_shadow_c_1 / q_2) : t0_4);
         stretch = vec2(min(t0_4, t1_1), max(t0_4, t1_1));
     } else {
-        if ((c_3 >= 0.0)) {
+        if ((ray_shadow_c_1 >= 0.0)) {
             return none;
         }
     }
-    if ((abs(ray_1.nu) < 1e-12)) {
-        if ((ray_1.sun_r_mu >= 0.0)) {
+    if ((abs(ray_nu_1) < 1e-12)) {
+        if ((ray_sun_r_mu_1 >= 0.0)) {
             return none;
         }
     } else {
-        float t_2 = (-(ray_1.sun_r_mu) / ray_1.nu);
-        if ((ray_1.nu > 0.0)) {
-            float _e53 = stretch.y;
-            stretch.y = min(_e53, t_2);
+        float t_2 = (-(ray_sun_r_mu_1) / ray_nu_1);
+        if ((ray_nu_1 > 0.0)) {
+            float _e48 = stretch.y;
+            stretch.y = min(_e48, t_2);
         } else {
-            float _e57 = stretch.x;
-            stretch.x = max(_e57, t_2);
+            float _e52 = stretch.x;
+            stretch.x = max(_e52, t_2);
         }
     }
-    vec2 _e59 = stretch;
-    return _e59;
+    vec2 _e54 = stretch;
+    return _e54;
 }
 
-vec4 layers_of(Medium m) {
-    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+vec4 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width) {
+    return vec4(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_center, m_ozone_inv_half_width);
 }
 
-mat3x3 coefficients_of(Medium m_1) {
-    return mat3x3(m_1.rayleigh, m_1.mie_extinction, m_1.ozone);
+mat3x3 coefficients_of(vec3 m_rayleigh, vec3 m_mie_extinction, vec3 m_ozone) {
+    return mat3x3(m_rayleigh, m_mie_extinction, m_ozone);
 }
 
 vec3 densities(vec4 layers, float h_6) {
@@ -435,8 +501,8 @@ vec3 densities(vec4 layers, float h_6) {
 vec3 extinction(mat3x3 coefficients, vec3 d_1) {
     vec3 sum = vec3(0.0);
     if (RAYLEIGH) {
-        vec3 _e6 = sum;
-        sum = (_e6 + (coefficients[0] * d_1.x));
+        vec3 _e4 = sum;
+        sum = (_e4 + (coefficients[0] * d_1.x));
     }
     if (MIE) {
         vec3 _e12 = sum;
@@ -462,32 +528,32 @@ vec3 path_densities(vec4 layers_1, float radius_12, float excess_5, float r_mu_4
     vec3 sum_1 = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
-    float perigee_5 = clamp(-(r_mu_4), 0.0, distance_);
-    float u0_ = -(sqrt(perigee_5));
-    float du = ((sqrt((distance_ - perigee_5)) - u0_) / float(samples));
+    float perigee_4 = clamp(-(r_mu_4), 0.0, distance_);
+    float u0_ = -(sqrt(perigee_4));
+    float du = ((sqrt((distance_ - perigee_4)) - u0_) / float(samples));
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e43 = i;
-            i = (_e43 + 1u);
+            uint _e42 = i;
+            i = (_e42 + 1u);
         }
         loop_init = false;
-        uint _e23 = i;
-        if ((_e23 < samples)) {
+        uint _e18 = i;
+        if ((_e18 < samples)) {
         } else {
             break;
         }
         {
-            uint _e25 = i;
-            float u_2 = (u0_ + (du * float(_e25)));
-            float _e32 = u_to_distance(perigee_5, (u_2 + (0.5 * du)));
-            float _e34 = u_to_distance(perigee_5, (u_2 + du));
-            float _e35 = altitude_after(excess_5, r_mu_4, _e32, radius_12);
-            vec3 _e36 = sum_1;
-            vec3 _e37 = densities(layers_1, _e35);
+            uint _e20 = i;
+            float u_2 = (u0_ + (du * float(_e20)));
+            float _e27 = u_to_distance(perigee_4, (u_2 + (0.5 * du)));
+            float _e29 = u_to_distance(perigee_4, (u_2 + du));
+            float _e32 = altitude_after(excess_5, r_mu_4, _e27, radius_12);
+            vec3 _e34 = sum_1;
+            vec3 _e36 = densities(layers_1, _e32);
             float _e38 = t0_;
-            sum_1 = (_e36 + (_e37 * (_e34 - _e38)));
-            t0_ = _e34;
+            sum_1 = (_e34 + (_e36 * (_e29 - _e38)));
+            t0_ = _e29;
         }
     }
     vec3 _e45 = sum_1;
@@ -516,40 +582,48 @@ vec2 lit_part(vec2 shadow, float perigee_2, float t0_1, float t1_, float mid) {
     return vec2(((t1_ - t0_1) - dark), _e33);
 }
 
-Corner corner(vec2 position_1, ivec2 size_1) {
+void corner(vec2 position_1, ivec2 size_1, inout ivec2 out_first, inout ivec2 out_last, inout vec2 out_between) {
     vec2 inside = clamp(position_1, vec2(0.0), vec2((size_1 - ivec2(1))));
     ivec2 first_1 = min(ivec2(inside), (size_1 - ivec2(1)));
-    return Corner(first_1, min((first_1 + ivec2(1)), (size_1 - ivec2(1))), (inside - vec2(first_1)));
+    out_first = first_1;
+    out_last = min((first_1 + ivec2(1)), (size_1 - ivec2(1)));
+    out_between = (inside - vec2(first_1));
 }
 
-vec4 bilinear(highp sampler2D lut, Corner c, ivec2 origin) {
-    ivec2 first_2 = (c.first + origin);
-    ivec2 last = (c.last + origin);
+vec4 bilinear(highp sampler2D lut, ivec2 c_first, ivec2 c_last, vec2 c_between, ivec2 origin) {
+    ivec2 first_2 = (c_first + origin);
+    ivec2 last = (c_last + origin);
     vec4 _e8 = texelFetch(lut, first_2, 0);
     vec4 _e13 = texelFetch(lut, ivec2(last.x, first_2.y), 0);
-    vec4 bottom = mix(_e8, _e13, c.between.x);
-    vec4 _e21 = texelFetch(lut, ivec2(first_2.x, last.y), 0);
-    vec4 _e23 = texelFetch(lut, last, 0);
-    vec4 top = mix(_e21, _e23, c.between.x);
-    return mix(bottom, top, c.between.y);
+    vec4 bottom = mix(_e8, _e13, c_between.x);
+    vec4 _e20 = texelFetch(lut, ivec2(first_2.x, last.y), 0);
+    vec4 _e22 = texelFetch(lut, last, 0);
+    vec4 top = mix(_e20, _e22, c_between.x);
+    return mix(bottom, top, c_between.y);
 }
 
 vec2 transmittance_uv(float excess_6, float h_7, float r_mu_5, float radius_13, float thickness_3) {
-    float _e5 = excess_of(thickness_3, radius_13);
+    float _e2 = excess_of(thickness_3, radius_13);
     float rho = sqrt(max(excess_6, 0.0));
-    float rho_top = sqrt(_e5);
-    float _e10 = distance_to_top(excess_6, r_mu_5, _e5);
+    float rho_top = sqrt(_e2);
+    float _e9 = distance_to_top(excess_6, r_mu_5, _e2);
     float shortest = max((thickness_3 - h_7), 0.0);
-    return vec2(((_e10 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
+    return vec2(((_e9 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
 }
 
 vec3 optical_path_to_top(highp sampler2D lut_1, float radius_14, float thickness_4, float excess_7, float h_8, float r_mu_6) {
+    ivec2 corner_first = ivec2(0);
+    ivec2 corner_last = ivec2(0);
+    vec2 corner_between = vec2(0.0);
     ivec2 size_2 = ivec2(uvec2(textureSize(lut_1, 0).xy));
     vec2 _e8 = transmittance_uv(excess_7, h_8, r_mu_6, radius_14, thickness_4);
     vec2 position_4 = (_e8 * vec2((size_2 - ivec2(1))));
-    Corner _e14 = corner(position_4, size_2);
-    vec4 _e17 = bilinear(lut_1, _e14, ivec2(0));
-    return exp2(_e17.xyz);
+    corner(position_4, size_2, corner_first, corner_last, corner_between);
+    ivec2 _e17 = corner_first;
+    ivec2 _e18 = corner_last;
+    vec2 _e19 = corner_between;
+    vec4 _e22 = bilinear(lut_1, _e17, _e18, _e19, ivec2(0));
+    return exp2(_e22.xyz);
 }
 
 float altitude_to_v(float steepness, float growth, float h_9, float thickness_5) {
@@ -558,8 +632,8 @@ float altitude_to_v(float steepness, float growth, float h_9, float thickness_5)
     return sqrt((((grown < 0.05) ? series_1 : log((1.0 + grown))) / steepness));
 }
 
-vec4 sun_axis(Luts luts) {
-    return vec4(luts.sun_middle, luts.sun_width, luts.sun_first, luts.sun_span);
+vec4 sun_axis(float luts_sun_middle, float luts_sun_width, float luts_sun_first, float luts_sun_span) {
+    return vec4(luts_sun_middle, luts_sun_width, luts_sun_first, luts_sun_span);
 }
 
 float mu_sun_to_u(vec4 axis, float mu_sun) {
@@ -595,47 +669,72 @@ float harmonic(int index, float mu, float along) {
     }
 }
 
-Source multi_scattering_source(highp sampler2D lut_3, vec2 node, vec3 gas, mat3x3 aerosol, float mu_1, float mu_sun_1, float nu) {
-    Corner c_1 = Corner(ivec2(0), ivec2(0), vec2(0.0));
-    Source source = Source(vec3(0.0), vec3(0.0));
+void multi_scattering_source(highp sampler2D lut_3, vec2 node, vec3 gas, mat3x3 aerosol, float mu_1, float mu_sun_1, float nu, inout vec3 out_gas, inout vec3 out_aerosol) {
+    ivec2 c_first_1 = ivec2(0);
+    ivec2 c_last_1 = ivec2(0);
+    vec2 c_between_1 = vec2(0.0);
+    vec3 source_gas = vec3(0.0);
+    vec3 source_aerosol = vec3(0.0);
+    ivec2 corner_first_1 = ivec2(0);
+    ivec2 corner_last_1 = ivec2(0);
+    vec2 corner_between_1 = vec2(0.0);
     ivec2 dims_1 = ivec2(uvec2(textureSize(lut_3, 0).xy));
-    Corner _e16 = corner(node, ivec2(dims_1.x, ((dims_1.y - 1) / MOMENTS)));
-    c_1 = _e16;
-    int _e20 = c_1.first.y;
-    c_1.first.y = (_e20 * MOMENTS);
-    int _e25 = c_1.last.y;
-    c_1.last.y = (_e25 * MOMENTS);
-    Corner _e28 = c_1;
-    vec4 _e31 = bilinear(lut_3, _e28, ivec2(0));
-    vec3 mean = exp2(_e31.xyz);
+    corner(node, ivec2(dims_1.x, ((dims_1.y - 1) / MOMENTS)), corner_first_1, corner_last_1, corner_between_1);
+    ivec2 _e20 = corner_first_1;
+    ivec2 _e21 = corner_last_1;
+    vec2 _e22 = corner_between_1;
+    c_first_1 = _e20;
+    c_last_1 = _e21;
+    c_between_1 = _e22;
+    int _e27 = c_first_1.y;
+    c_first_1.y = (_e27 * MOMENTS);
+    int _e31 = c_last_1.y;
+    c_last_1.y = (_e31 * MOMENTS);
+    ivec2 _e34 = c_first_1;
+    ivec2 _e35 = c_last_1;
+    vec2 _e36 = c_between_1;
+    vec4 _e39 = bilinear(lut_3, _e34, _e35, _e36, ivec2(0));
+    vec3 mean = exp2(_e39.xyz);
     float sin_sun = sqrt(max(((1.0 - mu_sun_1) * (1.0 + mu_sun_1)), 1e-12));
     float sin_view = sqrt(max(((1.0 - mu_1) * (1.0 + mu_1)), 0.0));
     float along_2 = clamp(((nu - (mu_1 * mu_sun_1)) / sin_sun), -(sin_view), sin_view);
-    Corner _e55 = c_1;
-    vec4 _e59 = bilinear(lut_3, _e55, ivec2(0, 3));
-    float _e62 = harmonic(3, mu_1, along_2);
-    Corner _e64 = c_1;
-    vec4 _e68 = bilinear(lut_3, _e64, ivec2(0, 4));
-    float _e71 = harmonic(4, mu_1, along_2);
-    Corner _e74 = c_1;
-    vec4 _e78 = bilinear(lut_3, _e74, ivec2(0, 5));
-    float _e81 = harmonic(5, mu_1, along_2);
-    vec3 l2_ = (((_e59.xyz * _e62) + (_e68.xyz * _e71)) + (_e78.xyz * _e81));
+    ivec2 _e66 = c_first_1;
+    ivec2 _e67 = c_last_1;
+    vec2 _e68 = c_between_1;
+    vec4 _e72 = bilinear(lut_3, _e66, _e67, _e68, ivec2(0, 3));
+    float _e75 = harmonic(3, mu_1, along_2);
+    ivec2 _e77 = c_first_1;
+    ivec2 _e78 = c_last_1;
+    vec2 _e79 = c_between_1;
+    vec4 _e83 = bilinear(lut_3, _e77, _e78, _e79, ivec2(0, 4));
+    float _e86 = harmonic(4, mu_1, along_2);
+    ivec2 _e89 = c_first_1;
+    ivec2 _e90 = c_last_1;
+    vec2 _e91 = c_between_1;
+    vec4 _e95 = bilinear(lut_3, _e89, _e90, _e91, ivec2(0, 5));
+    float _e98 = harmonic(5, mu_1, along_2);
+    vec3 l2_ = (((_e72.xyz * _e75) + (_e83.xyz * _e86)) + (_e95.xyz * _e98));
     if (RAYLEIGH) {
-        source.gas = ((gas * (vec3(0.2820948) + (0.1 * l2_))) * mean);
+        source_gas = ((gas * (vec3(0.2820948) + (0.1 * l2_))) * mean);
     }
     if (MIE) {
-        Corner _e100 = c_1;
-        vec4 _e104 = bilinear(lut_3, _e100, ivec2(0, 1));
-        float _e107 = harmonic(1, mu_1, along_2);
-        Corner _e109 = c_1;
-        vec4 _e113 = bilinear(lut_3, _e109, ivec2(0, 2));
-        float _e116 = harmonic(2, mu_1, along_2);
-        vec3 l1_ = ((_e104.xyz * _e107) + (_e113.xyz * _e116));
-        source.aerosol = ((((SH0_ * aerosol[0]) + (l1_ * aerosol[1])) + (l2_ * aerosol[2])) * mean);
+        ivec2 _e113 = c_first_1;
+        ivec2 _e114 = c_last_1;
+        vec2 _e115 = c_between_1;
+        vec4 _e119 = bilinear(lut_3, _e113, _e114, _e115, ivec2(0, 1));
+        float _e122 = harmonic(1, mu_1, along_2);
+        ivec2 _e124 = c_first_1;
+        ivec2 _e125 = c_last_1;
+        vec2 _e126 = c_between_1;
+        vec4 _e130 = bilinear(lut_3, _e124, _e125, _e126, ivec2(0, 2));
+        float _e133 = harmonic(2, mu_1, along_2);
+        vec3 l1_ = ((_e119.xyz * _e122) + (_e130.xyz * _e133));
+        source_aerosol = ((((SH0_ * aerosol[0]) + (l1_ * aerosol[1])) + (l2_ * aerosol[2])) * mean);
     }
-    Source _e130 = source;
-    return _e130;
+    vec3 _e147 = source_gas;
+    vec3 _e148 = source_aerosol;
+    out_gas = _e147;
+    out_aerosol = _e148;
 }
 
 vec2 moon_before_sun(float apart, float along_1, float radius_15, float tan_sun_radius) {
@@ -652,21 +751,21 @@ vec2 half_angle(float own, float apart_1, float other) {
 
 float quarter_atan(float y, float x) {
     float q_3 = (min(x, y) / max(max(x, y), 1e-30));
-    float s_6 = (q_3 * q_3);
-    float p_3 = (1.0 + (s_6 * (-0.33333147 + (s_6 * (0.19993551 + (s_6 * (-0.142089 + (s_6 * (0.10656264 + (s_6 * (-0.07528964 + (s_6 * (0.042909615 + (s_6 * (-0.016165737 + (s_6 * 0.0028662258))))))))))))))));
+    float s = (q_3 * q_3);
+    float p_3 = (1.0 + (s * (-0.33333147 + (s * (0.19993551 + (s * (-0.142089 + (s * (0.10656264 + (s * (-0.07528964 + (s * (0.042909615 + (s * (-0.016165737 + (s * 0.0028662258))))))))))))))));
     return ((y > x) ? (1.5707964 - (q_3 * p_3)) : (q_3 * p_3));
 }
 
 float segment(vec2 half_1) {
     float _e3 = quarter_atan(half_1.x, half_1.y);
-    float a_1 = (2.0 * _e3);
-    if ((a_1 < 0.5)) {
-        float y2_ = ((4.0 * a_1) * a_1);
+    float a = (2.0 * _e3);
+    if ((a < 0.5)) {
+        float y2_ = ((4.0 * a) * a);
         float series_2 = (1.0 - ((y2_ * 0.05) * (1.0 - ((y2_ * 0.023809524) * (1.0 - (y2_ * 0.013888889))))));
-        return (((a_1 * y2_) * 0.16666667) * series_2);
+        return (((a * y2_) * 0.16666667) * series_2);
     }
     float sum_2 = dot(half_1, half_1);
-    return (a_1 - ((((2.0 * half_1.x) * half_1.y) * ((half_1.y * half_1.y) - (half_1.x * half_1.x))) / (sum_2 * sum_2)));
+    return (a - ((((2.0 * half_1.x) * half_1.y) * ((half_1.y * half_1.y) - (half_1.x * half_1.x))) / (sum_2 * sum_2)));
 }
 
 float visible_fraction(float moon, float apart_2) {
@@ -708,133 +807,146 @@ float moon_distance_to_u(float moon_1, float apart_3) {
     return (0.25 + (0.75 * sqrt(((apart_3 - inner) / (2.0 * min(moon_1, 1.0))))));
 }
 
-vec3 moon_shadow_visibility(highp sampler2D lut_5, MoonShadow s_4, vec3 position_2, vec3 sun_3) {
+vec3 moon_shadow_visibility(highp sampler2D lut_5, vec3 s_across, float s_along, float s_radius, float s_tan_sun_radius, float s_min_visibility, vec3 position_2, vec3 sun_3) {
     vec3 visible = vec3(0.0);
-    bool local_4 = false;
+    bool unnamed_4 = false;
     float beside = dot(position_2, sun_3);
-    float apart_5 = length((s_4.across - (position_2 - (sun_3 * beside))));
-    vec2 _e14 = moon_before_sun(apart_5, (s_4.along - beside), s_4.radius, s_4.tan_sun_radius);
-    float _e17 = visible_fraction(_e14.x, _e14.y);
-    visible = vec3(_e17);
-    float _e21 = visible.x;
-    if ((_e21 > 0.0)) {
-        float _e27 = visible.x;
-        local_4 = (_e27 < 1.0);
+    float apart_5 = length((s_across - (position_2 - (sun_3 * beside))));
+    vec2 _e13 = moon_before_sun(apart_5, (s_along - beside), s_radius, s_tan_sun_radius);
+    float _e16 = visible_fraction(_e13.x, _e13.y);
+    visible = vec3(_e16);
+    float _e20 = visible.x;
+    if ((_e20 > 0.0)) {
+        float _e24 = visible.x;
+        unnamed_4 = (_e24 < 1.0);
     } else {
-        local_4 = false;
+        unnamed_4 = false;
     }
-    bool _e31 = local_4;
-    if (_e31) {
-        vec3 _e32 = visible;
-        float _e35 = moon_distance_to_u(_e14.x, _e14.y);
-        vec3 _e37 = moon_shadow_lut_row(lut_5, _e35, 1);
-        visible = (_e32 * _e37);
+    bool _e30 = unnamed_4;
+    if (_e30) {
+        vec3 _e31 = visible;
+        float _e34 = moon_distance_to_u(_e13.x, _e13.y);
+        vec3 _e37 = moon_shadow_lut_row(lut_5, _e34, 1);
+        visible = (_e31 * _e37);
     }
     vec3 _e39 = visible;
-    return max(_e39, vec3(s_4.min_visibility));
+    return max(_e39, vec3(s_min_visibility));
 }
 
 vec3 sun_visibility(vec3 dir_5, float distance_1) {
-    MoonShadow _e5 = _group_0_binding_0_fs.moon_shadow;
-    vec3 _e10 = _group_0_binding_0_fs.frame.sun;
-    vec3 _e11 = moon_shadow_visibility(_group_0_binding_1_fs, _e5, (dir_5 * distance_1), _e10);
-    return _e11;
+    vec3 _e3 = _group_0_binding_0_fs.moon_shadow.across;
+    float _e5 = _group_0_binding_0_fs.moon_shadow.along;
+    float _e7 = _group_0_binding_0_fs.moon_shadow.radius;
+    float _e9 = _group_0_binding_0_fs.moon_shadow.tan_sun_radius;
+    float _e11 = _group_0_binding_0_fs.moon_shadow.min_visibility;
+    vec3 _e18 = _group_0_binding_0_fs.frame.sun;
+    vec3 _e20 = moon_shadow_visibility(_group_0_binding_1_fs, _e3, _e5, _e7, _e9, _e11, (dir_5 * distance_1), _e18);
+    return _e20;
 }
 
-vec3 moon_shadow_visibility_around(highp sampler2D lut_6, MoonShadow s_5, vec3 position_3, vec3 sun_4) {
-    float apart_6 = length((s_5.across - (position_3 - (sun_4 * dot(position_3, sun_4)))));
-    vec3 _e13 = moon_shadow_lut_row(lut_6, (apart_6 * s_5.inv_extent), 0);
-    return max(_e13, vec3(s_5.min_visibility));
+vec3 moon_shadow_visibility_around(highp sampler2D lut_6, vec3 s_across_1, float s_min_visibility_1, float s_inv_extent, vec3 position_3, vec3 sun_4) {
+    float apart_6 = length((s_across_1 - (position_3 - (sun_4 * dot(position_3, sun_4)))));
+    vec3 _e13 = moon_shadow_lut_row(lut_6, (apart_6 * s_inv_extent), 0);
+    return max(_e13, vec3(s_min_visibility_1));
 }
 
 vec3 sun_visibility_around(vec3 dir_6, float distance_2) {
-    MoonShadow _e5 = _group_0_binding_0_fs.moon_shadow;
-    vec3 _e10 = _group_0_binding_0_fs.frame.sun;
-    vec3 _e11 = moon_shadow_visibility_around(_group_0_binding_1_fs, _e5, (dir_6 * distance_2), _e10);
-    return _e11;
+    vec3 _e3 = _group_0_binding_0_fs.moon_shadow.across;
+    float _e5 = _group_0_binding_0_fs.moon_shadow.min_visibility;
+    float _e7 = _group_0_binding_0_fs.moon_shadow.inv_extent;
+    vec3 _e14 = _group_0_binding_0_fs.frame.sun;
+    vec3 _e16 = moon_shadow_visibility_around(_group_0_binding_1_fs, _e3, _e5, _e7, (dir_6 * distance_2), _e14);
+    return _e16;
 }
 
-Gathered gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_lut, Medium m_2, Luts luts_1, AirRay ray_2, vec3 dir_7, Perigee perigee_3, float u_from, float u_to, vec3 gas_1, vec3 aerosol_1, float multiple) {
-    Gathered out_ = Gathered(vec3(0.0), vec3(1.0), vec3(0.0));
+void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_lut, vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, float m_ozone_center_1, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_thickness, vec3 luts_mie_extinction, float luts_altitude_steepness, vec3 luts_mie_moment0_, float luts_altitude_growth, vec3 luts_mie_moment1_, float luts_sun_middle_1, vec3 luts_mie_moment2_, float luts_sun_width_1, float luts_sun_first_1, float luts_sun_span_1, uint luts_steps, float ray_start_1, float ray_sun_r_mu_2, float ray_nu_2, float ray_sin2_2, float ray_shadow_b_2, float ray_shadow_c_2, float ray_shadow_half2_2, vec3 dir_7, float perigee_distance, float perigee_excess, float perigee_r_mu, float u_from, float u_to, vec3 gas_1, vec3 aerosol_1, float multiple, inout vec3 out_radiance, inout vec3 out_optical_path) {
+    vec3 out_radiance_1 = vec3(0.0);
+    vec3 out_transmittance = vec3(1.0);
+    vec3 out_optical_path_1 = vec3(0.0);
     float t0_2 = 0.0;
     uint i_1 = 0u;
-    vec3 source_1 = vec3(0.0);
-    vec4 _e12 = layers_of(m_2);
-    mat3x3 coefficients_2 = mat3x3(m_2.rayleigh, luts_1.mie_extinction, m_2.ozone);
-    vec2 _e17 = shadow_stretch(ray_2);
-    vec4 _e18 = sun_axis(luts_1);
-    vec2 _e19 = multi_scattering_span(multi_scattering_lut);
-    mat3x3 moments = mat3x3((m_2.mie_scattering * luts_1.mie_moment0_), (m_2.mie_scattering * luts_1.mie_moment1_), (m_2.mie_scattering * luts_1.mie_moment2_));
-    float nearest = perigee_3.distance_;
-    float du_1 = ((u_to - u_from) / float(luts_1.steps));
-    float _e43 = u_to_distance(nearest, u_from);
-    t0_2 = _e43;
+    vec3 source = vec3(0.0);
+    vec3 before_gas = vec3(0.0);
+    vec3 before_aerosol = vec3(0.0);
+    vec4 _e18 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
+    mat3x3 coefficients_2 = mat3x3(m_rayleigh_1, luts_mie_extinction, m_ozone_1);
+    vec2 _e38 = shadow_stretch(ray_sun_r_mu_2, ray_nu_2, ray_sin2_2, ray_shadow_b_2, ray_shadow_c_2, ray_shadow_half2_2);
+    vec4 _e39 = sun_axis(luts_sun_middle_1, luts_sun_width_1, luts_sun_first_1, luts_sun_span_1);
+    vec2 _e41 = multi_scattering_span(multi_scattering_lut);
+    mat3x3 moments = mat3x3((m_mie_scattering * luts_mie_moment0_), (m_mie_scattering * luts_mie_moment1_), (m_mie_scattering * luts_mie_moment2_));
+    float du_1 = ((u_to - u_from) / float(luts_steps));
+    float _e54 = u_to_distance(perigee_distance, u_from);
+    t0_2 = _e54;
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            uint _e180 = i_1;
-            i_1 = (_e180 + 1u);
+            uint _e171 = i_1;
+            i_1 = (_e171 + 1u);
         }
         loop_init_1 = false;
-        uint _e47 = i_1;
-        if ((_e47 < luts_1.steps)) {
+        uint _e57 = i_1;
+        if ((_e57 < luts_steps)) {
         } else {
             break;
         }
         {
-            uint _e50 = i_1;
-            float u_3 = (u_from + (du_1 * float(_e50)));
-            float _e55 = u_to_distance(nearest, (u_3 + du_1));
-            float _e56 = t0_2;
-            float step_ = (_e55 - _e56);
-            float _e61 = u_to_distance(nearest, (u_3 + (0.5 * du_1)));
-            float _e66 = altitude_after(perigee_3.excess, perigee_3.r_mu, (_e61 - nearest), m_2.radius);
-            vec3 _e67 = densities(_e12, _e66);
-            vec3 _e68 = extinction(coefficients_2, _e67);
-            vec3 tau_1 = (_e68 * step_);
-            vec3 _e71 = out_.transmittance;
-            vec3 _e72 = mean_transmittance(tau_1);
-            vec3 weight = (_e71 * _e72);
-            float _e74 = t0_2;
-            vec2 _e75 = lit_part(_e17, nearest, _e74, _e55, _e61);
-            if ((_e75.x > 0.0)) {
-                float past = (_e75.y - nearest);
-                float lit_excess = max((perigee_3.excess + (past * ((2.0 * perigee_3.r_mu) + past))), 0.0);
-                float _e91 = altitude_of(lit_excess, m_2.radius);
-                vec3 _e92 = densities(_e12, _e91);
-                float sun_r_mu_1 = (ray_2.sun_r_mu + (ray_2.nu * _e75.y));
-                vec3 _e100 = optical_path_to_top(transmittance_lut, m_2.radius, m_2.thickness, lit_excess, _e91, sun_r_mu_1);
-                vec3 _e106 = extinction(coefficients_2, _e100);
-                source_1 = (((gas_1 * _e92.x) + (aerosol_1 * _e92.y)) * exp(-(_e106)));
-                vec3 _e111 = source_1;
-                vec3 _e115 = sun_visibility(dir_7, (ray_2.start + _e75.y));
-                source_1 = (_e111 * _e115);
-                vec3 _e118 = out_.radiance;
-                vec3 _e119 = source_1;
-                out_.radiance = (_e118 + ((weight * _e119) * _e75.x));
+            uint _e59 = i_1;
+            float u_3 = (u_from + (du_1 * float(_e59)));
+            float _e64 = u_to_distance(perigee_distance, (u_3 + du_1));
+            float _e65 = t0_2;
+            float step_ = (_e64 - _e65);
+            float _e70 = u_to_distance(perigee_distance, (u_3 + (0.5 * du_1)));
+            float _e72 = altitude_after(perigee_excess, perigee_r_mu, (_e70 - perigee_distance), m_radius);
+            vec3 _e73 = densities(_e18, _e72);
+            vec3 _e74 = extinction(coefficients_2, _e73);
+            vec3 tau_1 = (_e74 * step_);
+            vec3 _e79 = out_transmittance;
+            vec3 _e80 = mean_transmittance(tau_1);
+            vec3 weight = (_e79 * _e80);
+            float _e82 = t0_2;
+            vec2 _e83 = lit_part(_e38, perigee_distance, _e82, _e64, _e70);
+            if ((_e83.x > 0.0)) {
+                float past = (_e83.y - perigee_distance);
+                float lit_excess = max((perigee_excess + (past * ((2.0 * perigee_r_mu) + past))), 0.0);
+                float _e96 = altitude_of(lit_excess, m_radius);
+                vec3 _e97 = densities(_e18, _e96);
+                float sun_r_mu_1 = (ray_sun_r_mu_2 + (ray_nu_2 * _e83.y));
+                vec3 _e102 = optical_path_to_top(transmittance_lut, m_radius, m_thickness, lit_excess, _e96, sun_r_mu_1);
+                vec3 _e110 = extinction(coefficients_2, _e102);
+                source = (((gas_1 * _e97.x) + (aerosol_1 * _e97.y)) * exp(-(_e110)));
+                vec3 _e115 = source;
+                vec3 _e119 = sun_visibility(dir_7, (ray_start_1 + _e83.y));
+                source = (_e115 * _e119);
+                vec3 _e121 = out_radiance_1;
+                vec3 _e122 = source;
+                out_radiance_1 = (_e121 + ((weight * _e122) * _e83.x));
             }
             if (MULTI_SCATTERING) {
-                float r_4 = (m_2.radius + _e66);
-                float mu_3 = clamp((((perigee_3.r_mu + _e61) - nearest) / r_4), -1.0, 1.0);
-                float mu_sun_2 = clamp(((ray_2.sun_r_mu + (ray_2.nu * _e61)) / r_4), -1.0, 1.0);
-                float _e145 = altitude_to_v(luts_1.altitude_steepness, luts_1.altitude_growth, _e66, m_2.thickness);
-                float _e146 = mu_sun_to_u(_e18, mu_sun_2);
-                vec2 node_1 = (vec2(_e146, _e145) * _e19);
-                Source _e151 = multi_scattering_source(multi_scattering_lut, node_1, m_2.rayleigh, moments, mu_3, mu_sun_2, ray_2.nu);
-                vec3 _e154 = sun_visibility_around(dir_7, (ray_2.start + _e61));
-                vec3 source_3 = (((_e151.gas * _e154) * _e67.x) + ((_e151.aerosol * _e154) * _e67.y));
-                vec3 _e165 = out_.radiance;
-                out_.radiance = (_e165 + ((weight * (step_ * multiple)) * source_3));
+                float r_4 = (m_radius + _e72);
+                float mu_3 = clamp((((perigee_r_mu + _e70) - perigee_distance) / r_4), -1.0, 1.0);
+                float mu_sun_2 = clamp(((ray_sun_r_mu_2 + (ray_nu_2 * _e70)) / r_4), -1.0, 1.0);
+                float _e141 = altitude_to_v(luts_altitude_steepness, luts_altitude_growth, _e72, m_thickness);
+                float _e142 = mu_sun_to_u(_e39, mu_sun_2);
+                vec2 node_1 = (vec2(_e142, _e141) * _e41);
+                multi_scattering_source(multi_scattering_lut, node_1, m_rayleigh_1, moments, mu_3, mu_sun_2, ray_nu_2, before_gas, before_aerosol);
+                vec3 _e147 = before_gas;
+                vec3 _e148 = before_aerosol;
+                vec3 _e150 = sun_visibility_around(dir_7, (ray_start_1 + _e70));
+                vec3 source_2 = (((_e147 * _e150) * _e73.x) + ((_e148 * _e150) * _e73.y));
+                vec3 _e158 = out_radiance_1;
+                out_radiance_1 = (_e158 + ((weight * (step_ * multiple)) * source_2));
             }
-            vec3 _e171 = out_.transmittance;
-            out_.transmittance = (_e171 * exp(-(tau_1)));
-            vec3 _e176 = out_.optical_path;
-            out_.optical_path = (_e176 + (_e67 * step_));
-            t0_2 = _e55;
+            vec3 _e164 = out_transmittance;
+            out_transmittance = (_e164 * exp(-(tau_1)));
+            vec3 _e168 = out_optical_path_1;
+            out_optical_path_1 = (_e168 + (_e73 * step_));
+            t0_2 = _e64;
         }
     }
-    Gathered _e182 = out_;
-    return _e182;
+    vec3 _e174 = out_radiance_1;
+    vec3 _e175 = out_optical_path_1;
+    out_radiance = _e174;
+    out_optical_path = _e175;
 }
 
 float rayleigh_phase(float mu_2) {
@@ -871,153 +983,242 @@ vec3 mie_phase_between(vec3 dir_8, vec3 sun_5, vec3 asymmetry_1) {
 }
 
 vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_16, float thickness_6, float excess_8, float sun_r_mu, uint samples_1) {
-    float _e7 = excess_of(thickness_6, radius_16);
-    float _e8 = distance_to_top(excess_8, sun_r_mu, _e7);
-    vec3 _e9 = path_densities(layers_2, radius_16, excess_8, sun_r_mu, _e8, samples_1);
-    vec3 _e10 = extinction(coefficients_1, _e9);
+    float _e2 = excess_of(thickness_6, radius_16);
+    float _e5 = distance_to_top(excess_8, sun_r_mu, _e2);
+    vec3 _e8 = path_densities(layers_2, radius_16, excess_8, sun_r_mu, _e5, samples_1);
+    vec3 _e10 = extinction(coefficients_1, _e8);
     return exp(-(_e10));
 }
 
-Scattered single_scattering(Medium m_3, AirRay ray_3, vec3 dir_9, float length_1, float away_3, uint view_samples, uint light_samples) {
+void single_scattering(vec3 m_rayleigh_2, float m_rayleigh_inv_height_2, vec3 m_mie_scattering_1, float m_mie_inv_height_2, vec3 m_mie_extinction_1, float m_ozone_center_2, vec3 m_mie_asymmetry, float m_ozone_inv_half_width_2, vec3 m_ozone_2, float m_radius_1, float m_thickness_1, float ray_start_2, float ray_length_2, float ray_excess_2, float ray_r_mu_2, float ray_perigee_excess_2, float ray_sun_r_mu_3, float ray_nu_3, float ray_sin2_3, float ray_shadow_b_3, float ray_shadow_c_3, float ray_shadow_half2_3, bool ray_ground_2, vec3 dir_9, float length_1, float away_3, uint view_samples, uint light_samples, inout vec3 out_radiance_2, inout vec3 out_transmittance_1) {
     vec3 rayleigh = vec3(0.0);
     vec3 mie = vec3(0.0);
     vec2 shadow_1 = vec2(0.0);
-    Scattered out_1 = Scattered(vec3(0.0), vec3(1.0));
+    vec3 out_radiance_3 = vec3(0.0);
+    vec3 out_transmittance_2 = vec3(1.0);
     float t0_3 = 0.0;
     uint i_2 = 0u;
-    vec3 source_2 = vec3(0.0);
+    vec3 source_1 = vec3(0.0);
+    float perigee_distance_1 = 0.0;
+    float perigee_excess_1 = 0.0;
+    float perigee_r_mu_1 = 0.0;
     if (SUNLIGHT) {
-        vec2 _e17 = shadow_stretch(ray_3);
-        shadow_1 = _e17;
+        vec2 _e27 = shadow_stretch(ray_sun_r_mu_3, ray_nu_3, ray_sin2_3, ray_shadow_b_3, ray_shadow_c_3, ray_shadow_half2_3);
+        shadow_1 = _e27;
         if (RAYLEIGH) {
-            float _e22 = rayleigh_phase((1.0 - away_3));
-            rayleigh = (m_3.rayleigh * _e22);
+            float _e44 = rayleigh_phase((1.0 - away_3));
+            rayleigh = (m_rayleigh_2 * _e44);
         }
         if (MIE) {
-            float toward_3 = ((away_3 > 1.0) ? (ray_3.sin2_ / max(away_3, 1.0)) : (2.0 - away_3));
-            vec3 _e36 = mie_phase(away_3, toward_3, m_3.mie_asymmetry);
-            mie = (m_3.mie_scattering * _e36);
+            float toward_3 = ((away_3 > 1.0) ? (ray_sin2_3 / max(away_3, 1.0)) : (2.0 - away_3));
+            vec3 _e56 = mie_phase(away_3, toward_3, m_mie_asymmetry);
+            mie = (m_mie_scattering_1 * _e56);
         }
     }
-    vec4 _e38 = layers_of(m_3);
-    mat3x3 _e39 = coefficients_of(m_3);
-    Perigee _e41 = perigee_of(ray_3, length_1, m_3.radius);
-    float nearest_1 = _e41.distance_;
-    float u0_1 = -(sqrt(nearest_1));
-    float du_2 = ((sqrt((length_1 - nearest_1)) - u0_1) / float(view_samples));
+    vec4 _e59 = layers_of(m_rayleigh_inv_height_2, m_mie_inv_height_2, m_ozone_center_2, m_ozone_inv_half_width_2);
+    mat3x3 _e60 = coefficients_of(m_rayleigh_2, m_mie_extinction_1, m_ozone_2);
+    perigee_of(ray_length_2, ray_excess_2, ray_r_mu_2, ray_perigee_excess_2, ray_ground_2, length_1, m_radius_1, perigee_distance_1, perigee_excess_1, perigee_r_mu_1);
+    float nearest = perigee_distance_1;
+    float _e66 = perigee_excess_1;
+    float _e67 = perigee_r_mu_1;
+    float u0_1 = -(sqrt(nearest));
+    float du_2 = ((sqrt((length_1 - nearest)) - u0_1) / float(view_samples));
     bool loop_init_2 = true;
     while(true) {
         if (!loop_init_2) {
-            uint _e151 = i_2;
-            i_2 = (_e151 + 1u);
+            uint _e158 = i_2;
+            i_2 = (_e158 + 1u);
         }
         loop_init_2 = false;
-        uint _e60 = i_2;
-        if ((_e60 < view_samples)) {
+        uint _e77 = i_2;
+        if ((_e77 < view_samples)) {
         } else {
             break;
         }
         {
-            uint _e62 = i_2;
-            float u_4 = (u0_1 + (du_2 * float(_e62)));
-            float _e67 = u_to_distance(nearest_1, (u_4 + du_2));
-            float _e71 = u_to_distance(nearest_1, (u_4 + (0.5 * du_2)));
-            float _e76 = altitude_after(_e41.excess, _e41.r_mu, (_e71 - nearest_1), m_3.radius);
-            vec3 _e77 = densities(_e38, _e76);
-            vec3 _e78 = extinction(_e39, _e77);
-            float _e79 = t0_3;
-            vec3 tau_2 = (_e78 * (_e67 - _e79));
+            uint _e79 = i_2;
+            float u_4 = (u0_1 + (du_2 * float(_e79)));
+            float _e84 = u_to_distance(nearest, (u_4 + du_2));
+            float _e88 = u_to_distance(nearest, (u_4 + (0.5 * du_2)));
+            float _e90 = altitude_after(_e66, _e67, (_e88 - nearest), m_radius_1);
+            vec3 _e91 = densities(_e59, _e90);
+            vec3 _e92 = extinction(_e60, _e91);
+            float _e94 = t0_3;
+            vec3 tau_2 = (_e92 * (_e84 - _e94));
             if (SUNLIGHT) {
-                vec2 _e83 = shadow_1;
-                float _e84 = t0_3;
-                vec2 _e85 = lit_part(_e83, nearest_1, _e84, _e67, _e71);
-                if ((_e85.x > 0.0)) {
-                    float past_1 = (_e85.y - nearest_1);
-                    float excess_9 = (_e41.excess + (past_1 * ((2.0 * _e41.r_mu) + past_1)));
-                    float _e99 = altitude_of(excess_9, m_3.radius);
-                    vec3 _e102 = densities(_e38, max(_e99, 0.0));
-                    source_2 = vec3(0.0);
+                vec2 _e98 = shadow_1;
+                float _e99 = t0_3;
+                vec2 _e100 = lit_part(_e98, nearest, _e99, _e84, _e88);
+                if ((_e100.x > 0.0)) {
+                    float past_1 = (_e100.y - nearest);
+                    float excess_9 = (_e66 + (past_1 * ((2.0 * _e67) + past_1)));
+                    float _e111 = altitude_of(excess_9, m_radius_1);
+                    vec3 _e114 = densities(_e59, max(_e111, 0.0));
+                    source_1 = vec3(0.0);
                     if (RAYLEIGH) {
-                        vec3 _e107 = source_2;
-                        vec3 _e108 = rayleigh;
-                        source_2 = (_e107 + (_e108 * _e102.x));
+                        vec3 _e119 = source_1;
+                        vec3 _e120 = rayleigh;
+                        source_1 = (_e119 + (_e120 * _e114.x));
                     }
                     if (MIE) {
-                        vec3 _e113 = source_2;
-                        vec3 _e114 = mie;
-                        source_2 = (_e113 + (_e114 * _e102.y));
+                        vec3 _e125 = source_1;
+                        vec3 _e126 = mie;
+                        source_1 = (_e125 + (_e126 * _e114.y));
                     }
-                    float sun_r_mu_2 = (ray_3.sun_r_mu + (ray_3.nu * _e85.y));
-                    vec3 _e123 = source_2;
-                    vec3 _e126 = sun_transmittance(_e39, _e38, m_3.radius, m_3.thickness, excess_9, sun_r_mu_2, light_samples);
-                    source_2 = (_e123 * _e126);
-                    vec3 _e128 = source_2;
-                    vec3 _e132 = sun_visibility(dir_9, (ray_3.start + _e85.y));
-                    source_2 = (_e128 * _e132);
-                    vec3 _e135 = out_1.radiance;
-                    vec3 _e137 = out_1.transmittance;
-                    vec3 _e138 = mean_transmittance(tau_2);
-                    vec3 _e140 = source_2;
-                    out_1.radiance = (_e135 + (((_e137 * _e138) * _e140) * _e85.x));
+                    float sun_r_mu_2 = (ray_sun_r_mu_3 + (ray_nu_3 * _e100.y));
+                    vec3 _e133 = source_1;
+                    vec3 _e135 = sun_transmittance(_e60, _e59, m_radius_1, m_thickness_1, excess_9, sun_r_mu_2, light_samples);
+                    source_1 = (_e133 * _e135);
+                    vec3 _e137 = source_1;
+                    vec3 _e141 = sun_visibility(dir_9, (ray_start_2 + _e100.y));
+                    source_1 = (_e137 * _e141);
+                    vec3 _e145 = out_radiance_3;
+                    vec3 _e146 = out_transmittance_2;
+                    vec3 _e147 = mean_transmittance(tau_2);
+                    vec3 _e149 = source_1;
+                    out_radiance_3 = (_e145 + (((_e146 * _e147) * _e149) * _e100.x));
                 }
             }
-            vec3 _e146 = out_1.transmittance;
-            out_1.transmittance = (_e146 * exp(-(tau_2)));
-            t0_3 = _e67;
+            vec3 _e154 = out_transmittance_2;
+            out_transmittance_2 = (_e154 * exp(-(tau_2)));
+            t0_3 = _e84;
         }
     }
-    Scattered _e153 = out_1;
-    return _e153;
+    vec3 _e161 = out_radiance_3;
+    vec3 _e162 = out_transmittance_2;
+    out_radiance_2 = _e161;
+    out_transmittance_1 = _e162;
 }
 
-Scattered all_orders(highp sampler2D transmittance_lut_1, highp sampler2D multi_scattering_lut_1, Medium m_4, Luts luts_2, AirRay ray_4, vec3 dir_10, vec3 sun_6, float length_2) {
-    Perigee _e9 = perigee_of(ray_4, length_2, m_4.radius);
-    float _e12 = distance_to_u(_e9.distance_, 0.0);
-    float _e14 = distance_to_u(_e9.distance_, length_2);
-    float _e17 = rayleigh_phase(ray_4.nu);
-    vec3 gas_2 = (m_4.rayleigh * _e17);
-    vec3 _e21 = mie_phase_between(dir_10, sun_6, m_4.mie_asymmetry);
-    vec3 aerosol_2 = (m_4.mie_scattering * _e21);
-    Gathered _e24 = gather(transmittance_lut_1, multi_scattering_lut_1, m_4, luts_2, ray_4, dir_10, _e9, _e12, _e14, gas_2, aerosol_2, 1.0);
-    mat3x3 _e26 = coefficients_of(m_4);
-    vec3 _e28 = extinction(_e26, _e24.optical_path);
-    return Scattered(_e24.radiance, exp(-(_e28)));
+void all_orders(highp sampler2D transmittance_lut_1, highp sampler2D multi_scattering_lut_1, vec3 m_rayleigh_3, float m_rayleigh_inv_height_3, vec3 m_mie_scattering_2, float m_mie_inv_height_3, vec3 m_mie_extinction_2, float m_ozone_center_3, vec3 m_mie_asymmetry_1, float m_ozone_inv_half_width_3, vec3 m_ozone_3, float m_radius_2, float m_thickness_2, vec3 luts_mie_extinction_1, float luts_altitude_steepness_1, vec3 luts_mie_moment0_1, float luts_altitude_growth_1, vec3 luts_mie_moment1_1, float luts_sun_middle_2, vec3 luts_mie_moment2_1, float luts_sun_width_2, float luts_sun_first_2, float luts_sun_span_2, uint luts_steps_1, float ray_start_3, float ray_length_3, float ray_excess_3, float ray_r_mu_3, float ray_perigee_excess_3, float ray_sun_r_mu_4, float ray_nu_4, float ray_sin2_4, float ray_shadow_b_4, float ray_shadow_c_4, float ray_shadow_half2_4, bool ray_ground_3, vec3 dir_10, vec3 sun_6, float length_2, inout vec3 out_radiance_4, inout vec3 out_transmittance_3) {
+    float perigee_distance_2 = 0.0;
+    float perigee_excess_2 = 0.0;
+    float perigee_r_mu_2 = 0.0;
+    vec3 g_radiance = vec3(0.0);
+    vec3 g_optical_path = vec3(0.0);
+    perigee_of(ray_length_3, ray_excess_3, ray_r_mu_3, ray_perigee_excess_3, ray_ground_3, length_2, m_radius_2, perigee_distance_2, perigee_excess_2, perigee_r_mu_2);
+    float _e29 = perigee_distance_2;
+    float _e30 = perigee_excess_2;
+    float _e31 = perigee_r_mu_2;
+    float _e33 = distance_to_u(_e29, 0.0);
+    float _e34 = distance_to_u(_e29, length_2);
+    float _e35 = rayleigh_phase(ray_nu_4);
+    vec3 gas_2 = (m_rayleigh_3 * _e35);
+    vec3 _e39 = mie_phase_between(dir_10, sun_6, m_mie_asymmetry_1);
+    vec3 aerosol_2 = (m_mie_scattering_2 * _e39);
+    gather(transmittance_lut_1, multi_scattering_lut_1, m_rayleigh_3, m_rayleigh_inv_height_3, m_mie_scattering_2, m_mie_inv_height_3, m_ozone_center_3, m_ozone_inv_half_width_3, m_ozone_3, m_radius_2, m_thickness_2, luts_mie_extinction_1, luts_altitude_steepness_1, luts_mie_moment0_1, luts_altitude_growth_1, luts_mie_moment1_1, luts_sun_middle_2, luts_mie_moment2_1, luts_sun_width_2, luts_sun_first_2, luts_sun_span_2, luts_steps_1, ray_start_3, ray_sun_r_mu_4, ray_nu_4, ray_sin2_4, ray_shadow_b_4, ray_shadow_c_4, ray_shadow_half2_4, dir_10, _e29, _e30, _e31, _e33, _e34, gas_2, aerosol_2, 1.0, g_radiance, g_optical_path);
+    vec3 _e57 = g_radiance;
+    vec3 _e58 = g_optical_path;
+    mat3x3 _e59 = coefficients_of(m_rayleigh_3, m_mie_extinction_2, m_ozone_3);
+    vec3 _e60 = extinction(_e59, _e58);
+    out_radiance_4 = _e57;
+    out_transmittance_3 = exp(-(_e60));
 }
 
-Scattered eclipsed_light(highp sampler2D transmittance_lut_2, highp sampler2D multi_scattering_lut_2, Medium m_5, Luts luts_3, AirRay ray_5, vec3 dir_11, vec3 sun_7, float length_3, uint view_samples_1, uint light_samples_1) {
+void eclipsed_light(highp sampler2D transmittance_lut_2, highp sampler2D multi_scattering_lut_2, vec3 m_rayleigh_4, float m_rayleigh_inv_height_4, vec3 m_mie_scattering_3, float m_mie_inv_height_4, vec3 m_mie_extinction_3, float m_ozone_center_4, vec3 m_mie_asymmetry_2, float m_ozone_inv_half_width_4, vec3 m_ozone_4, float m_radius_3, float m_thickness_3, vec3 luts_mie_extinction_2, float luts_altitude_steepness_2, vec3 luts_mie_moment0_2, float luts_altitude_growth_2, vec3 luts_mie_moment1_2, float luts_sun_middle_3, vec3 luts_mie_moment2_2, float luts_sun_width_3, float luts_sun_first_3, float luts_sun_span_3, uint luts_steps_2, float ray_start_4, float ray_length_4, float ray_excess_4, float ray_r_mu_4, float ray_perigee_excess_4, float ray_sun_r_mu_5, float ray_nu_5, float ray_sin2_5, float ray_shadow_b_5, float ray_shadow_c_5, float ray_shadow_half2_5, bool ray_ground_4, vec3 dir_11, vec3 sun_7, float length_3, uint view_samples_1, uint light_samples_1, inout vec3 out_radiance_5, inout vec3 out_transmittance_4) {
+    vec3 all_orders_radiance = vec3(0.0);
+    vec3 all_orders_transmittance = vec3(0.0);
+    vec3 single_scattering_radiance = vec3(0.0);
+    vec3 single_scattering_transmittance = vec3(0.0);
     if (MULTI_SCATTERING) {
-        Scattered _e11 = all_orders(transmittance_lut_2, multi_scattering_lut_2, m_5, luts_3, ray_5, dir_11, sun_7, length_3);
-        return _e11;
+        all_orders(transmittance_lut_2, multi_scattering_lut_2, m_rayleigh_4, m_rayleigh_inv_height_4, m_mie_scattering_3, m_mie_inv_height_4, m_mie_extinction_3, m_ozone_center_4, m_mie_asymmetry_2, m_ozone_inv_half_width_4, m_ozone_4, m_radius_3, m_thickness_3, luts_mie_extinction_2, luts_altitude_steepness_2, luts_mie_moment0_2, luts_altitude_growth_2, luts_mie_moment1_2, luts_sun_middle_3, luts_mie_moment2_2, luts_sun_width_3, luts_sun_first_3, luts_sun_span_3, luts_steps_2, ray_start_4, ray_length_4, ray_excess_4, ray_r_mu_4, ray_perigee_excess_4, ray_sun_r_mu_5, ray_nu_5, ray_sin2_5, ray_shadow_b_5, ray_shadow_c_5, ray_shadow_half2_5, ray_ground_4, dir_11, sun_7, length_3, all_orders_radiance, all_orders_transmittance);
+        vec3 _e44 = all_orders_radiance;
+        vec3 _e45 = all_orders_transmittance;
+        out_radiance_5 = _e44;
+        out_transmittance_4 = _e45;
+        return;
     } else {
         vec3 offset = (dir_11 - sun_7);
-        Scattered _e16 = single_scattering(m_5, ray_5, dir_11, length_3, (0.5 * dot(offset, offset)), view_samples_1, light_samples_1);
-        return _e16;
+        single_scattering(m_rayleigh_4, m_rayleigh_inv_height_4, m_mie_scattering_3, m_mie_inv_height_4, m_mie_extinction_3, m_ozone_center_4, m_mie_asymmetry_2, m_ozone_inv_half_width_4, m_ozone_4, m_radius_3, m_thickness_3, ray_start_4, ray_length_4, ray_excess_4, ray_r_mu_4, ray_perigee_excess_4, ray_sun_r_mu_5, ray_nu_5, ray_sin2_5, ray_shadow_b_5, ray_shadow_c_5, ray_shadow_half2_5, ray_ground_4, dir_11, length_3, (0.5 * dot(offset, offset)), view_samples_1, light_samples_1, single_scattering_radiance, single_scattering_transmittance);
+        vec3 _e54 = single_scattering_radiance;
+        vec3 _e55 = single_scattering_transmittance;
+        out_radiance_5 = _e54;
+        out_transmittance_4 = _e55;
+        return;
     }
 }
 
 void main() {
     vec4 position = gl_FragCoord;
-    Frame f = _group_0_binding_0_fs.frame;
-    Medium m_6 = f.medium;
-    vec3 _e10 = pixel_ray(position.xy, f.size, f.ray_forward, f.ray_right, f.ray_up);
-    vec3 dir_12 = normalize(_e10);
-    bool _e14 = hits_planet(dir_12, f.altitude, m_6.radius);
-    if (_e14) {
-        if ((f.reduced == 0u)) {
+    float ray_start = 0.0;
+    float ray_length = 0.0;
+    float ray_excess = 0.0;
+    float ray_r_mu = 0.0;
+    float ray_perigee_excess = 0.0;
+    float ray_sun_r_mu = 0.0;
+    float ray_nu = 0.0;
+    float ray_sin2_ = 0.0;
+    float ray_shadow_b = 0.0;
+    float ray_shadow_c = 0.0;
+    float ray_shadow_half2_ = 0.0;
+    bool ray_ground = false;
+    vec3 s_radiance = vec3(0.0);
+    vec3 s_transmittance = vec3(0.0);
+    vec3 f_medium_rayleigh = _group_0_binding_0_fs.frame.medium.rayleigh;
+    float f_medium_rayleigh_inv_height = _group_0_binding_0_fs.frame.medium.rayleigh_inv_height;
+    vec3 f_medium_mie_scattering = _group_0_binding_0_fs.frame.medium.mie_scattering;
+    float f_medium_mie_inv_height = _group_0_binding_0_fs.frame.medium.mie_inv_height;
+    vec3 f_medium_mie_extinction = _group_0_binding_0_fs.frame.medium.mie_extinction;
+    float f_medium_ozone_center = _group_0_binding_0_fs.frame.medium.ozone_center;
+    vec3 f_medium_mie_asymmetry = _group_0_binding_0_fs.frame.medium.mie_asymmetry;
+    float f_medium_ozone_inv_half_width = _group_0_binding_0_fs.frame.medium.ozone_inv_half_width;
+    vec3 f_medium_ozone = _group_0_binding_0_fs.frame.medium.ozone;
+    float f_medium_radius = _group_0_binding_0_fs.frame.medium.radius;
+    vec3 f_medium_irradiance = _group_0_binding_0_fs.frame.medium.irradiance;
+    float f_medium_thickness = _group_0_binding_0_fs.frame.medium.thickness;
+    vec3 f_ray_forward = _group_0_binding_0_fs.frame.ray_forward;
+    float f_altitude = _group_0_binding_0_fs.frame.altitude;
+    vec3 f_ray_right = _group_0_binding_0_fs.frame.ray_right;
+    float f_sky_weight = _group_0_binding_0_fs.frame.sky_weight;
+    vec3 f_ray_up = _group_0_binding_0_fs.frame.ray_up;
+    vec3 f_sun = _group_0_binding_0_fs.frame.sun;
+    vec2 f_size = _group_0_binding_0_fs.frame.size;
+    uint f_view_samples = _group_0_binding_0_fs.frame.view_samples;
+    uint f_light_samples = _group_0_binding_0_fs.frame.light_samples;
+    uint f_reduced = _group_0_binding_0_fs.frame.reduced;
+    vec3 _e49 = pixel_ray(position.xy, f_size, f_ray_forward, f_ray_right, f_ray_up);
+    vec3 dir_12 = normalize(_e49);
+    bool _e51 = hits_planet(dir_12, f_altitude, f_medium_radius);
+    if (_e51) {
+        if ((f_reduced == 0u)) {
             discard;
         }
         _fs2p_location0 = vec4(0.0, 0.0, 0.0, -1.0);
         return;
     }
-    AirRay _e27 = air_ray(dir_12, f.altitude, m_6.radius, m_6.thickness, f.sun);
-    if ((_e27.length_ <= 0.0)) {
+    air_ray(dir_12, f_altitude, f_medium_radius, f_medium_thickness, f_sun, ray_start, ray_length, ray_excess, ray_r_mu, ray_perigee_excess, ray_sun_r_mu, ray_nu, ray_sin2_, ray_shadow_b, ray_shadow_c, ray_shadow_half2_, ray_ground);
+    float _e71 = ray_start;
+    float _e72 = ray_length;
+    float _e73 = ray_excess;
+    float _e74 = ray_r_mu;
+    float _e75 = ray_perigee_excess;
+    float _e76 = ray_sun_r_mu;
+    float _e77 = ray_nu;
+    float _e78 = ray_sin2_;
+    float _e79 = ray_shadow_b;
+    float _e80 = ray_shadow_c;
+    float _e81 = ray_shadow_half2_;
+    bool _e82 = ray_ground;
+    if ((_e72 <= 0.0)) {
         _fs2p_location0 = vec4(0.0);
         return;
     }
-    Luts _e37 = _group_0_binding_0_fs.luts;
-    Scattered _e42 = eclipsed_light(_group_0_binding_2_fs, _group_0_binding_3_fs, m_6, _e37, _e27, dir_12, f.sun, _e27.length_, f.view_samples, f.light_samples);
-    vec4 _e49 = veil(((_e42.radiance * f.sky_weight) * m_6.irradiance), _e42.transmittance);
-    _fs2p_location0 = _e49;
+    vec3 _e90 = _group_0_binding_0_fs.luts.mie_extinction;
+    float _e92 = _group_0_binding_0_fs.luts.altitude_steepness;
+    vec3 _e94 = _group_0_binding_0_fs.luts.mie_moment0_;
+    float _e96 = _group_0_binding_0_fs.luts.altitude_growth;
+    vec3 _e98 = _group_0_binding_0_fs.luts.mie_moment1_;
+    float _e100 = _group_0_binding_0_fs.luts.sun_middle;
+    vec3 _e102 = _group_0_binding_0_fs.luts.mie_moment2_;
+    float _e104 = _group_0_binding_0_fs.luts.sun_width;
+    float _e106 = _group_0_binding_0_fs.luts.sun_first;
+    float _e108 = _group_0_binding_0_fs.luts.sun_span;
+    uint _e110 = _group_0_binding_0_fs.luts.steps;
+    eclipsed_light(_group_0_binding_2_fs, _group_0_binding_3_fs, f_medium_rayleigh, f_medium_rayleigh_inv_height, f_medium_mie_scattering, f_medium_mie_inv_height, f_medium_mie_extinction, f_medium_ozone_center, f_medium_mie_asymmetry, f_medium_ozone_inv_half_width, f_medium_ozone, f_medium_radius, f_medium_thickness, _e90, _e92, _e94, _e96, _e98, _e100, _e102, _e104, _e106, _e108, _e110, _e71, _e72, _e73, _e74, _e75, _e76, _e77, _e78, _e79, _e80, _e81, _e82, dir_12, f_sun, _e72, f_view_samples, f_light_samples, s_radiance, s_transmittance);
+    vec3 _e115 = s_radiance;
+    vec3 _e116 = s_transmittance;
+    vec4 _e119 = veil(((_e115 * f_sky_weight) * f_medium_irradiance), _e116);
+    _fs2p_location0 = _e119;
     return;
 }
 

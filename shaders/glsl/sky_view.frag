@@ -43,12 +43,6 @@ struct Frame {
     float camera_altitude;
     vec4 sky_view_mapping;
 };
-struct Line {
-    float r_mu;
-    float perigee;
-    float perigee_excess;
-    bool ground;
-};
 struct Luts {
     vec3 mie_extinction;
     float altitude_steepness;
@@ -108,27 +102,30 @@ float half_chord2_(float r_mu, float above, float depth, float p) {
     return (depth * (sphere + p));
 }
 
-Line line_past(vec3 dir, float h_1, float radius_1) {
-    bool local = false;
+void line_past(vec3 dir, float h_1, float radius_1, inout float out_r_mu, inout float out_perigee, inout float out_perigee_excess, inout bool out_ground) {
+    bool unnamed = false;
     float r = (radius_1 + h_1);
     float r_mu_1 = (r * dir.z);
     float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
-    float _e11 = excess_of(h_1, radius_1);
-    float _e13 = half_chord2_(r_mu_1, _e11, (radius_1 - p_1), p_1);
+    float _e15 = excess_of(h_1, radius_1);
+    float _e17 = half_chord2_(r_mu_1, _e15, (radius_1 - p_1), p_1);
     if ((r_mu_1 < 0.0)) {
-        local = (_e13 >= 0.0);
+        unnamed = (_e17 >= 0.0);
     } else {
-        local = false;
+        unnamed = false;
     }
-    bool _e22 = local;
-    return Line(r_mu_1, p_1, -(_e13), _e22);
+    bool _e26 = unnamed;
+    out_r_mu = r_mu_1;
+    out_perigee = p_1;
+    out_perigee_excess = -(_e17);
+    out_ground = _e26;
 }
 
-float top_half_chord2_(Line line, float h_2, float radius_2, float thickness) {
-    float r_mu2_ = (line.r_mu * line.r_mu);
-    float _e7 = excess_of(thickness, radius_2);
+float top_half_chord2_(float line_r_mu_1, float line_perigee_excess_1, float h_2, float radius_2, float thickness) {
+    float r_mu2_ = (line_r_mu_1 * line_r_mu_1);
+    float _e5 = excess_of(thickness, radius_2);
     float above_1 = ((h_2 - thickness) * (((2.0 * radius_2) + thickness) + h_2));
-    return ((r_mu2_ < _e7) ? (r_mu2_ - above_1) : (_e7 - line.perigee_excess));
+    return ((r_mu2_ < _e5) ? (r_mu2_ - above_1) : (_e5 - line_perigee_excess_1));
 }
 
 float crowded(float rest, float s, float s_max) {
@@ -144,22 +141,22 @@ float azimuth_to_u(vec3 dir_1) {
     return (s_1 / (large + small));
 }
 
-float zenith_to_v(Line line_1, float mu, float h_3, float radius_3, float thickness_1, vec4 mapping) {
-    if (line_1.ground) {
-        float cosine_1 = min((sqrt(max(-(line_1.perigee_excess), 0.0)) / radius_3), 1.0);
-        float _e26 = crowded((0.5 * cosine_1), ((line_1.perigee / radius_3) / sqrt((2.0 + (2.0 * cosine_1)))), SQRT_HALF);
-        return _e26;
+float zenith_to_v(float line_r_mu_2, float line_perigee_1, float line_perigee_excess_2, bool line_ground_1, float mu, float h_3, float radius_3, float thickness_1, vec4 mapping) {
+    if (line_ground_1) {
+        float cosine_1 = min((sqrt(max(-(line_perigee_excess_2), 0.0)) / radius_3), 1.0);
+        float _e22 = crowded((0.5 * cosine_1), ((line_perigee_1 / radius_3) / sqrt((2.0 + (2.0 * cosine_1)))), SQRT_HALF);
+        return _e22;
     }
     if ((mu >= 0.0)) {
-        float s_2 = ((line_1.perigee / (radius_3 + h_3)) / sqrt((2.0 + (2.0 * mu))));
-        float _e48 = crowded((0.5 * (mu + mapping.w)), s_2, sqrt((0.5 + (0.5 * mapping.w))));
-        return (mapping.x + (((1.0 - mapping.x) * max((_e48 - mapping.z), 0.0)) / (1.0 - mapping.z)));
+        float s_2 = ((line_perigee_1 / (radius_3 + h_3)) / sqrt((2.0 + (2.0 * mu))));
+        float _e46 = crowded((0.5 * (mu + mapping.w)), s_2, sqrt((0.5 + (0.5 * mapping.w))));
+        return (mapping.x + (((1.0 - mapping.x) * max((_e46 - mapping.z), 0.0)) / (1.0 - mapping.z)));
     }
     float limit = max(min(h_3, thickness_1), 1e-20);
-    float perigee_h = (max(line_1.perigee_excess, 0.0) / (radius_3 + line_1.perigee));
+    float perigee_h = (max(line_perigee_excess_2, 0.0) / (radius_3 + line_perigee_1));
     float part = min((perigee_h / limit), 1.0);
-    float _e78 = top_half_chord2_(line_1, h_3, radius_3, thickness_1);
-    float r_mu2_1 = ((h_3 > thickness_1) ? _e78 : (line_1.r_mu * line_1.r_mu));
+    float _e73 = top_half_chord2_(line_r_mu_2, line_perigee_excess_2, h_3, radius_3, thickness_1);
+    float r_mu2_1 = ((h_3 > thickness_1) ? _e73 : (line_r_mu_2 * line_r_mu_2));
     float y = sqrt(clamp((r_mu2_1 / (limit * (((2.0 * radius_3) + limit) + perigee_h))), 0.0, 1.0));
     return (mapping.x * sqrt(((part * (1.0 + (mapping.y * y))) / (1.0 + y))));
 }
@@ -209,14 +206,33 @@ vec3 mie_phase_between(vec3 dir_2, vec3 sun, vec3 asymmetry_1) {
 void main() {
     vec4 position = gl_FragCoord;
     vec3 light = vec3(0.0);
-    Frame f = _group_0_binding_0_fs.frame;
-    Medium m = f.medium;
-    vec3 _e10 = pixel_ray(position.xy, f.size, f.ray_forward, f.ray_right, f.ray_up);
-    vec3 dir_3 = normalize(_e10);
-    Line _e14 = line_past(dir_3, f.altitude, m.radius);
-    if (_e14.ground) {
+    float line_r_mu = 0.0;
+    float line_perigee = 0.0;
+    float line_perigee_excess = 0.0;
+    bool line_ground = false;
+    vec3 f_medium_mie_asymmetry = _group_0_binding_0_fs.frame.medium.mie_asymmetry;
+    float f_medium_radius = _group_0_binding_0_fs.frame.medium.radius;
+    vec3 f_medium_irradiance = _group_0_binding_0_fs.frame.medium.irradiance;
+    float f_medium_thickness = _group_0_binding_0_fs.frame.medium.thickness;
+    vec3 f_ray_forward = _group_0_binding_0_fs.frame.ray_forward;
+    float f_altitude = _group_0_binding_0_fs.frame.altitude;
+    vec3 f_ray_right = _group_0_binding_0_fs.frame.ray_right;
+    float f_sky_weight = _group_0_binding_0_fs.frame.sky_weight;
+    vec3 f_ray_up = _group_0_binding_0_fs.frame.ray_up;
+    vec3 f_sun = _group_0_binding_0_fs.frame.sun;
+    vec2 f_size = _group_0_binding_0_fs.frame.size;
+    uint f_reduced = _group_0_binding_0_fs.frame.reduced;
+    vec4 f_sky_view_mapping = _group_0_binding_0_fs.frame.sky_view_mapping;
+    vec3 _e31 = pixel_ray(position.xy, f_size, f_ray_forward, f_ray_right, f_ray_up);
+    vec3 dir_3 = normalize(_e31);
+    line_past(dir_3, f_altitude, f_medium_radius, line_r_mu, line_perigee, line_perigee_excess, line_ground);
+    float _e37 = line_r_mu;
+    float _e38 = line_perigee;
+    float _e39 = line_perigee_excess;
+    bool _e40 = line_ground;
+    if (_e40) {
         if (BLEND) {
-            if ((f.reduced == 0u)) {
+            if ((f_reduced == 0u)) {
                 discard;
             }
             _fs2p_location0 = vec4(0.0, 0.0, 0.0, -1.0);
@@ -227,30 +243,30 @@ void main() {
         }
     }
     vec2 size_2 = vec2(uvec2(textureSize(_group_0_binding_1_fs, 0).xy));
-    float _e38 = zenith_to_v(_e14, dir_3.z, f.altitude, m.radius, m.thickness, f.sky_view_mapping);
-    float _e44 = _group_0_binding_0_fs.luts.ground_rows;
-    float _e45 = v_to_row(_e38, false, size_2.y, _e44);
-    float _e46 = azimuth_to_u(dir_3);
-    vec2 _e47 = sky_view_uv(_e46, _e45, size_2);
-    vec4 texel_1 = textureLod(_group_0_binding_1_fs, vec2(_e47), 0.0);
-    vec3 _e53 = decode_light(texel_1.xyz);
-    light = _e53;
+    float _e58 = zenith_to_v(_e37, _e38, _e39, _e40, dir_3.z, f_altitude, f_medium_radius, f_medium_thickness, f_sky_view_mapping);
+    float _e63 = _group_0_binding_0_fs.luts.ground_rows;
+    float _e65 = v_to_row(_e58, false, size_2.y, _e63);
+    float _e66 = azimuth_to_u(dir_3);
+    vec2 _e67 = sky_view_uv(_e66, _e65, size_2);
+    vec4 texel_1 = textureLod(_group_0_binding_1_fs, vec2(_e67), 0.0);
+    vec3 _e73 = decode_light(texel_1.xyz);
+    light = _e73;
     if (MIE_SINGLE) {
-        vec3 _e56 = light;
-        vec4 _e60 = textureLod(_group_0_binding_2_fs, vec2(_e47), 0.0);
-        vec3 _e62 = decode_light(_e60.xyz);
-        vec3 _e65 = mie_phase_between(dir_3, f.sun, m.mie_asymmetry);
-        light = (_e56 + (_e62 * _e65));
+        vec3 _e76 = light;
+        vec4 _e80 = textureLod(_group_0_binding_2_fs, vec2(_e67), 0.0);
+        vec3 _e82 = decode_light(_e80.xyz);
+        vec3 _e83 = mie_phase_between(dir_3, f_sun, f_medium_mie_asymmetry);
+        light = (_e76 + (_e82 * _e83));
     }
-    vec3 _e68 = light;
-    light = min(((_e68 * f.sky_weight) * m.irradiance), vec3(32000.0));
+    vec3 _e86 = light;
+    light = min(((_e86 * f_sky_weight) * f_medium_irradiance), vec3(32000.0));
     if (BLEND) {
-        vec3 _e77 = light;
-        _fs2p_location0 = vec4(_e77, (1.0 - texel_1.w));
+        vec3 _e93 = light;
+        _fs2p_location0 = vec4(_e93, (1.0 - texel_1.w));
         return;
     } else {
-        vec3 _e82 = light;
-        _fs2p_location0 = vec4(_e82, 1.0);
+        vec3 _e98 = light;
+        _fs2p_location0 = vec4(_e98, 1.0);
         return;
     }
 }

@@ -43,18 +43,6 @@ struct Frame {
     float camera_altitude;
     vec4 sky_view_mapping;
 };
-struct Line {
-    float r_mu;
-    float perigee;
-    float perigee_excess;
-    bool ground;
-};
-struct AirPath {
-    float start;
-    float length_;
-    float excess;
-    float r_mu;
-};
 struct Uniforms {
     Frame frame;
     vec4 rectangle;
@@ -114,66 +102,75 @@ float half_chord2_(float r_mu_2, float above, float depth, float p) {
     return (depth * (sphere + p));
 }
 
-Line line_past(vec3 dir, float h_1, float radius_3) {
-    bool local_1 = false;
+void line_past(vec3 dir, float h_1, float radius_3, inout float out_r_mu, inout float out_perigee_excess, inout bool out_ground) {
+    bool unnamed_1 = false;
     float r_1 = (radius_3 + h_1);
     float r_mu_5 = (r_1 * dir.z);
     float p_1 = (r_1 * sqrt(dot(dir.xy, dir.xy)));
-    float _e11 = excess_of(h_1, radius_3);
-    float _e13 = half_chord2_(r_mu_5, _e11, (radius_3 - p_1), p_1);
+    float _e14 = excess_of(h_1, radius_3);
+    float _e16 = half_chord2_(r_mu_5, _e14, (radius_3 - p_1), p_1);
     if ((r_mu_5 < 0.0)) {
-        local_1 = (_e13 >= 0.0);
+        unnamed_1 = (_e16 >= 0.0);
     } else {
-        local_1 = false;
+        unnamed_1 = false;
     }
-    bool _e22 = local_1;
-    return Line(r_mu_5, p_1, -(_e13), _e22);
+    bool _e25 = unnamed_1;
+    out_r_mu = r_mu_5;
+    out_perigee_excess = -(_e16);
+    out_ground = _e25;
 }
 
-float top_half_chord2_(Line line, float h_2, float radius_4, float thickness) {
-    float r_mu2_ = (line.r_mu * line.r_mu);
-    float _e7 = excess_of(thickness, radius_4);
+float top_half_chord2_(float line_r_mu_1, float line_perigee_excess_1, float h_2, float radius_4, float thickness) {
+    float r_mu2_ = (line_r_mu_1 * line_r_mu_1);
+    float _e5 = excess_of(thickness, radius_4);
     float above_1 = ((h_2 - thickness) * (((2.0 * radius_4) + thickness) + h_2));
-    return ((r_mu2_ < _e7) ? (r_mu2_ - above_1) : (_e7 - line.perigee_excess));
+    return ((r_mu2_ < _e5) ? (r_mu2_ - above_1) : (_e5 - line_perigee_excess_1));
 }
 
 float distance_to_ground(float excess_3, float r_mu_3, float root) {
     return min((excess_3 / (root - r_mu_3)), -(r_mu_3));
 }
 
-AirPath air_path(Line line_1, float h_3, float radius_5, float thickness_1) {
-    bool local_2 = false;
-    float _e4 = excess_of(thickness_1, radius_5);
-    float ground_root = sqrt(max(-(line_1.perigee_excess), 0.0));
+void air_path(float line_r_mu_2, float line_perigee_excess_2, bool line_ground_1, float h_3, float radius_5, float thickness_1, inout float out_length, inout float out_excess, inout float out_r_mu_1) {
+    bool unnamed_2 = false;
+    float _e5 = excess_of(thickness_1, radius_5);
+    float ground_root = sqrt(max(-(line_perigee_excess_2), 0.0));
     if ((h_3 <= thickness_1)) {
-        float _e11 = excess_of(h_3, radius_5);
-        float _e13 = distance_to_top(_e11, line_1.r_mu, _e4);
-        float _e15 = distance_to_ground(_e11, line_1.r_mu, ground_root);
-        return AirPath(0.0, (line_1.ground ? _e15 : _e13), _e11, line_1.r_mu);
+        float _e15 = excess_of(h_3, radius_5);
+        float _e16 = distance_to_top(_e15, line_r_mu_2, _e5);
+        float _e17 = distance_to_ground(_e15, line_r_mu_2, ground_root);
+        out_length = (line_ground_1 ? _e17 : _e16);
+        out_excess = _e15;
+        out_r_mu_1 = line_r_mu_2;
+        return;
     }
-    float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_5) + thickness_1) + h_3));
-    float _e27 = top_half_chord2_(line_1, h_3, radius_5, thickness_1);
-    if (!((line_1.r_mu >= 0.0))) {
-        local_2 = (_e27 <= 0.0);
+    float _e19 = top_half_chord2_(line_r_mu_2, line_perigee_excess_2, h_3, radius_5, thickness_1);
+    if (!((line_r_mu_2 >= 0.0))) {
+        unnamed_2 = (_e19 <= 0.0);
     } else {
-        local_2 = true;
+        unnamed_2 = true;
     }
-    bool _e37 = local_2;
-    if (_e37) {
-        return AirPath(0.0, -1.0, 0.0, 0.0);
+    bool _e28 = unnamed_2;
+    if (_e28) {
+        out_length = -1.0;
+        out_excess = 0.0;
+        out_r_mu_1 = 0.0;
+        return;
     }
-    float half_1 = sqrt(_e27);
-    float _e47 = distance_to_ground(_e4, -(half_1), ground_root);
-    float reach = (line_1.ground ? _e47 : (2.0 * half_1));
-    return AirPath((above_2 / (half_1 - line_1.r_mu)), reach, _e4, -(half_1));
+    float half_1 = sqrt(_e19);
+    float _e36 = distance_to_ground(_e5, -(half_1), ground_root);
+    float reach = (line_ground_1 ? _e36 : (2.0 * half_1));
+    out_length = reach;
+    out_excess = _e5;
+    out_r_mu_1 = -(half_1);
 }
 
-vec4 layers_of(Medium m) {
-    return vec4(m.rayleigh_inv_height, m.mie_inv_height, m.ozone_center, m.ozone_inv_half_width);
+vec4 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width) {
+    return vec4(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_center, m_ozone_inv_half_width);
 }
 
-mat3x3 coefficients_of(Medium m_1) {
-    return mat3x3(m_1.rayleigh, m_1.mie_extinction, m_1.ozone);
+mat3x3 coefficients_of(vec3 m_rayleigh, vec3 m_mie_extinction, vec3 m_ozone) {
+    return mat3x3(m_rayleigh, m_mie_extinction, m_ozone);
 }
 
 vec3 densities(vec4 layers, float h_4) {
@@ -194,8 +191,8 @@ vec3 densities(vec4 layers, float h_4) {
 vec3 extinction(mat3x3 coefficients, vec3 d_1) {
     vec3 sum = vec3(0.0);
     if (RAYLEIGH) {
-        vec3 _e6 = sum;
-        sum = (_e6 + (coefficients[0] * d_1.x));
+        vec3 _e4 = sum;
+        sum = (_e4 + (coefficients[0] * d_1.x));
     }
     if (MIE) {
         vec3 _e12 = sum;
@@ -223,26 +220,26 @@ vec3 path_densities(vec4 layers_1, float radius_6, float excess_4, float r_mu_4,
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e43 = i;
-            i = (_e43 + 1u);
+            uint _e42 = i;
+            i = (_e42 + 1u);
         }
         loop_init = false;
-        uint _e23 = i;
-        if ((_e23 < samples)) {
+        uint _e18 = i;
+        if ((_e18 < samples)) {
         } else {
             break;
         }
         {
-            uint _e25 = i;
-            float u_1 = (u0_ + (du * float(_e25)));
-            float _e32 = u_to_distance(perigee_1, (u_1 + (0.5 * du)));
-            float _e34 = u_to_distance(perigee_1, (u_1 + du));
-            float _e35 = altitude_after(excess_4, r_mu_4, _e32, radius_6);
-            vec3 _e36 = sum_1;
-            vec3 _e37 = densities(layers_1, _e35);
+            uint _e20 = i;
+            float u_1 = (u0_ + (du * float(_e20)));
+            float _e27 = u_to_distance(perigee_1, (u_1 + (0.5 * du)));
+            float _e29 = u_to_distance(perigee_1, (u_1 + du));
+            float _e32 = altitude_after(excess_4, r_mu_4, _e27, radius_6);
+            vec3 _e34 = sum_1;
+            vec3 _e36 = densities(layers_1, _e32);
             float _e38 = t0_;
-            sum_1 = (_e36 + (_e37 * (_e34 - _e38)));
-            t0_ = _e34;
+            sum_1 = (_e34 + (_e36 * (_e29 - _e38)));
+            t0_ = _e29;
         }
     }
     vec3 _e45 = sum_1;
@@ -257,27 +254,33 @@ float resolved(float chord_1, float pixel_2) {
     return smoothstep(1.0, 4.0, (chord_1 / pixel_2));
 }
 
-vec4 disk_color(vec3 light_1, Line line_2, float altitude, Medium m_2) {
+vec4 disk_color(vec3 light_1, float line_r_mu_3, float line_perigee_excess_3, bool line_ground_2, float altitude, vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, float m_mie_inv_height_1, vec3 m_mie_extinction_1, float m_ozone_center_1, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_thickness) {
     vec3 seen = vec3(0.0);
+    float path_length = 0.0;
+    float path_excess = 0.0;
+    float path_r_mu = 0.0;
     seen = light_1;
     if (AIR) {
-        AirPath _e8 = air_path(line_2, altitude, m_2.radius, m_2.thickness);
-        if ((_e8.length_ > 0.0)) {
-            vec4 _e12 = layers_of(m_2);
-            vec3 _e18 = path_densities(_e12, m_2.radius, _e8.excess, _e8.r_mu, _e8.length_, DISK_STEPS);
-            vec3 _e19 = seen;
-            mat3x3 _e20 = coefficients_of(m_2);
-            vec3 _e21 = extinction(_e20, _e18);
-            seen = (_e19 * exp(-(_e21)));
+        air_path(line_r_mu_3, line_perigee_excess_3, line_ground_2, altitude, m_radius, m_thickness, path_length, path_excess, path_r_mu);
+        float _e19 = path_length;
+        float _e20 = path_excess;
+        float _e21 = path_r_mu;
+        if ((_e19 > 0.0)) {
+            vec4 _e24 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
+            vec3 _e26 = path_densities(_e24, m_radius, _e20, _e21, _e19, DISK_STEPS);
+            vec3 _e27 = seen;
+            mat3x3 _e28 = coefficients_of(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
+            vec3 _e29 = extinction(_e28, _e26);
+            seen = (_e27 * exp(-(_e29)));
         }
     }
-    vec3 _e25 = seen;
-    seen = min(_e25, vec3(32000.0));
-    vec3 _e29 = seen;
-    float _e31 = seen.x;
-    float _e33 = seen.y;
-    float _e35 = seen.z;
-    return vec4(_e29, (max(_e31, max(_e33, _e35)) * 3.125e-5));
+    vec3 _e33 = seen;
+    seen = min(_e33, vec3(32000.0));
+    vec3 _e37 = seen;
+    float _e39 = seen.x;
+    float _e41 = seen.y;
+    float _e43 = seen.z;
+    return vec4(_e37, (max(_e39, max(_e41, _e43)) * 3.125e-5));
 }
 
 vec3 limb_exponents() {
@@ -285,8 +288,8 @@ vec3 limb_exponents() {
 }
 
 vec3 limb_darkening(float r, float half_) {
-    vec3 _e2 = limb_exponents();
-    vec3 power = ((0.5 * _e2) + vec3(1.0));
+    vec3 _e0 = limb_exponents();
+    vec3 power = ((0.5 * _e0) + vec3(1.0));
     float inner = clamp((r - half_), 0.0, 1.0);
     float outer = clamp((r + half_), 0.0, 1.0);
     float area = ((outer - inner) * (outer + inner));
@@ -301,42 +304,65 @@ vec3 limb_darkening(float r, float half_) {
 
 void main() {
     vec4 position = gl_FragCoord;
-    bool local = false;
+    bool unnamed = false;
     vec3 light = vec3(0.0);
-    Frame f = _group_0_binding_0_fs.frame;
-    Medium m_3 = f.medium;
-    vec3 _e10 = pixel_ray(position.xy, f.size, f.ray_forward, f.ray_right, f.ray_up);
-    vec3 dir_1 = normalize(_e10);
-    Line _e14 = line_past(dir_1, f.altitude, m_3.radius);
-    float _e19 = disk_coverage((dir_1 - f.sun), f.sun_chord, f.pixel_angle);
-    if (!(_e14.ground)) {
-        local = (_e19 <= 0.0);
+    float line_r_mu = 0.0;
+    float line_perigee_excess = 0.0;
+    bool line_ground = false;
+    vec3 f_medium_rayleigh = _group_0_binding_0_fs.frame.medium.rayleigh;
+    float f_medium_rayleigh_inv_height = _group_0_binding_0_fs.frame.medium.rayleigh_inv_height;
+    float f_medium_mie_inv_height = _group_0_binding_0_fs.frame.medium.mie_inv_height;
+    vec3 f_medium_mie_extinction = _group_0_binding_0_fs.frame.medium.mie_extinction;
+    float f_medium_ozone_center = _group_0_binding_0_fs.frame.medium.ozone_center;
+    float f_medium_ozone_inv_half_width = _group_0_binding_0_fs.frame.medium.ozone_inv_half_width;
+    vec3 f_medium_ozone = _group_0_binding_0_fs.frame.medium.ozone;
+    float f_medium_radius = _group_0_binding_0_fs.frame.medium.radius;
+    vec3 f_medium_irradiance = _group_0_binding_0_fs.frame.medium.irradiance;
+    float f_medium_thickness = _group_0_binding_0_fs.frame.medium.thickness;
+    vec3 f_ray_forward = _group_0_binding_0_fs.frame.ray_forward;
+    float f_altitude = _group_0_binding_0_fs.frame.altitude;
+    vec3 f_ray_right = _group_0_binding_0_fs.frame.ray_right;
+    vec3 f_ray_up = _group_0_binding_0_fs.frame.ray_up;
+    vec3 f_sun = _group_0_binding_0_fs.frame.sun;
+    float f_sun_chord = _group_0_binding_0_fs.frame.sun_chord;
+    vec2 f_size = _group_0_binding_0_fs.frame.size;
+    float f_sun_disk = _group_0_binding_0_fs.frame.sun_disk;
+    float f_pixel_angle = _group_0_binding_0_fs.frame.pixel_angle;
+    vec3 _e43 = pixel_ray(position.xy, f_size, f_ray_forward, f_ray_right, f_ray_up);
+    vec3 dir_1 = normalize(_e43);
+    line_past(dir_1, f_altitude, f_medium_radius, line_r_mu, line_perigee_excess, line_ground);
+    float _e48 = line_r_mu;
+    float _e49 = line_perigee_excess;
+    bool _e50 = line_ground;
+    float _e52 = disk_coverage((dir_1 - f_sun), f_sun_chord, f_pixel_angle);
+    if (!(_e50)) {
+        unnamed = (_e52 <= 0.0);
     } else {
-        local = true;
+        unnamed = true;
     }
-    bool _e27 = local;
-    if (_e27) {
+    bool _e59 = unnamed;
+    if (_e59) {
         discard;
     }
-    light = (m_3.irradiance * (f.sun_disk * _e19));
+    light = (f_medium_irradiance * (f_sun_disk * _e52));
     if (LIMB_DARKENING) {
-        vec3 _e34 = light;
-        vec3 _e45 = limb_darkening((length((dir_1 - f.sun)) / f.sun_chord), ((0.5 * f.pixel_angle) / f.sun_chord));
-        light = (_e34 * _e45);
+        vec3 _e64 = light;
+        vec3 _e71 = limb_darkening((length((dir_1 - f_sun)) / f_sun_chord), ((0.5 * f_pixel_angle) / f_sun_chord));
+        light = (_e64 * _e71);
     }
     if (MOON) {
-        vec3 _e50 = _group_0_binding_0_fs.moon_direction;
-        float _e54 = _group_0_binding_0_fs.moon_chord;
-        float _e56 = disk_coverage((dir_1 - _e50), _e54, f.pixel_angle);
-        float visible = (1.0 - _e56);
-        vec3 _e59 = light;
-        float _e62 = _group_0_binding_0_fs.sun_visibility;
-        float _e65 = resolved(f.sun_chord, f.pixel_angle);
-        light = (_e59 * mix(_e62, visible, _e65));
+        vec3 _e76 = _group_0_binding_0_fs.moon_direction;
+        float _e80 = _group_0_binding_0_fs.moon_chord;
+        float _e81 = disk_coverage((dir_1 - _e76), _e80, f_pixel_angle);
+        float visible = (1.0 - _e81);
+        vec3 _e84 = light;
+        float _e87 = _group_0_binding_0_fs.sun_visibility;
+        float _e88 = resolved(f_sun_chord, f_pixel_angle);
+        light = (_e84 * mix(_e87, visible, _e88));
     }
-    vec3 _e68 = light;
-    vec4 _e70 = disk_color(_e68, _e14, f.altitude, m_3);
-    _fs2p_location0 = _e70;
+    vec3 _e91 = light;
+    vec4 _e92 = disk_color(_e91, _e48, _e49, _e50, f_altitude, f_medium_rayleigh, f_medium_rayleigh_inv_height, f_medium_mie_inv_height, f_medium_mie_extinction, f_medium_ozone_center, f_medium_ozone_inv_half_width, f_medium_ozone, f_medium_radius, f_medium_thickness);
+    _fs2p_location0 = _e92;
     return;
 }
 

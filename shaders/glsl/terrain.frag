@@ -64,11 +64,6 @@ struct Luts {
     uint slices;
     float aerial_ground_rows;
 };
-struct Corner {
-    ivec2 first;
-    ivec2 last;
-    vec2 between;
-};
 struct MoonShadow {
     vec3 across;
     float along;
@@ -99,16 +94,6 @@ struct Terrain {
     float pad;
     Luts luts;
     MoonShadow moon_shadow;
-};
-struct Varyings {
-    vec4 clip;
-    vec3 position;
-    vec3 light;
-    vec3 surface;
-};
-struct Shaded {
-    vec4 color;
-    float depth;
 };
 const float HALF_MAX = 32000.0;
 const bool RAYLEIGH = true;
@@ -143,33 +128,35 @@ smooth in vec3 _vs2fs_location1;
 smooth in vec3 _vs2fs_location2;
 layout(location = 0) out vec4 _fs2p_location0;
 
-float depth_of(DepthCode c, float z) {
-    if ((c.log_ > 0.0)) {
-        return (log2((1.0 + (z * 1000.0))) / c.log_);
+float depth_of(float c_scale, float c_bias, float c_log, float z) {
+    if ((c_log > 0.0)) {
+        return (log2((1.0 + (z * 1000.0))) / c_log);
     }
-    return (((1.0 / z) - c.bias) / c.scale);
+    return (((1.0 / z) - c_bias) / c_scale);
 }
 
-Corner corner(vec2 position, ivec2 size) {
+void corner(vec2 position, ivec2 size, inout ivec2 out_first, inout ivec2 out_last, inout vec2 out_between) {
     vec2 inside = clamp(position, vec2(0.0), vec2((size - ivec2(1))));
     ivec2 first = min(ivec2(inside), (size - ivec2(1)));
-    return Corner(first, min((first + ivec2(1)), (size - ivec2(1))), (inside - vec2(first)));
+    out_first = first;
+    out_last = min((first + ivec2(1)), (size - ivec2(1)));
+    out_between = (inside - vec2(first));
 }
 
-vec4 bilinear(highp sampler2D lut, Corner c_1, ivec2 origin) {
-    ivec2 first_1 = (c_1.first + origin);
-    ivec2 last = (c_1.last + origin);
+vec4 bilinear(highp sampler2D lut, ivec2 c_first, ivec2 c_last, vec2 c_between, ivec2 origin) {
+    ivec2 first_1 = (c_first + origin);
+    ivec2 last = (c_last + origin);
     vec4 _e8 = texelFetch(lut, first_1, 0);
     vec4 _e13 = texelFetch(lut, ivec2(last.x, first_1.y), 0);
-    vec4 bottom = mix(_e8, _e13, c_1.between.x);
-    vec4 _e21 = texelFetch(lut, ivec2(first_1.x, last.y), 0);
-    vec4 _e23 = texelFetch(lut, last, 0);
-    vec4 top = mix(_e21, _e23, c_1.between.x);
-    return mix(bottom, top, c_1.between.y);
+    vec4 bottom = mix(_e8, _e13, c_between.x);
+    vec4 _e20 = texelFetch(lut, ivec2(first_1.x, last.y), 0);
+    vec4 _e22 = texelFetch(lut, last, 0);
+    vec4 top = mix(_e20, _e22, c_between.x);
+    return mix(bottom, top, c_between.y);
 }
 
-vec4 sun_axis(Luts luts) {
-    return vec4(luts.sun_middle, luts.sun_width, luts.sun_first, luts.sun_span);
+vec4 sun_axis(float luts_sun_middle, float luts_sun_width, float luts_sun_first, float luts_sun_span) {
+    return vec4(luts_sun_middle, luts_sun_width, luts_sun_first, luts_sun_span);
 }
 
 float mu_sun_to_u(vec4 axis, float mu_sun) {
@@ -177,20 +164,26 @@ float mu_sun_to_u(vec4 axis, float mu_sun) {
     return (((sign(y_1) * log((abs(y_1) + sqrt(((y_1 * y_1) + 1.0))))) - axis.z) / axis.w);
 }
 
-vec3 ground_irradiance(highp sampler2D lut_1, Luts luts_1, float mu_sun_1) {
+vec3 ground_irradiance(highp sampler2D lut_1, float luts_sun_middle_1, float luts_sun_width_1, float luts_sun_first_1, float luts_sun_span_1, float mu_sun_1) {
+    ivec2 corner_first = ivec2(0);
+    ivec2 corner_last = ivec2(0);
+    vec2 corner_between = vec2(0.0);
     ivec2 dims = ivec2(uvec2(textureSize(lut_1, 0).xy));
-    vec4 _e5 = sun_axis(luts_1);
-    float _e6 = mu_sun_to_u(_e5, mu_sun_1);
-    vec2 position_3 = vec2((_e6 * float((dims.x - 1))), 0.0);
-    Corner _e17 = corner(position_3, ivec2(dims.x, 1));
-    vec4 _e23 = bilinear(lut_1, _e17, ivec2(0, (dims.y - 1)));
-    return exp2(_e23.xyz);
+    vec4 _e7 = sun_axis(luts_sun_middle_1, luts_sun_width_1, luts_sun_first_1, luts_sun_span_1);
+    float _e9 = mu_sun_to_u(_e7, mu_sun_1);
+    vec2 position_3 = vec2((_e9 * float((dims.x - 1))), 0.0);
+    corner(position_3, ivec2(dims.x, 1), corner_first, corner_last, corner_between);
+    ivec2 _e23 = corner_first;
+    ivec2 _e24 = corner_last;
+    vec2 _e25 = corner_between;
+    vec4 _e31 = bilinear(lut_1, _e23, _e24, _e25, ivec2(0, (dims.y - 1)));
+    return exp2(_e31.xyz);
 }
 
 float quarter_atan(float y, float x) {
     float q = (min(x, y) / max(max(x, y), 1e-30));
-    float s_2 = (q * q);
-    float p = (1.0 + (s_2 * (-0.33333147 + (s_2 * (0.19993551 + (s_2 * (-0.142089 + (s_2 * (0.10656264 + (s_2 * (-0.07528964 + (s_2 * (0.042909615 + (s_2 * (-0.016165737 + (s_2 * 0.0028662258))))))))))))))));
+    float s = (q * q);
+    float p = (1.0 + (s * (-0.33333147 + (s * (0.19993551 + (s * (-0.142089 + (s * (0.10656264 + (s * (-0.07528964 + (s * (0.042909615 + (s * (-0.016165737 + (s * 0.0028662258))))))))))))))));
     return ((y > x) ? (1.5707964 - (q * p)) : (q * p));
 }
 
@@ -257,48 +250,48 @@ float moon_distance_to_u(float moon_1, float apart_3) {
     return (0.25 + (0.75 * sqrt(((apart_3 - inner) / (2.0 * min(moon_1, 1.0))))));
 }
 
-vec3 moon_shadow_visibility(highp sampler2D lut_3, MoonShadow s, vec3 position_1, vec3 sun) {
+vec3 moon_shadow_visibility(highp sampler2D lut_3, vec3 s_across, float s_along, float s_radius, float s_tan_sun_radius, float s_min_visibility, vec3 position_1, vec3 sun) {
     vec3 visible = vec3(0.0);
-    bool local = false;
+    bool unnamed = false;
     float beside = dot(position_1, sun);
-    float apart_4 = length((s.across - (position_1 - (sun * beside))));
-    vec2 _e14 = moon_before_sun(apart_4, (s.along - beside), s.radius, s.tan_sun_radius);
-    float _e17 = visible_fraction(_e14.x, _e14.y);
-    visible = vec3(_e17);
-    float _e21 = visible.x;
-    if ((_e21 > 0.0)) {
-        float _e27 = visible.x;
-        local = (_e27 < 1.0);
+    float apart_4 = length((s_across - (position_1 - (sun * beside))));
+    vec2 _e13 = moon_before_sun(apart_4, (s_along - beside), s_radius, s_tan_sun_radius);
+    float _e16 = visible_fraction(_e13.x, _e13.y);
+    visible = vec3(_e16);
+    float _e20 = visible.x;
+    if ((_e20 > 0.0)) {
+        float _e24 = visible.x;
+        unnamed = (_e24 < 1.0);
     } else {
-        local = false;
+        unnamed = false;
     }
-    bool _e31 = local;
-    if (_e31) {
-        vec3 _e32 = visible;
-        float _e35 = moon_distance_to_u(_e14.x, _e14.y);
-        vec3 _e37 = moon_shadow_lut_row(lut_3, _e35, 1);
-        visible = (_e32 * _e37);
+    bool _e30 = unnamed;
+    if (_e30) {
+        vec3 _e31 = visible;
+        float _e34 = moon_distance_to_u(_e13.x, _e13.y);
+        vec3 _e37 = moon_shadow_lut_row(lut_3, _e34, 1);
+        visible = (_e31 * _e37);
     }
     vec3 _e39 = visible;
-    return max(_e39, vec3(s.min_visibility));
+    return max(_e39, vec3(s_min_visibility));
 }
 
-vec3 moon_shadow_visibility_around(highp sampler2D lut_4, MoonShadow s_1, vec3 position_2, vec3 sun_1) {
-    float apart_5 = length((s_1.across - (position_2 - (sun_1 * dot(position_2, sun_1)))));
-    vec3 _e13 = moon_shadow_lut_row(lut_4, (apart_5 * s_1.inv_extent), 0);
-    return max(_e13, vec3(s_1.min_visibility));
+vec3 moon_shadow_visibility_around(highp sampler2D lut_4, vec3 s_across_1, float s_min_visibility_1, float s_inv_extent, vec3 position_2, vec3 sun_1) {
+    float apart_5 = length((s_across_1 - (position_2 - (sun_1 * dot(position_2, sun_1)))));
+    vec3 _e13 = moon_shadow_lut_row(lut_4, (apart_5 * s_inv_extent), 0);
+    return max(_e13, vec3(s_min_visibility_1));
 }
 
 vec3 ground_albedo(float h, float slope) {
     vec3 albedo = vec3(0.0);
-    float _e4 = _group_0_binding_0_fs.amplitude;
-    float mountain = smoothstep(0.05, 0.6, (h / _e4));
-    vec3 _e11 = _group_0_binding_0_fs.low_albedo;
-    vec3 _e14 = _group_0_binding_0_fs.high_albedo;
-    albedo = mix(_e11, _e14, mountain);
-    vec3 _e19 = _group_0_binding_0_fs.high_albedo;
-    vec3 _e20 = albedo;
-    albedo = mix(_e19, _e20, smoothstep(0.8, 0.95, slope));
+    float _e2 = _group_0_binding_0_fs.amplitude;
+    float mountain = smoothstep(0.05, 0.6, (h / _e2));
+    vec3 _e10 = _group_0_binding_0_fs.low_albedo;
+    vec3 _e13 = _group_0_binding_0_fs.high_albedo;
+    albedo = mix(_e10, _e13, mountain);
+    vec3 _e18 = _group_0_binding_0_fs.high_albedo;
+    vec3 _e19 = albedo;
+    albedo = mix(_e18, _e19, smoothstep(0.8, 0.95, slope));
     vec3 _e25 = albedo;
     float _e30 = _group_0_binding_0_fs.snow_line;
     float _e33 = _group_0_binding_0_fs.snow_line;
@@ -309,41 +302,56 @@ vec3 ground_albedo(float h, float slope) {
 }
 
 void main() {
-    Varyings in_ = Varyings(gl_FragCoord, _vs2fs_location0, _vs2fs_location1, _vs2fs_location2);
+    vec4 in_clip = gl_FragCoord;
+    vec3 in_position = _vs2fs_location0;
+    vec3 in_light = _vs2fs_location1;
+    vec3 in_surface = _vs2fs_location2;
     vec3 light = vec3(0.0);
     vec3 sky = vec3(0.0);
-    Frame f = _group_0_binding_0_fs.frame;
-    light = in_.light;
+    vec3 f_medium_irradiance = _group_0_binding_0_fs.frame.medium.irradiance;
+    vec3 f_sun = _group_0_binding_0_fs.frame.sun;
+    float f_depth_scale = _group_0_binding_0_fs.frame.depth.scale;
+    float f_depth_bias = _group_0_binding_0_fs.frame.depth.bias;
+    float f_depth_log = _group_0_binding_0_fs.frame.depth.log_;
+    light = in_light;
     if (MOON) {
-        vec3 _e7 = light;
-        MoonShadow _e11 = _group_0_binding_0_fs.moon_shadow;
-        vec3 _e14 = moon_shadow_visibility(_group_0_binding_1_fs, _e11, in_.position, f.sun);
-        light = (_e7 * _e14);
+        vec3 _e19 = light;
+        vec3 _e23 = _group_0_binding_0_fs.moon_shadow.across;
+        float _e25 = _group_0_binding_0_fs.moon_shadow.along;
+        float _e27 = _group_0_binding_0_fs.moon_shadow.radius;
+        float _e29 = _group_0_binding_0_fs.moon_shadow.tan_sun_radius;
+        float _e31 = _group_0_binding_0_fs.moon_shadow.min_visibility;
+        vec3 _e33 = moon_shadow_visibility(_group_0_binding_1_fs, _e23, _e25, _e27, _e29, _e31, in_position, f_sun);
+        light = (_e19 * _e33);
     }
     if (SKY_LIGHT) {
-        Luts _e20 = _group_0_binding_0_fs.luts;
-        vec3 _e23 = ground_irradiance(_group_0_binding_2_fs, _e20, in_.surface.z);
-        sky = _e23;
-        vec3 _e25 = sky;
-        sky = (_e25 * (0.5 + (0.5 * in_.surface.y)));
+        float _e39 = _group_0_binding_0_fs.luts.sun_middle;
+        float _e41 = _group_0_binding_0_fs.luts.sun_width;
+        float _e43 = _group_0_binding_0_fs.luts.sun_first;
+        float _e45 = _group_0_binding_0_fs.luts.sun_span;
+        vec3 _e48 = ground_irradiance(_group_0_binding_2_fs, _e39, _e41, _e43, _e45, in_surface.z);
+        sky = _e48;
+        vec3 _e50 = sky;
+        sky = (_e50 * (0.5 + (0.5 * in_surface.y)));
         if (MOON) {
-            vec3 _e34 = sky;
-            MoonShadow _e38 = _group_0_binding_0_fs.moon_shadow;
-            vec3 _e41 = moon_shadow_visibility_around(_group_0_binding_1_fs, _e38, in_.position, f.sun);
-            sky = (_e34 * _e41);
+            vec3 _e58 = sky;
+            vec3 _e62 = _group_0_binding_0_fs.moon_shadow.across;
+            float _e64 = _group_0_binding_0_fs.moon_shadow.min_visibility;
+            float _e66 = _group_0_binding_0_fs.moon_shadow.inv_extent;
+            vec3 _e68 = moon_shadow_visibility_around(_group_0_binding_1_fs, _e62, _e64, _e66, in_position, f_sun);
+            sky = (_e58 * _e68);
         }
-        vec3 _e43 = light;
-        vec3 _e44 = sky;
-        light = (_e43 + _e44);
+        vec3 _e70 = light;
+        vec3 _e71 = sky;
+        light = (_e70 + _e71);
     }
-    vec3 _e50 = ground_albedo(in_.surface.x, in_.surface.y);
-    vec3 _e51 = light;
-    vec3 reflected = (((_e50 * _e51) * f.medium.irradiance) * 0.31830987);
-    vec3 _e62 = _group_0_binding_0_fs.axis;
-    float _e66 = depth_of(f.depth, max(dot(in_.position, _e62), 1e-9));
-    Shaded _tmp_return = Shaded(vec4(min(reflected, vec3(32000.0)), 1.0), clamp(_e66, 0.0, 1.0));
-    _fs2p_location0 = _tmp_return.color;
-    gl_FragDepth = _tmp_return.depth;
+    vec3 _e75 = ground_albedo(in_surface.x, in_surface.y);
+    vec3 _e76 = light;
+    vec3 reflected = (((_e75 * _e76) * f_medium_irradiance) * 0.31830987);
+    vec3 _e83 = _group_0_binding_0_fs.axis;
+    float _e87 = depth_of(f_depth_scale, f_depth_bias, f_depth_log, max(dot(in_position, _e83), 1e-9));
+    _fs2p_location0 = vec4(min(reflected, vec3(32000.0)), 1.0);
+    gl_FragDepth = clamp(_e87, 0.0, 1.0);
     return;
 }
 

@@ -95,18 +95,6 @@ struct Terrain {
     Luts luts;
     MoonShadow moon_shadow;
 };
-struct Varyings {
-    vec4 clip;
-    vec3 position;
-    vec3 light;
-    vec3 surface;
-};
-struct GridPoint {
-    vec3 flat_;
-    float sin_arc;
-    float drop;
-    float spacing;
-};
 const float HALF_MAX = 32000.0;
 const bool RAYLEIGH = true;
 const bool MIE = true;
@@ -157,12 +145,12 @@ float distance_to_top(float excess_2, float r_mu_1, float top_excess) {
     return (root - r_mu_1);
 }
 
-vec4 layers_of(Medium m_1) {
-    return vec4(m_1.rayleigh_inv_height, m_1.mie_inv_height, m_1.ozone_center, m_1.ozone_inv_half_width);
+vec4 layers_of(float m_rayleigh_inv_height_1, float m_mie_inv_height_1, float m_ozone_center_1, float m_ozone_inv_half_width_1) {
+    return vec4(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
 }
 
-mat3x3 coefficients_of(Medium m_2) {
-    return mat3x3(m_2.rayleigh, m_2.mie_extinction, m_2.ozone);
+mat3x3 coefficients_of(vec3 m_rayleigh_1, vec3 m_mie_extinction_1, vec3 m_ozone_1) {
+    return mat3x3(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
 }
 
 vec3 densities(vec4 layers, float h_1) {
@@ -183,8 +171,8 @@ vec3 densities(vec4 layers, float h_1) {
 vec3 extinction(mat3x3 coefficients, vec3 d_1) {
     vec3 sum = vec3(0.0);
     if (RAYLEIGH) {
-        vec3 _e6 = sum;
-        sum = (_e6 + (coefficients[0] * d_1.x));
+        vec3 _e4 = sum;
+        sum = (_e4 + (coefficients[0] * d_1.x));
     }
     if (MIE) {
         vec3 _e12 = sum;
@@ -212,26 +200,26 @@ vec3 path_densities(vec4 layers_1, float radius_3, float excess_3, float r_mu_2,
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e43 = i;
-            i = (_e43 + 1u);
+            uint _e42 = i;
+            i = (_e42 + 1u);
         }
         loop_init = false;
-        uint _e23 = i;
-        if ((_e23 < samples)) {
+        uint _e18 = i;
+        if ((_e18 < samples)) {
         } else {
             break;
         }
         {
-            uint _e25 = i;
-            float u_1 = (u0_ + (du * float(_e25)));
-            float _e32 = u_to_distance(perigee_1, (u_1 + (0.5 * du)));
-            float _e34 = u_to_distance(perigee_1, (u_1 + du));
-            float _e35 = altitude_after(excess_3, r_mu_2, _e32, radius_3);
-            vec3 _e36 = sum_1;
-            vec3 _e37 = densities(layers_1, _e35);
+            uint _e20 = i;
+            float u_1 = (u0_ + (du * float(_e20)));
+            float _e27 = u_to_distance(perigee_1, (u_1 + (0.5 * du)));
+            float _e29 = u_to_distance(perigee_1, (u_1 + du));
+            float _e32 = altitude_after(excess_3, r_mu_2, _e27, radius_3);
+            vec3 _e34 = sum_1;
+            vec3 _e36 = densities(layers_1, _e32);
             float _e38 = t0_;
-            sum_1 = (_e36 + (_e37 * (_e34 - _e38)));
-            t0_ = _e34;
+            sum_1 = (_e34 + (_e36 * (_e29 - _e38)));
+            t0_ = _e29;
         }
     }
     vec3 _e45 = sum_1;
@@ -239,10 +227,10 @@ vec3 path_densities(vec4 layers_1, float radius_3, float excess_3, float r_mu_2,
 }
 
 vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_4, float thickness, float excess_4, float sun_r_mu, uint samples_1) {
-    float _e7 = excess_of(thickness, radius_4);
-    float _e8 = distance_to_top(excess_4, sun_r_mu, _e7);
-    vec3 _e9 = path_densities(layers_2, radius_4, excess_4, sun_r_mu, _e8, samples_1);
-    vec3 _e10 = extinction(coefficients_1, _e9);
+    float _e2 = excess_of(thickness, radius_4);
+    float _e5 = distance_to_top(excess_4, sun_r_mu, _e2);
+    vec3 _e8 = path_densities(layers_2, radius_4, excess_4, sun_r_mu, _e5, samples_1);
+    vec3 _e10 = extinction(coefficients_1, _e8);
     return exp(-(_e10));
 }
 
@@ -308,10 +296,10 @@ vec4 height_field(vec3 n, float amplitude, float rate, float sea, float spacing)
         return vec4(0.0);
     }
     float above = min(rise, 1.0);
-    vec4 _e65 = land;
-    vec3 d_above = ((rise < 1.0) ? (_e65.xyz * 14.0) : vec3(0.0));
-    vec4 _e76 = noise(((n * 9.0) + vec3(29.0)));
-    vec4 belt_noise = (_e76 * vec4(vec3(9.0), 1.0));
+    vec4 _e66 = land;
+    vec3 d_above = ((rise < 1.0) ? (_e66.xyz * 14.0) : vec3(0.0));
+    vec4 _e77 = noise(((n * 9.0) + vec3(29.0)));
+    vec4 belt_noise = (_e77 * vec4(vec3(9.0), 1.0));
     float t_1 = clamp(((belt_noise.w - 0.38) * 4.0), 0.0, 1.0);
     float belt = (0.1 + (((0.9 * t_1) * t_1) * (3.0 - (2.0 * t_1))));
     vec3 d_belt = (belt_noise.xyz * (((5.4 * t_1) * (1.0 - t_1)) * 4.0));
@@ -319,145 +307,198 @@ vec4 height_field(vec3 n, float amplitude, float rate, float sea, float spacing)
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            int _e183 = octave;
-            octave = (_e183 + 1);
+            int _e181 = octave;
+            octave = (_e181 + 1);
         }
         loop_init_1 = false;
-        int _e117 = octave;
-        if ((_e117 < 6)) {
+        int _e113 = octave;
+        if ((_e113 < 6)) {
         } else {
             break;
         }
         {
-            float _e120 = frequency;
-            float seen = clamp(((0.3 / (_e120 * spacing)) - 0.5), 0.0, 1.0);
+            float _e116 = frequency;
+            float seen = clamp(((0.3 / (_e116 * spacing)) - 0.5), 0.0, 1.0);
             if ((seen > 0.0)) {
-                float _e131 = frequency;
-                int _e133 = octave;
-                vec4 _e139 = noise(((n * _e131) + vec3((float(_e133) * 17.0))));
-                float _e140 = frequency;
-                vec4 v = (_e139 * vec4(vec3(_e140), 1.0));
+                float _e128 = frequency;
+                int _e130 = octave;
+                vec4 _e136 = noise(((n * _e128) + vec3((float(_e130) * 17.0))));
+                float _e137 = frequency;
+                vec4 v = (_e136 * vec4(vec3(_e137), 1.0));
                 float s = ((v.w < 0.5) ? 2.0 : -2.0);
-                vec4 _e151 = ridge;
-                float _e163 = gain;
-                ridge = (_e151 + (vec4((v.xyz * s), (1.0 - abs(((2.0 * v.w) - 1.0)))) * (_e163 * seen)));
+                vec4 _e149 = ridge;
+                float _e162 = gain;
+                ridge = (_e149 + (vec4((v.xyz * s), (1.0 - abs(((2.0 * v.w) - 1.0)))) * (_e162 * seen)));
             }
-            float _e168 = ridge.w;
-            float _e169 = gain;
-            ridge.w = (_e168 + ((0.6 * _e169) * (1.0 - seen)));
-            float _e176 = frequency;
-            frequency = (_e176 * 2.03);
-            float _e179 = gain;
-            gain = (_e179 * 0.45);
+            float _e167 = ridge.w;
+            float _e168 = gain;
+            ridge.w = (_e167 + ((0.6 * _e168) * (1.0 - seen)));
+            float _e175 = frequency;
+            frequency = (_e175 * 2.03);
+            float _e178 = gain;
+            gain = (_e178 * 0.45);
         }
     }
-    float _e187 = ridge.w;
-    float w_1 = ((above * belt) * _e187);
-    float _e191 = ridge.w;
-    float _e195 = ridge.w;
-    vec4 _e199 = ridge;
-    vec3 d_2 = ((((d_above * belt) * _e191) + ((above * d_belt) * _e195)) + ((above * belt) * _e199.xyz));
+    float _e186 = ridge.w;
+    float w_1 = ((above * belt) * _e186);
+    float _e190 = ridge.w;
+    float _e194 = ridge.w;
+    vec4 _e198 = ridge;
+    vec3 d_2 = ((((d_above * belt) * _e190) + ((above * d_belt) * _e194)) + ((above * belt) * _e198.xyz));
     return (vec4(d_2, w_1) * amplitude);
 }
 
-GridPoint grid_point(uint index_1) {
+void grid_point(uint index_1, inout vec3 out_flat, inout float out_sin_arc, inout float out_drop, inout float out_spacing) {
     uint k = min((max((index_1 % 772u), 1u) - 1u), (772u - 3u));
     uint ring = ((index_1 / 772u) + (k & 1u));
     float azimuth = ((6.2831855 * float(((k / 2u) % SEGMENTS))) / 384.0);
-    float _e25 = _group_0_binding_0_vs.arc_rate;
-    float s_1 = (_e25 * float(ring));
-    float _e30 = _group_0_binding_0_vs.arc_scale;
-    float t_2 = ((_e30 * 0.5) * (exp(s_1) - exp(-(s_1))));
-    vec3 _e40 = _group_0_binding_0_vs.grid_x;
-    vec3 _e45 = _group_0_binding_0_vs.grid_y;
-    vec3 flat_ = normalize(((_e40 * cos(azimuth)) + (_e45 * sin(azimuth))));
+    float _e29 = _group_0_binding_0_vs.arc_rate;
+    float s_1 = (_e29 * float(ring));
+    float _e34 = _group_0_binding_0_vs.arc_scale;
+    float t_2 = ((_e34 * 0.5) * (exp(s_1) - exp(-(s_1))));
+    vec3 _e44 = _group_0_binding_0_vs.grid_x;
+    vec3 _e49 = _group_0_binding_0_vs.grid_y;
+    vec3 flat_ = normalize(((_e44 * cos(azimuth)) + (_e49 * sin(azimuth))));
     float sin_arc = ((2.0 * t_2) / (1.0 + (t_2 * t_2)));
     float drop = (((2.0 * t_2) * t_2) / (1.0 + (t_2 * t_2)));
-    float _e65 = _group_0_binding_0_vs.arc_rate;
-    float _e70 = _group_0_binding_0_vs.arc_scale;
-    float _e73 = _group_0_binding_0_vs.arc_scale;
-    float along = (((2.0 * _e65) * sqrt(((_e70 * _e73) + (t_2 * t_2)))) / (1.0 + (t_2 * t_2)));
-    return GridPoint(flat_, sin_arc, drop, max(along, (sin_arc * 0.016362462)));
+    float _e69 = _group_0_binding_0_vs.arc_rate;
+    float _e74 = _group_0_binding_0_vs.arc_scale;
+    float _e77 = _group_0_binding_0_vs.arc_scale;
+    float along = (((2.0 * _e69) * sqrt(((_e74 * _e77) + (t_2 * t_2)))) / (1.0 + (t_2 * t_2)));
+    out_flat = flat_;
+    out_sin_arc = sin_arc;
+    out_drop = drop;
+    out_spacing = max(along, (sin_arc * 0.016362462));
 }
 
-vec3 ground_light(Medium m_3, float h_3, vec3 n_1, vec3 normal) {
+vec3 ground_light(vec3 m_rayleigh_2, float m_rayleigh_inv_height_2, float m_mie_inv_height_2, vec3 m_mie_extinction_2, float m_ozone_center_2, float m_ozone_inv_half_width_2, vec3 m_ozone_2, float m_radius_1, float m_thickness_1, float h_3, vec3 n_1, vec3 normal) {
     vec3 light = vec3(0.0);
-    Frame f_1 = _group_0_binding_0_vs.frame;
-    float mu_sun = dot(n_1, f_1.sun);
-    float _e10 = excess_of(h_3, m_3.radius);
-    float sun_r_mu_1 = ((m_3.radius + h_3) * mu_sun);
-    float dip = (sqrt(_e10) / (m_3.radius + h_3));
-    float visible = smoothstep(-1.0, 1.0, ((mu_sun + dip) / f_1.sun_chord));
+    vec3 f_sun = _group_0_binding_0_vs.frame.sun;
+    float f_sun_chord = _group_0_binding_0_vs.frame.sun_chord;
+    float mu_sun = dot(n_1, f_sun);
+    float _e20 = excess_of(h_3, m_radius_1);
+    float sun_r_mu_1 = ((m_radius_1 + h_3) * mu_sun);
+    float dip = (sqrt(_e20) / (m_radius_1 + h_3));
+    float visible = smoothstep(-1.0, 1.0, ((mu_sun + dip) / f_sun_chord));
     if (SKY_LIGHT) {
     } else {
-        vec3 _e30 = _group_0_binding_0_vs.sky_light;
-        light = ((_e30 * clamp(((mu_sun + 0.1) / 1.1), 0.0, 1.0)) * (0.5 + (0.5 * dot(normal, n_1))));
+        vec3 _e34 = _group_0_binding_0_vs.sky_light;
+        light = ((_e34 * clamp(((mu_sun + 0.1) / 1.1), 0.0, 1.0)) * (0.5 + (0.5 * dot(normal, n_1))));
     }
     if ((visible > 0.0)) {
-        mat3x3 _e47 = coefficients_of(m_3);
-        vec4 _e48 = layers_of(m_3);
-        vec3 _e52 = sun_transmittance(_e47, _e48, m_3.radius, m_3.thickness, _e10, sun_r_mu_1, 8u);
-        vec3 _e53 = light;
-        light = (_e53 + (_e52 * (visible * max(dot(normal, f_1.sun), 0.0))));
+        mat3x3 _e53 = coefficients_of(m_rayleigh_2, m_mie_extinction_2, m_ozone_2);
+        vec4 _e54 = layers_of(m_rayleigh_inv_height_2, m_mie_inv_height_2, m_ozone_center_2, m_ozone_inv_half_width_2);
+        vec3 _e56 = sun_transmittance(_e53, _e54, m_radius_1, m_thickness_1, _e20, sun_r_mu_1, 8u);
+        vec3 _e57 = light;
+        light = (_e57 + (_e56 * (visible * max(dot(normal, f_sun), 0.0))));
     }
-    vec3 _e61 = light;
-    return _e61;
+    vec3 _e64 = light;
+    return _e64;
 }
 
 vec4 clip_position(vec3 position) {
-    Frame f_2 = _group_0_binding_0_vs.frame;
-    vec3 _e6 = _group_0_binding_0_vs.axis;
-    float z = dot(position, _e6);
+    vec3 f_ray_right = _group_0_binding_0_vs.frame.ray_right;
+    vec3 f_ray_up = _group_0_binding_0_vs.frame.ray_up;
+    vec3 _e8 = _group_0_binding_0_vs.axis;
+    float z = dot(position, _e8);
     float _e16 = _group_0_binding_0_vs.offset_x;
-    float right = ((dot(position, f_2.ray_right) / dot(f_2.ray_right, f_2.ray_right)) - (_e16 * z));
-    float _e27 = _group_0_binding_0_vs.offset_y;
-    float top = ((dot(position, f_2.ray_up) / dot(f_2.ray_up, f_2.ray_up)) - (_e27 * z));
+    float right = ((dot(position, f_ray_right) / dot(f_ray_right, f_ray_right)) - (_e16 * z));
+    float _e24 = _group_0_binding_0_vs.offset_y;
+    float top = ((dot(position, f_ray_up) / dot(f_ray_up, f_ray_up)) - (_e24 * z));
     return vec4(right, top, (0.5 * z), z);
 }
 
 void main() {
     uint index = uint(gl_VertexID);
-    Medium m = Medium(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
-    Varyings out_ = Varyings(vec4(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
-    Frame f_3 = _group_0_binding_0_vs.frame;
-    m = f_3.medium;
+    vec3 m_rayleigh = vec3(0.0);
+    float m_rayleigh_inv_height = 0.0;
+    float m_mie_inv_height = 0.0;
+    vec3 m_mie_extinction = vec3(0.0);
+    float m_ozone_center = 0.0;
+    float m_ozone_inv_half_width = 0.0;
+    vec3 m_ozone = vec3(0.0);
+    float m_radius = 0.0;
+    float m_thickness = 0.0;
+    vec4 out_clip = vec4(0.0);
+    vec3 out_position = vec3(0.0);
+    vec3 out_light = vec3(0.0);
+    vec3 out_surface = vec3(0.0);
+    vec3 p_flat = vec3(0.0);
+    float p_sin_arc = 0.0;
+    float p_drop = 0.0;
+    float p_spacing = 0.0;
+    vec3 f_medium_rayleigh = _group_0_binding_0_vs.frame.medium.rayleigh;
+    float f_medium_rayleigh_inv_height = _group_0_binding_0_vs.frame.medium.rayleigh_inv_height;
+    float f_medium_mie_inv_height = _group_0_binding_0_vs.frame.medium.mie_inv_height;
+    vec3 f_medium_mie_extinction = _group_0_binding_0_vs.frame.medium.mie_extinction;
+    float f_medium_ozone_center = _group_0_binding_0_vs.frame.medium.ozone_center;
+    float f_medium_ozone_inv_half_width = _group_0_binding_0_vs.frame.medium.ozone_inv_half_width;
+    vec3 f_medium_ozone = _group_0_binding_0_vs.frame.medium.ozone;
+    float f_medium_radius = _group_0_binding_0_vs.frame.medium.radius;
+    float f_medium_thickness = _group_0_binding_0_vs.frame.medium.thickness;
+    vec3 f_sun_1 = _group_0_binding_0_vs.frame.sun;
+    float f_camera_altitude = _group_0_binding_0_vs.frame.camera_altitude;
+    m_rayleigh = f_medium_rayleigh;
+    m_rayleigh_inv_height = f_medium_rayleigh_inv_height;
+    m_mie_inv_height = f_medium_mie_inv_height;
+    m_mie_extinction = f_medium_mie_extinction;
+    m_ozone_center = f_medium_ozone_center;
+    m_ozone_inv_half_width = f_medium_ozone_inv_half_width;
+    m_ozone = f_medium_ozone;
+    m_radius = f_medium_radius;
+    m_thickness = f_medium_thickness;
     if (SKY_LIGHT) {
-        vec3 _e11 = _group_0_binding_0_vs.luts.mie_extinction;
-        m.mie_extinction = _e11;
+        vec3 _e38 = _group_0_binding_0_vs.luts.mie_extinction;
+        m_mie_extinction = _e38;
     }
     vec3 up = vec3(0.0, 0.0, 1.0);
-    GridPoint _e16 = grid_point(index);
-    vec3 n_2 = ((_e16.flat_ * _e16.sin_arc) + (up * (1.0 - _e16.drop)));
-    vec3 _e27 = _group_0_binding_0_vs.planet_x;
-    vec3 _e31 = _group_0_binding_0_vs.planet_y;
-    vec3 _e35 = _group_0_binding_0_vs.planet_z;
-    vec3 planet_n = vec3(dot(_e27, n_2), dot(_e31, n_2), dot(_e35, n_2));
-    float _e40 = _group_0_binding_0_vs.amplitude;
-    float _e43 = _group_0_binding_0_vs.mountain_rate;
-    float _e46 = _group_0_binding_0_vs.sea;
-    vec4 _e48 = height_field(planet_n, _e40, _e43, _e46, _e16.spacing);
-    float h_4 = _e48.w;
-    float _e51 = m.radius;
-    float r = (_e51 + h_4);
-    vec3 position_1 = ((_e16.flat_ * (r * _e16.sin_arc)) + (up * ((h_4 - f_3.camera_altitude) - (r * _e16.drop))));
-    vec3 _e66 = _group_0_binding_0_vs.planet_x;
-    vec3 _e71 = _group_0_binding_0_vs.planet_y;
-    vec3 _e77 = _group_0_binding_0_vs.planet_z;
-    vec3 g = (((_e66 * _e48.x) + (_e71 * _e48.y)) + (_e77 * _e48.z));
-    float _e85 = m.radius;
-    vec3 normal_1 = normalize((n_2 - ((g - (n_2 * dot(g, n_2))) / vec3(_e85))));
-    vec4 _e92 = clip_position(position_1);
-    out_.clip = _e92;
-    out_.position = position_1;
-    Medium _e95 = m;
-    vec3 _e96 = ground_light(_e95, h_4, n_2, normal_1);
-    out_.light = _e96;
-    out_.surface = vec3(h_4, dot(normal_1, n_2), dot(n_2, f_3.sun));
-    Varyings _e102 = out_;
-    gl_Position = _e102.clip;
-    _vs2fs_location0 = _e102.position;
-    _vs2fs_location1 = _e102.light;
-    _vs2fs_location2 = _e102.surface;
+    grid_point(index, p_flat, p_sin_arc, p_drop, p_spacing);
+    vec3 _e48 = p_flat;
+    float _e49 = p_sin_arc;
+    float _e50 = p_drop;
+    float _e51 = p_spacing;
+    vec3 n_2 = ((_e48 * _e49) + (up * (1.0 - _e50)));
+    vec3 _e59 = _group_0_binding_0_vs.planet_x;
+    vec3 _e63 = _group_0_binding_0_vs.planet_y;
+    vec3 _e67 = _group_0_binding_0_vs.planet_z;
+    vec3 planet_n = vec3(dot(_e59, n_2), dot(_e63, n_2), dot(_e67, n_2));
+    float _e72 = _group_0_binding_0_vs.amplitude;
+    float _e75 = _group_0_binding_0_vs.mountain_rate;
+    float _e78 = _group_0_binding_0_vs.sea;
+    vec4 _e79 = height_field(planet_n, _e72, _e75, _e78, _e51);
+    float h_4 = _e79.w;
+    float _e81 = m_radius;
+    float r = (_e81 + h_4);
+    vec3 position_1 = ((_e48 * (r * _e49)) + (up * ((h_4 - f_camera_altitude) - (r * _e50))));
+    vec3 _e92 = _group_0_binding_0_vs.planet_x;
+    vec3 _e97 = _group_0_binding_0_vs.planet_y;
+    vec3 _e103 = _group_0_binding_0_vs.planet_z;
+    vec3 g = (((_e92 * _e79.x) + (_e97 * _e79.y)) + (_e103 * _e79.z));
+    float _e110 = m_radius;
+    vec3 normal_1 = normalize((n_2 - ((g - (n_2 * dot(g, n_2))) / vec3(_e110))));
+    vec4 _e119 = clip_position(position_1);
+    out_clip = _e119;
+    out_position = position_1;
+    vec3 _e120 = m_rayleigh;
+    float _e121 = m_rayleigh_inv_height;
+    float _e122 = m_mie_inv_height;
+    vec3 _e123 = m_mie_extinction;
+    float _e124 = m_ozone_center;
+    float _e125 = m_ozone_inv_half_width;
+    vec3 _e126 = m_ozone;
+    float _e127 = m_radius;
+    float _e128 = m_thickness;
+    vec3 _e129 = ground_light(_e120, _e121, _e122, _e123, _e124, _e125, _e126, _e127, _e128, h_4, n_2, normal_1);
+    out_light = _e129;
+    out_surface = vec3(h_4, dot(normal_1, n_2), dot(n_2, f_sun_1));
+    vec4 _e133 = out_clip;
+    vec3 _e134 = out_position;
+    vec3 _e135 = out_light;
+    vec3 _e136 = out_surface;
+    gl_Position = _e133;
+    _vs2fs_location0 = _e134;
+    _vs2fs_location1 = _e135;
+    _vs2fs_location2 = _e136;
     gl_Position.yz = vec2(-gl_Position.y, gl_Position.z * 2.0 - gl_Position.w);
     return;
 }

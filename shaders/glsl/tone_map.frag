@@ -88,8 +88,8 @@ void main() {
     int _e14 = pixel.y;
     uint _e18 = _group_0_binding_0_fs.flipped;
     pixel.y = ((_e18 != 0u) ? ((int(uvec2(textureSize(_group_0_binding_1_fs, 0).xy).y) - 1) - _e14) : _e6);
-    ivec2 _e23 = pixel;
-    vec4 _e25 = texelFetch(_group_0_binding_1_fs, _e23, 0);
+    ivec2 _e22 = pixel;
+    vec4 _e25 = texelFetch(_group_0_binding_1_fs, _e22, 0);
     float _e29 = _group_0_binding_0_fs.exposure;
     vec3 color_4 = (_e25.xyz * _e29);
     vec3 _e34 = tone_curve(max(color_4, vec3(0.0)));

@@ -64,21 +64,21 @@ float altitude_after(float excess_1, float r_mu, float t, float radius_2) {
     return max(_e9, 0.0);
 }
 
-vec3 transmittance_texel_ray(vec2 position_1, vec2 size, Medium m) {
+vec3 transmittance_texel_ray(vec2 position_1, vec2 size, float m_radius, float m_thickness) {
     vec2 uv = (position_1 / (size - vec2(1.0)));
-    float _e9 = excess_of(m.thickness, m.radius);
-    float rho_top = sqrt(_e9);
+    float _e8 = excess_of(m_thickness, m_radius);
+    float rho_top = sqrt(_e8);
     float rho = (uv.y * rho_top);
-    float _e15 = altitude_of((rho * rho), m.radius);
-    float h_2 = min(_e15, m.thickness);
-    float shortest = (m.thickness - h_2);
+    float _e13 = altitude_of((rho * rho), m_radius);
+    float h_2 = min(_e13, m_thickness);
+    float shortest = (m_thickness - h_2);
     float d_1 = (shortest + (uv.x * ((rho + rho_top) - shortest)));
-    float r_mu_2 = ((d_1 > 0.0) ? (((((rho_top - rho) * (rho_top + rho)) / d_1) - d_1) * 0.5) : (m.radius + h_2));
+    float r_mu_2 = ((d_1 > 0.0) ? (((((rho_top - rho) * (rho_top + rho)) / d_1) - d_1) * 0.5) : (m_radius + h_2));
     return vec3((rho * rho), max(r_mu_2, -(rho)), d_1);
 }
 
-vec4 layers_of(Medium m_1) {
-    return vec4(m_1.rayleigh_inv_height, m_1.mie_inv_height, m_1.ozone_center, m_1.ozone_inv_half_width);
+vec4 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width) {
+    return vec4(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_center, m_ozone_inv_half_width);
 }
 
 vec3 densities(vec4 layers, float h_1) {
@@ -110,26 +110,26 @@ vec3 path_densities(vec4 layers_1, float radius_3, float excess_2, float r_mu_1,
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e43 = i;
-            i = (_e43 + 1u);
+            uint _e42 = i;
+            i = (_e42 + 1u);
         }
         loop_init = false;
-        uint _e23 = i;
-        if ((_e23 < samples)) {
+        uint _e18 = i;
+        if ((_e18 < samples)) {
         } else {
             break;
         }
         {
-            uint _e25 = i;
-            float u_1 = (u0_ + (du * float(_e25)));
-            float _e32 = u_to_distance(perigee_1, (u_1 + (0.5 * du)));
-            float _e34 = u_to_distance(perigee_1, (u_1 + du));
-            float _e35 = altitude_after(excess_2, r_mu_1, _e32, radius_3);
-            vec3 _e36 = sum;
-            vec3 _e37 = densities(layers_1, _e35);
+            uint _e20 = i;
+            float u_1 = (u0_ + (du * float(_e20)));
+            float _e27 = u_to_distance(perigee_1, (u_1 + (0.5 * du)));
+            float _e29 = u_to_distance(perigee_1, (u_1 + du));
+            float _e32 = altitude_after(excess_2, r_mu_1, _e27, radius_3);
+            vec3 _e34 = sum;
+            vec3 _e36 = densities(layers_1, _e32);
             float _e38 = t0_;
-            sum = (_e36 + (_e37 * (_e34 - _e38)));
-            t0_ = _e34;
+            sum = (_e34 + (_e36 * (_e29 - _e38)));
+            t0_ = _e29;
         }
     }
     vec3 _e45 = sum;
@@ -138,13 +138,18 @@ vec3 path_densities(vec4 layers_1, float radius_3, float excess_2, float r_mu_1,
 
 void main() {
     vec4 position = gl_FragCoord;
-    Medium m_2 = _group_0_binding_0_fs.medium;
-    uvec2 _e9 = _group_0_binding_0_fs.luts.size;
-    vec3 _e11 = transmittance_texel_ray(floor(position.xy), vec2(_e9), m_2);
-    vec4 _e12 = layers_of(m_2);
-    uint _e20 = _group_0_binding_0_fs.luts.steps;
-    vec3 _e21 = path_densities(_e12, m_2.radius, _e11.x, _e11.y, _e11.z, _e20);
-    _fs2p_location0 = vec4(max(log2(max(_e21, vec3(1e-37))), vec3(-100.0)), 0.0);
+    float m_rayleigh_inv_height_1 = _group_0_binding_0_fs.medium.rayleigh_inv_height;
+    float m_mie_inv_height_1 = _group_0_binding_0_fs.medium.mie_inv_height;
+    float m_ozone_center_1 = _group_0_binding_0_fs.medium.ozone_center;
+    float m_ozone_inv_half_width_1 = _group_0_binding_0_fs.medium.ozone_inv_half_width;
+    float m_radius_1 = _group_0_binding_0_fs.medium.radius;
+    float m_thickness_1 = _group_0_binding_0_fs.medium.thickness;
+    uvec2 _e20 = _group_0_binding_0_fs.luts.size;
+    vec3 _e22 = transmittance_texel_ray(floor(position.xy), vec2(_e20), m_radius_1, m_thickness_1);
+    vec4 _e23 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
+    uint _e30 = _group_0_binding_0_fs.luts.steps;
+    vec3 _e31 = path_densities(_e23, m_radius_1, _e22.x, _e22.y, _e22.z, _e30);
+    _fs2p_location0 = vec4(max(log2(max(_e31, vec3(1e-37))), vec3(-100.0)), 0.0);
     return;
 }
 

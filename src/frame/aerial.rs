@@ -109,7 +109,7 @@ fn aerial(frame: &Frame) -> Node {
     let blended = ("BLEND", blend);
     let (program, uniform, reads) = if frame.is_on(&Eclipse) {
         let light = frame.multi_scattering();
-        let constants = [phase, blended, ("MULTI_SCATTERING", light.is_some())];
+        let constants = [phase, blended, ("SUNLIGHT", true), ("MULTI_SCATTERING", light.is_some())];
         let list = reads([
             scene_color,
             scene_depth,

@@ -73,7 +73,7 @@ impl Effect for BackgroundSky {
         nodes.push(sky(frame, small, true));
         let program = Program::new(&upsample::INFO, 0).blended();
         nodes.push(Node {
-            reads: reads([("sky", Some(REDUCED))]),
+            reads: reads([("reduced_sky", Some(REDUCED))]),
             uniform: Uniform::new(&frame.uniform),
             ..Node::draw("upsample sky", Stage::Background, program, Resource::Background)
         });
@@ -98,7 +98,8 @@ fn sky(frame: &Frame, node: Node, reduced: bool) -> Node {
     let mut over_black = None;
     let (program, uniform, reads) = if frame.is_on(&Eclipse) {
         let light = frame.multi_scattering();
-        let program = Air::ALL.program(&sky_march_eclipse::INFO, [phase, ("MULTI_SCATTERING", light.is_some())]);
+        let constants = [phase, ("SUNLIGHT", true), ("MULTI_SCATTERING", light.is_some())];
+        let program = Air::ALL.program(&sky_march_eclipse::INFO, constants);
         let list = reads([
             ("moon_shadow_lut", Some(MOON_SHADOW)),
             ("transmittance_lut", light.map(|_| TRANSMITTANCE)),

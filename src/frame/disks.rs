@@ -143,24 +143,23 @@ fn push_disk(frame: &Frame, label: &'static str, program: Program, disk: &SkyDis
     // The frame's up points to the target's first row.
     let flipped = glam::Vec3::from(frame.uniform.ray_up).as_dvec3().dot(view.basis.up) < 0.0;
     let rect = if flipped { [left, -top, right, -bottom] } else { [left, bottom, right, top] };
-    let rectangle = rect.map(|v| v as f32);
-    let mut uniform = DiskUniform { frame: frame.uniform, rectangle, ..DiskUniform::default() };
+    let mut block = DiskUniform { frame: frame.uniform, rectangle: rect.map(|v| v as f32), ..DiskUniform::default() };
     if let Some(m) = &view.moon {
-        let (towards, sine) = (m.position.normalize_or_zero(), m.radius / m.position.length());
+        let sine = m.radius / m.position.length();
         // 2 sin(a / 2) of sin a, without a difference of cosines.
         let chord = (2.0 * sine * sine / (1.0 + (1.0 - sine * sine).max(0.0).sqrt())).sqrt();
-        uniform = DiskUniform {
-            moon_direction: towards.as_vec3().to_array(),
+        block = DiskUniform {
+            moon_direction: m.position.normalize_or_zero().as_vec3().to_array(),
             moon_sine: sine as f32,
             moon_chord: chord as f32,
             albedo_over_pi: (MOON_ALBEDO / std::f64::consts::PI) as f32,
             earthshine: m.earthshine as f32,
             sun_visibility: both(frame).map_or(1.0, |d| d.visible()) as f32,
-            ..uniform
+            ..block
         };
     }
     nodes.push(Node {
-        uniform: Uniform::new(&uniform),
+        uniform: Uniform::new(&block),
         fraction,
         ..Node::draw(label, Stage::Background, program.blended(), Resource::Background)
     });

@@ -22,6 +22,8 @@ use super::{aerial, background};
 use crate::gpu::Uniform;
 use crate::model::atmosphere::{AtmosphereParams, MiePhase};
 use crate::settings::{LutSettings, Quality};
+use crate::shaders::aerial_lut_slices::numbers::AIR_KINDS;
+use crate::shaders::multi_scattering_lut::numbers::{AZIMUTHS, MOMENTS, ZENITHS};
 use crate::shaders::{
     aerial_lut_scan, aerial_lut_slices, multi_scattering_gather, multi_scattering_lut, sky_view_lut, transmittance_lut,
 };
@@ -91,12 +93,6 @@ const fn aerial_after(steps: u32) -> Resource {
     Resource::pool("aerial_lut", (steps % 2) as u8)
 }
 
-/// Directions in which light is gathered per node of the multi-scattering LUT, see `directions.wgsl`: azimuths, zeniths.
-const NODE_DIRECTIONS: [u32; 2] = [8, 16];
-/// Moments per node of the multi-scattering LUT.
-const MOMENTS: u32 = 6;
-/// Kinds of values in the aerial LUT.
-const AERIAL_KINDS: u32 = 4;
 /// Steps of the transmittance LUT's integrals.
 const TRANSMITTANCE_STEPS: u32 = 96;
 
@@ -268,7 +264,7 @@ impl Effect for MultiScattering {
             ..Node::fill(label, Runs::PerMedium, Work::Clear, multi_scattering(0), full, Uniform::NONE)
         });
         let [suns, altitudes] = luts.multi_scattering;
-        let directions = [suns * NODE_DIRECTIONS[0], altitudes * NODE_DIRECTIONS[1]];
+        let directions = [suns * AZIMUTHS, altitudes * ZENITHS];
         let gathered = Extent { size: directions, texel: Texel::Exact };
         let gather = Work::Draw(Air::ALL.program(&multi_scattering_gather::INFO, [("MULTI_SCATTERING", true)]));
         let moments = Work::Draw(Air::ALL.program(&multi_scattering_lut::INFO, []));
@@ -391,7 +387,7 @@ impl Effect for AerialLut {
     fn push_nodes(&self, frame: &Frame, nodes: &mut Vec<Node>) {
         let Some(luts) = frame.luts() else { return };
         let [azimuths, zeniths, slices] = luts.aerial;
-        let size = [azimuths * slices, zeniths * AERIAL_KINDS];
+        let size = [azimuths * slices, zeniths * AIR_KINDS];
         let [_, ground_rows] = luts.ground_rows();
         let own = LutsUniform {
             size,

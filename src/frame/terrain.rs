@@ -14,9 +14,6 @@ use crate::gpu::{DepthUse, Uniform};
 use crate::model::atmosphere::AtmosphereParams;
 use crate::shaders::terrain;
 
-/// Rings of the mesh; `RINGS` in `pass/terrain.wgsl`.
-const RINGS: u32 = 256;
-
 block! {
     /// `struct Terrain` in `pass/terrain.wgsl`.
     #[allow(missing_docs)]
@@ -195,7 +192,7 @@ impl TerrainStyle {
             grid_x: to_zenith(east),
             arc_scale: arc_scale as f32,
             grid_y: to_zenith(up.cross(east)),
-            arc_rate: (((0.5 * arc_max).tan() / arc_scale).asinh() / f64::from(RINGS)) as f32,
+            arc_rate: (((0.5 * arc_max).tan() / arc_scale).asinh() / f64::from(terrain::numbers::RINGS)) as f32,
             planet_x: row(0),
             sea: if self.sea { 1.0 } else { 0.0 },
             planet_y: row(1),

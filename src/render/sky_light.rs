@@ -123,7 +123,7 @@ pub struct SkyLight {
 }
 
 /// Rows per altitude in the table of moments.
-const ROWS: usize = 6;
+const ROWS: usize = crate::shaders::multi_scattering_lut::numbers::MOMENTS as usize;
 
 impl SkyLight {
     /// Where altitude and sun are among the nodes: `altitude_to_v` and `mu_sun_to_u` of

@@ -34,11 +34,14 @@ pub use generated::*;
 /// Functions for a scene's own shaders, which shade with [`crate::LightingContextUniform`]; no program includes them.
 pub const LIGHTING_WGSL: &str = wgsl!("lib/lighting");
 
-/// A text less comments, blank lines and what ends lines, and its length.
+/// A text less comments, blank lines and the spaces around lines, and its length.
 pub(crate) const fn bare<const LENGTH: usize>(text: &[u8]) -> ([u8; LENGTH], usize) {
     let mut out = [0; LENGTH];
     let (mut length, mut at) = (0, 0);
     while at < text.len() {
+        while at < text.len() && text[at] == b' ' {
+            at += 1;
+        }
         let start = at;
         // Behind the last character that stays.
         let mut end = start;
@@ -76,7 +79,7 @@ mod tests {
     #[test]
     fn modules_are_bare() {
         let text = b"// a\n\n  //#include x // why\nlet a = b / c;  // d\n   \n    f();//\n/ 2";
-        const BARE: &str = "let a = b / c;\n    f();\n/ 2\n";
+        const BARE: &str = "let a = b / c;\nf();\n/ 2\n";
         let (out, length) = bare::<{ BARE.len() }>(text);
         assert_eq!((std::str::from_utf8(&out), length), (Ok(BARE), BARE.len()));
     }

@@ -71,6 +71,8 @@ struct Stage {
     module: String,
     text: String,
     block: String,
+    /// The lines `const NAME: bool` that decide anything here.
+    constants: Vec<String>,
     /// The texture's binding, naga's name of the sampler, and whether the shader gives one of its own.
     samplers: Vec<(u32, String, bool)>,
 }
@@ -118,6 +120,8 @@ impl Source {
         };
         let vertex = stage(naga::ShaderStage::Vertex, "vertex_main")?;
         let fragment = stage(naga::ShaderStage::Fragment, "fragment_main")?;
+        // A module's constant that no function of this program asks for is no choice.
+        constants.retain(|(name, _)| vertex.constants.contains(name) || fragment.constants.contains(name));
         let (mut uniform_size, mut textures) = (0, Vec::new());
         for (_, variable) in module.global_variables.iter() {
             let Some(binding) = variable.binding.as_ref().map(|b| b.binding) else { continue };
@@ -202,7 +206,20 @@ fn stage(program: &str, wgsl: &str, stage: naga::ShaderStage, entry: &str, owner
         let binding = module.global_variables[mapping.texture].binding.as_ref().map_or(0, |b| b.binding);
         samplers.push((binding, name.clone(), mapping.sampler.is_some()));
     }
-    Ok(Stage { module: owner, text, block, samplers })
+    let mut constants = Vec::new();
+    for name in module.constants.iter().filter_map(|(_, c)| c.name.clone()) {
+        let found = text.matches(&format!("\nconst bool {name} = ")).count();
+        if wgsl.contains(&format!("\nconst {name}: bool = ")) {
+            if found != 1 {
+                return Err(driver_error("translate", program, format!("{found} lines of the constant {name}")));
+            }
+            // naga writes all constants that have a name, asked for or not.
+            if words(&text).filter(|(word, _)| *word == name).count() > 1 {
+                constants.push(name);
+            }
+        }
+    }
+    Ok(Stage { module: owner, text, block, constants, samplers })
 }
 
 /// Path below the repository's root and text of everything generated: a readable GLSL file for every shader in
@@ -319,7 +336,7 @@ impl Parts {
     fn new(programs: &[Source]) -> Self {
         let texts: Vec<[Vec<String>; 2]> = programs
             .iter()
-            .map(|p| [&p.vertex.text, &p.fragment.text].map(|text| split(text).map(terse).collect()))
+            .map(|p| [&p.vertex.text, &p.fragment.text].map(|text| split(text).map(pack).collect()))
             .collect();
         let mut list: Vec<String> = texts.iter().flatten().flatten().cloned().collect();
         // Kinds of the same function next to each other: they compress well.
@@ -331,34 +348,72 @@ impl Parts {
     }
 }
 
-/// A part without indentation and blank lines, its temporaries `_e17` counted from 0: naga counts expressions
-/// that leave no trace, so that functions with the same text get different names for them.
-fn terse(part: &str) -> String {
-    let mut out = String::new();
-    let mut temporaries: Vec<&str> = Vec::new();
-    for line in part.lines().map(str::trim).filter(|line| !line.is_empty()) {
-        let mut rest = line;
-        while let Some(start) = rest.find("_e") {
-            let (before, tail) = rest.split_at(start);
-            let digits = tail[2..].find(|c: char| !c.is_ascii_digit()).unwrap_or(tail.len() - 2);
-            let (name, tail) = tail.split_at(2 + digits);
-            out += before;
-            let inside = |c: char| c.is_ascii_alphanumeric() || c == '_';
-            if digits == 0 || before.ends_with(inside) || tail.starts_with(inside) {
-                out += name;
-            } else {
-                let index = temporaries.iter().position(|t| *t == name).unwrap_or_else(|| {
-                    temporaries.push(name);
-                    temporaries.len() - 1
-                });
-                out += &format!("_e{index}");
+/// A part as it travels: without indentation and blank lines, and a function with short names for what is local to it.
+/// naga numbers names over a whole shader, so that the same function has other names in every program.
+fn pack(part: &str) -> String {
+    let lines: Vec<&str> = part.lines().map(str::trim).filter(|line| !line.is_empty()).collect();
+    let mut locals = Vec::new();
+    if lines.first().is_some_and(|line| line.ends_with(") {")) {
+        // The last words of the header's arguments, and of declarations.
+        let arguments = lines[0].split_once('(').map_or("", |(_, rest)| rest.trim_end_matches(") {"));
+        locals.extend(arguments.split(',').filter_map(|a| a.split(' ').next_back()).filter(|name| !name.is_empty()));
+        for line in &lines[1..] {
+            let mut words = line.split(' ');
+            let (Some(kind), Some(name)) = (words.next(), words.next()) else { continue };
+            let declares = name.ends_with(';') || words.next() == Some("=");
+            if declares && kind != "return" && name.trim_end_matches(';').chars().all(is_word) {
+                locals.push(name.trim_end_matches(';'));
             }
-            rest = tail;
         }
-        out += rest;
-        out += "\n";
     }
-    out
+    let text = lines.iter().flat_map(|line| [line, "\n"]).collect::<String>();
+    let taken: Vec<&str> =
+        words(&text).filter(|(word, member)| !member && !locals.contains(word)).map(|w| w.0).collect();
+    let mut names = (0..).map(short_name).filter(|name| !taken.contains(&name.as_str()));
+    let mut short: Vec<(&str, String)> = Vec::new();
+    for (word, member) in words(&text) {
+        if !member && locals.contains(&word) && !short.iter().any(|(known, _)| *known == word) {
+            short.extend(names.next().map(|name| (word, name)));
+        }
+    }
+    let mut out = String::new();
+    let mut rest = text.as_str();
+    for (word, member) in words(&text) {
+        let (before, tail) = rest.split_once(word).unwrap_or((rest, ""));
+        out += before;
+        let renamed = short.iter().find(|(known, _)| !member && *known == word);
+        out += renamed.map_or(word, |(_, name)| name);
+        rest = tail;
+    }
+    out + rest
+}
+
+fn is_word(c: char) -> bool {
+    c.is_ascii_alphanumeric() || c == '_'
+}
+
+/// The words of a text and its numbers, in order, with whether a dot before it makes a word a member's name.
+fn words(text: &str) -> impl Iterator<Item = (&str, bool)> {
+    let mut rest = text;
+    let mut dot = false;
+    std::iter::from_fn(move || {
+        let start = rest.find(is_word)?;
+        dot = rest[..start].ends_with('.');
+        rest = &rest[start..];
+        let number = rest.starts_with(|c: char| c.is_ascii_digit());
+        let end = rest.find(|c| !is_word(c) && !(number && c == '.')).unwrap_or(rest.len());
+        let (word, tail) = rest.split_at(end);
+        rest = tail;
+        Some((word, dot))
+    })
+}
+
+/// a, b, … z, aa, ab, …, without the keywords of that length.
+fn short_name(index: usize) -> String {
+    let letter = |i: usize| char::from(b'a' + (i % 26) as u8);
+    let name: String =
+        if index < 26 { letter(index).into() } else { [letter(index / 26 - 1), letter(index)].iter().collect() };
+    if ["do", "if", "in"].contains(&name.as_str()) { name + "_" } else { name }
 }
 
 /// The name of the function that a part holds; empty for other parts.

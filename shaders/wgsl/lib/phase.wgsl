@@ -3,7 +3,7 @@
 
 const INV_4PI: f32 = 0.07957747154594767; // 1 / (4 pi)
 
-const CORNETTE_SHANKS: bool = true; // The aerosol's phase function; off: Henyey & Greenstein's.
+const CORNETTE_SHANKS: bool = true; // The aerosol scatters after Cornette & Shanks; off: Henyey & Greenstein.
 
 // Rayleigh 1871: 3 / (16 pi) (1 + mu^2).
 fn rayleigh_phase(mu: f32) -> f32 {
