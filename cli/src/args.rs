@@ -889,8 +889,8 @@ impl RenderArgs {
     ) -> Result<Shot, UsageError> {
         let terrain = (!self.no_terrain).then(|| view.terrain());
         let aspect = f64::from(width) / f64::from(height);
-        let mut scene = view.scene(place, aspect, terrain.as_ref()).map_err(|e| match e {
-            welkin::Error::Invalid { field, value, allowed } if field.starts_with("camera.tangents") => {
+        let mut scene = view.scene(place, aspect, terrain.as_ref()).map_err(|e| match e.into_kind() {
+            welkin::ErrorKind::Invalid { field, value, allowed } if field.starts_with("camera.tangents") => {
                 UsageError::new(format!(
                     "'--fov <DEGREES>' {} and '--size <WxH>' {width}x{height} make too wide a view: \
                      its edge lies at {value} (tangent of the angle), must be {allowed}",

@@ -250,7 +250,7 @@ impl EffectPlan {
     /// The plan of a scene, for a picture of a size in pixels.
     ///
     /// # Errors
-    /// [`crate::Error::Invalid`] from [`Scene::validate`] and [`SkySettings::validate`].
+    /// [`crate::ErrorKind::Invalid`] from [`Scene::validate`] and [`SkySettings::validate`].
     pub fn new(scene: &Scene, settings: &SkySettings, size: [u32; 2]) -> Result<Self> {
         let view = scene.validate()?;
         settings.validate()?;

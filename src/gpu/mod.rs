@@ -294,7 +294,7 @@ pub trait Backend {
     /// A new texture; its content is undefined.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for a side of 0 or beyond [`AdapterInfo::max_texture_size`]; [`Error::Driver`].
+    /// [`crate::ErrorKind::Invalid`] for a side of 0 or beyond [`AdapterInfo::max_texture_size`]; [`crate::ErrorKind::Driver`].
     fn create_texture(&mut self, desc: &TextureDesc) -> Result<TextureId>;
 
     /// What a texture was made with.
@@ -349,16 +349,12 @@ pub trait Backend {
 }
 
 fn cannot_wait(backend: &'static str) -> Error {
-    Error::Unavailable { backend, reason: "this platform cannot wait for the GPU: poll instead".into() }
+    Error::unavailable(backend, "this platform cannot wait for the GPU: poll instead")
 }
 
 /// The error for an id that this backend does not (or no longer) know.
 pub(crate) fn unknown(backend: &'static str, what: &str) -> Error {
-    Error::Driver {
-        backend,
-        what: what.to_owned(),
-        reason: "no such object: it was destroyed or belongs to another backend".into(),
-    }
+    Error::driver(backend, what, "no such object: it was destroyed or belongs to another backend")
 }
 
 /// Checks that a pass gives its program what it reads.
@@ -366,16 +362,16 @@ pub(crate) fn unknown(backend: &'static str, what: &str) -> Error {
 pub(crate) fn check_pass(backend: &'static str, pass: &Pass, program: Program) -> Result<()> {
     let textures = pass.textures.iter().flatten().count();
     if pass.uniform.bytes().len() != program.uniform_size() || textures != program.textures() {
-        return Err(Error::Driver {
+        return Err(Error::driver(
             backend,
-            what: format!("pass {} with program {}", pass.label, program.name()),
-            reason: format!(
+            format!("pass {} with program {}", pass.label, program.name()),
+            format!(
                 "{} uniform bytes and {textures} textures given, {} and {} needed",
                 pass.uniform.bytes().len(),
                 program.uniform_size(),
                 program.textures()
             ),
-        });
+        ));
     }
     if pass.textures.iter().flatten().any(|t| *t == pass.target.color || Some(*t) == pass.target.depth) {
         return Err(Error::invalid(

@@ -90,7 +90,7 @@ fn format(format: Format) -> Option<(u32, u32, u32)> {
 }
 
 fn driver(what: impl ToString, reason: impl ToString) -> Error {
-    Error::Driver { backend: NAME, what: what.to_string(), reason: reason.to_string() }
+    Error::driver(NAME, what.to_string(), reason.to_string())
 }
 
 impl WebGlBackend {
@@ -98,7 +98,7 @@ impl WebGlBackend {
     /// is put back after each call; see the [module](self) for the one exception.
     ///
     /// # Errors
-    /// [`Error::Unavailable`] if the context cannot draw to float textures.
+    /// [`crate::ErrorKind::Unavailable`] if the context cannot draw to float textures.
     pub fn new(gl: Rc<glow::Context>) -> Result<Self> {
         Self::make(gl, true)
     }
@@ -113,10 +113,10 @@ impl WebGlBackend {
         let extensions = gl.supported_extensions();
         // Natively the names begin with GL_.
         if !extensions.iter().any(|e| e.ends_with("EXT_color_buffer_float")) {
-            return Err(Error::Unavailable {
-                backend: NAME,
-                reason: "the context has no EXT_color_buffer_float: it cannot draw to float textures".into(),
-            });
+            return Err(Error::unavailable(
+                NAME,
+                "the context has no EXT_color_buffer_float: it cannot draw to float textures",
+            ));
         }
         let timer = if extensions.iter().any(|e| e.contains("disjoint_timer_query")) {
             TimerKind::TimerQuery
@@ -217,7 +217,7 @@ impl WebGlBackend {
     /// Runs `f` with the user's state put back afterwards.
     fn guarded<T>(&mut self, f: impl FnOnce(&mut Self) -> Result<T>) -> Result<T> {
         if let Some(reason) = &self.lost {
-            return Err(Error::Lost { backend: NAME, reason: reason.clone() });
+            return Err(Error::lost(NAME, reason.as_str()));
         }
         let saved = self.shared.then(|| Saved::take(&self.gl, self.web));
         let result = f(self);
@@ -246,7 +246,7 @@ impl WebGlBackend {
             code @ (0x9242 | 0x0507) => {
                 let reason = format!("context lost (GL error {code:#06x})");
                 self.lost = Some(reason.clone());
-                Err(Error::Lost { backend: NAME, reason })
+                Err(Error::lost(NAME, reason))
             }
             code => Err(driver(what, format!("GL error {code:#06x}"))),
         }

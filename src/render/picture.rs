@@ -104,7 +104,7 @@ impl PictureRenderer {
     /// leave (tables, an empty depth buffer) is not made again.
     ///
     /// # Errors
-    /// [`crate::Error::Invalid`] for a scene, a setting or a size that is out of range, before anything is
+    /// [`crate::ErrorKind::Invalid`] for a scene, a setting or a size that is out of range, before anything is
     /// created; errors of the backend.
     pub fn passes(
         &mut self,

@@ -225,7 +225,7 @@ impl SkyRenderer {
     /// A renderer with the given settings.
     ///
     /// # Errors
-    /// [`Error::Invalid`] from [`SkySettings::validate`].
+    /// [`crate::ErrorKind::Invalid`] from [`SkySettings::validate`].
     pub fn new(settings: SkySettings) -> Result<Self> {
         settings.validate()?;
         Ok(Self {
@@ -255,7 +255,7 @@ impl SkyRenderer {
     /// [`EffectPlan::after`].
     ///
     /// # Errors
-    /// [`Error::Invalid`] from [`Scene::validate`].
+    /// [`crate::ErrorKind::Invalid`] from [`Scene::validate`].
     pub fn plan(&self, scene: &Scene, size: [u32; 2]) -> Result<EffectPlan> {
         let view = scene.validate()?;
         Ok(EffectPlan::of(scene, &view, &self.settings, size, self.plan.as_ref()))
@@ -295,7 +295,7 @@ impl SkyRenderer {
     /// that draws to the target clears it as `target` says; opaque black is fastest, as the sky is then just written.
     ///
     /// # Errors
-    /// [`Error::Invalid`] from [`Scene::validate`], before anything is created; errors of the backend.
+    /// [`crate::ErrorKind::Invalid`] from [`Scene::validate`], before anything is created; errors of the backend.
     pub fn background(&mut self, backend: &mut dyn Backend, scene: &Scene, target: Target) -> Result<&[Pass]> {
         let view = scene.validate()?;
         let desc = texture(backend, target.color)?;
@@ -371,7 +371,7 @@ impl SkyRenderer {
     /// fading out from 15 to 50 km it draws the rest of the sky: the limb and the shell around the planet.
     ///
     /// # Errors
-    /// As [`Self::background`]; [`Error::Invalid`] if sizes or row orders differ.
+    /// As [`Self::background`]; [`crate::ErrorKind::Invalid`] if sizes or row orders differ.
     pub fn aerial(
         &mut self,
         backend: &mut dyn Backend,

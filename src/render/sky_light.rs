@@ -68,7 +68,7 @@ impl AtmosphereConfig {
     /// Checks the ranges given at the fields.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for the first that is wrong.
+    /// [`crate::ErrorKind::Invalid`] for the first that is wrong.
     pub fn validate(&self) -> Result<()> {
         in_range("atmosphere_start", self.atmosphere_start, 0.0, 1e9, "m")?;
         in_range("atmosphere_end", self.atmosphere_end, 0.0, 1e9, "m")?;
@@ -134,7 +134,7 @@ impl From<&LightingContext> for LightingContextUniform {
 /// planet. Within 0.1 %.
 ///
 /// # Errors
-/// [`Error::Invalid`] from [`AtmosphereParams::validate`] and for inputs out of range.
+/// [`crate::ErrorKind::Invalid`] from [`AtmosphereParams::validate`] and for inputs out of range.
 pub fn sunlight(params: &AtmosphereParams, altitude: f64, sun_sine: f64) -> Result<[f64; 3]> {
     in_range("sun_sine", sun_sine, -1.0, 1.0, "")?;
     in_range("altitude", altitude, -1e15, 1e15, "m")?;

@@ -76,7 +76,7 @@ impl WarmUp {
     /// For a [`PictureRenderer`]. Of the scene, only planet, air and depth convention count.
     ///
     /// # Errors
-    /// [`crate::Error::Invalid`] from [`Scene::validate`] and [`SkySettings::validate`].
+    /// [`crate::ErrorKind::Invalid`] from [`Scene::validate`] and [`SkySettings::validate`].
     pub fn picture(scene: &Scene, settings: &PictureSettings) -> Result<Self> {
         let settings = PictureSettings { sky: small(&settings.sky), ..*settings };
         settings.sky.validate()?;

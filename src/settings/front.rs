@@ -111,8 +111,8 @@ impl Front {
     /// before can be used again.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for no qualities, for one whose numbers are not among the committed, and for a size
-    /// that the backend does not have, before anything is created; [`Error::Unavailable`] where waiting or
+    /// [`crate::ErrorKind::Invalid`] for no qualities, for one whose numbers are not among the committed, and for a size
+    /// that the backend does not have, before anything is created; [`crate::ErrorKind::Unavailable`] where waiting or
     /// timing is impossible (browsers); errors of the backend.
     pub fn measure(backend: &mut dyn Backend, qualities: &[Quality], size: [u32; 2]) -> Result<Self> {
         let committed = Self::committed();
@@ -165,7 +165,7 @@ impl Front {
     /// What was measured on one backend alone.
     ///
     /// # Errors
-    /// [`Error::Invalid`] with the backends that there are.
+    /// [`crate::ErrorKind::Invalid`] with the backends that there are.
     pub fn on(&self, backend: &str) -> Result<Self> {
         let measured: Vec<_> = self.measured.iter().filter(|m| m.backend == backend).cloned().collect();
         if measured.is_empty() {
@@ -198,7 +198,7 @@ impl Front {
     /// scattering** and over the Earth scenes of the report, is at most `error` (0.1 is 10 %).
     ///
     /// # Errors
-    /// [`Error::Invalid`] if none is so exact, or `error` is not a number: it says which comes closest.
+    /// [`crate::ErrorKind::Invalid`] if none is so exact, or `error` is not a number: it says which comes closest.
     pub fn within_error(&self, error: f64) -> Result<Quality> {
         let all = self.all("within_error", error)?;
         let fits = all.iter().filter(|(_, c)| error.is_finite() && c.error <= error);
@@ -221,7 +221,7 @@ impl Front {
     /// methods that compute single scattering alone, what they all lack hides the rest: their sampling decides.
     ///
     /// # Errors
-    /// [`Error::Invalid`] if none is so fast: it says which is the fastest.
+    /// [`crate::ErrorKind::Invalid`] if none is so fast: it says which is the fastest.
     pub fn within_budget(&self, budget: Duration) -> Result<Quality> {
         let all = self.all("within_budget", milliseconds(budget))?;
         let fits: Vec<_> = all.iter().filter(|(_, c)| c.time <= budget).collect();

@@ -71,7 +71,7 @@ impl Quality {
     /// A preset by its name.
     ///
     /// # Errors
-    /// [`Error::Invalid`] with the names that there are.
+    /// [`crate::ErrorKind::Invalid`] with the names that there are.
     pub fn from_name(name: &str) -> Result<Self> {
         Self::ALL.iter().find(|q| q.name == name).copied().ok_or_else(|| {
             let names: Vec<_> = Self::ALL.iter().map(|q| q.name).collect();

@@ -21,7 +21,7 @@ pub struct Translated {
 }
 
 fn driver_error(what: &str, program: Program, reason: impl ToString) -> Error {
-    Error::Driver { backend: "webgl2", what: format!("{what} {}", program.name()), reason: reason.to_string() }
+    Error::driver("webgl2", format!("{what} {}", program.name()), reason.to_string())
 }
 
 /// Parses and validates a program's WGSL.
@@ -209,13 +209,10 @@ pub fn struct_layout(program: Program, name: &str) -> Result<Option<Layout>> {
 /// A struct of a module that no program includes. `None` if there is no such struct.
 ///
 /// # Errors
-/// [`Error::Driver`] if naga does not accept the text.
+/// [`crate::ErrorKind::Driver`] if naga does not accept the text.
 pub fn module_layout(wgsl: &str, name: &str) -> Result<Option<Layout>> {
-    let module = naga::front::wgsl::parse_str(wgsl).map_err(|e| Error::Driver {
-        backend: "naga",
-        what: "parse a module".into(),
-        reason: e.emit_to_string(wgsl),
-    })?;
+    let module = naga::front::wgsl::parse_str(wgsl)
+        .map_err(|e| Error::driver("naga", "parse a module", e.emit_to_string(wgsl)))?;
     layout(&module, name)
 }
 

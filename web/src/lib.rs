@@ -235,7 +235,7 @@ impl Viewer {
         self.settings.sky.bound = Some(Bound::eight_bit(self.settings.exposure));
         let mut canvas = self.canvas.borrow_mut();
         if let Some(reason) = canvas.lost() {
-            return Err(Error::Lost { backend: canvas.info().backend, reason }.into());
+            return Err(Error::lost(canvas.info().backend, reason).into());
         }
         let Self { picture, settings, drawn, .. } = self;
         canvas.present(self.size, &mut |backend, canvas| {
