@@ -53,12 +53,6 @@ pub enum ErrorKind {
 /// `Result` with this crate's [`Error`].
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
-impl From<ErrorKind> for Error {
-    fn from(kind: ErrorKind) -> Self {
-        Self(Box::new(kind))
-    }
-}
-
 impl fmt::Debug for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Debug::fmt(&self.0, f)
@@ -74,6 +68,11 @@ impl fmt::Display for Error {
 impl std::error::Error for Error {}
 
 impl Error {
+    /// An error of a kind.
+    pub fn new(kind: ErrorKind) -> Self {
+        Self(Box::new(kind))
+    }
+
     /// What went wrong.
     pub fn kind(&self) -> &ErrorKind {
         &self.0
@@ -87,19 +86,19 @@ impl Error {
     /// An [`ErrorKind::Unavailable`].
     #[cold]
     pub fn unavailable(backend: &'static str, reason: impl Into<String>) -> Self {
-        ErrorKind::Unavailable { backend, reason: reason.into() }.into()
+        Self::new(ErrorKind::Unavailable { backend, reason: reason.into() })
     }
 
     /// An [`ErrorKind::Lost`].
     #[cold]
     pub fn lost(backend: &'static str, reason: impl Into<String>) -> Self {
-        ErrorKind::Lost { backend, reason: reason.into() }.into()
+        Self::new(ErrorKind::Lost { backend, reason: reason.into() })
     }
 
     /// An [`ErrorKind::Driver`].
     #[cold]
     pub fn driver(backend: &'static str, what: impl Into<String>, reason: impl Into<String>) -> Self {
-        ErrorKind::Driver { backend, what: what.into(), reason: reason.into() }.into()
+        Self::new(ErrorKind::Driver { backend, what: what.into(), reason: reason.into() })
     }
 
     /// An [`ErrorKind::Invalid`] from anything printable.
@@ -111,22 +110,24 @@ impl Error {
     #[cold]
     fn invalid_dyn(field: &dyn fmt::Display, value: &dyn fmt::Display, allowed: &dyn fmt::Display) -> Self {
         let [field, value, allowed] = [field, value, allowed].map(ToString::to_string);
-        ErrorKind::Invalid { field, value, allowed }.into()
+        Self::new(ErrorKind::Invalid { field, value, allowed })
     }
 }
 
 /// `value` if it is finite and within `lo..=hi`, else an [`ErrorKind::Invalid`].
 pub fn in_range(field: impl fmt::Display, value: f64, lo: f64, hi: f64, unit: &str) -> Result<f64> {
-    if value.is_finite() && (lo..=hi).contains(&value) {
-        return Ok(value);
-    }
-    Err(out_of_range(&field, value, lo, hi, unit))
+    check_range(&field, value, lo, hi, unit)?;
+    Ok(value)
 }
 
-#[cold]
-fn out_of_range(field: &dyn fmt::Display, value: f64, lo: f64, hi: f64, unit: &str) -> Error {
+/// One copy in the program, however many fields are checked.
+#[inline(never)]
+fn check_range(field: &dyn fmt::Display, value: f64, lo: f64, hi: f64, unit: &str) -> Result<()> {
+    if value.is_finite() && (lo..=hi).contains(&value) {
+        return Ok(());
+    }
     let (lo, hi, space) = (short(lo), short(hi), if unit.is_empty() { "" } else { " " });
-    Error::invalid_dyn(field, &short(value), &format_args!("from {lo} to {hi}{space}{unit}"))
+    Err(Error::invalid_dyn(field, &short(value), &format_args!("from {lo} to {hi}{space}{unit}")))
 }
 
 /// A number as people write it: 0.3, 6360000, 1e15.

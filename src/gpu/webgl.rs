@@ -32,6 +32,9 @@ const GPU_DISJOINT: u32 = 0x8FBB;
 /// Uniform blocks in flight; the buffer is a ring.
 const RING: u32 = 64;
 
+/// Takes a context's state, and gives it back.
+type Save = (fn(&glow::Context, bool) -> Saved, fn(&Saved, &glow::Context, bool));
+
 #[derive(Clone, Copy)]
 enum Source {
     Own(glow::Texture),
@@ -58,7 +61,8 @@ struct Timer {
 pub struct WebGlBackend {
     gl: Rc<glow::Context>,
     info: AdapterInfo,
-    shared: bool,
+    /// On a user's context: how its state is kept. A program without such a context has no code for it.
+    save: Option<Save>,
     web: bool,
     textures: SlotMap<TextureId, Texture>,
     programs: SlotMap<ProgramId, Compiled>,
@@ -100,15 +104,15 @@ impl WebGlBackend {
     /// # Errors
     /// [`crate::ErrorKind::Unavailable`] if the context cannot draw to float textures.
     pub fn new(gl: Rc<glow::Context>) -> Result<Self> {
-        Self::make(gl, true)
+        Self::make(gl, Some((Saved::take, Saved::restore)))
     }
 
     /// As [`Self::new`], on a context that nobody else uses: its state is not saved and put back.
     pub fn own(gl: Rc<glow::Context>) -> Result<Self> {
-        Self::make(gl, false)
+        Self::make(gl, None)
     }
 
-    fn make(gl: Rc<glow::Context>, shared: bool) -> Result<Self> {
+    fn make(gl: Rc<glow::Context>, save: Option<Save>) -> Result<Self> {
         let web = cfg!(target_arch = "wasm32");
         let extensions = gl.supported_extensions();
         // Natively the names begin with GL_.
@@ -123,7 +127,7 @@ impl WebGlBackend {
         } else {
             TimerKind::Clock
         };
-        let saved = shared.then(|| Saved::take(&gl, web));
+        let saved = save.map(|(take, restore)| (take(&gl, web), restore));
         let failed = |e: String| driver("create", e);
         // SAFETY: the caller's context is current; only objects made here are touched.
         let made = unsafe {
@@ -157,7 +161,7 @@ impl WebGlBackend {
                     max_texture_size: gl.get_parameter_i32(glow::MAX_TEXTURE_SIZE).max(1) as u32,
                     filters_f32: extensions.iter().any(|e| e.ends_with("OES_texture_float_linear")),
                 },
-                shared,
+                save,
                 web,
                 textures: SlotMap::with_key(),
                 programs: SlotMap::with_key(),
@@ -176,8 +180,8 @@ impl WebGlBackend {
                 gl,
             }
         };
-        if let Some(saved) = saved {
-            saved.restore(&made.gl, web);
+        if let Some((saved, restore)) = saved {
+            restore(&saved, &made.gl, web);
         }
         Ok(made)
     }
@@ -219,10 +223,10 @@ impl WebGlBackend {
         if let Some(reason) = &self.lost {
             return Err(Error::lost(NAME, reason.as_str()));
         }
-        let saved = self.shared.then(|| Saved::take(&self.gl, self.web));
+        let saved = self.save.map(|(take, restore)| (take(&self.gl, self.web), restore));
         let result = f(self);
-        if let Some(saved) = saved {
-            saved.restore(&self.gl, self.web);
+        if let Some((saved, restore)) = saved {
+            restore(&saved, &self.gl, self.web);
         }
         result
     }

@@ -85,7 +85,9 @@ pub struct Drawn {
 /// [`PictureSettings`] and [`crate::AtmosphereParams`]) leaves its range. Multiplying by it rounds nothing.
 pub fn scale(exposure: f64, sun_intensity: f64) -> f64 {
     const BRIGHTEST: f64 = 1e6; // of sun_intensity
-    if exposure > 0.0 { exposure.min(BRIGHTEST / sun_intensity).log2().floor().exp2() } else { 1.0 }
+    // A float without its fraction's bits is the power of two next below it.
+    let floor = |v: f64| f64::from_bits(v.to_bits() & f64::INFINITY.to_bits()).max(f64::MIN_POSITIVE);
+    if exposure > 0.0 { floor(exposure.min(BRIGHTEST / sun_intensity)) } else { 1.0 }
 }
 
 /// Draws pictures of a planet; used by the command line and by the page. Its source is the shortest

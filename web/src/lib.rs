@@ -32,6 +32,10 @@ use welkin::{
 use args::{canvas, flag, name, number, whole};
 use surface::Surface;
 
+/// A few kilobytes smaller than Rust's own, and as fast: a frame allocates nothing.
+#[global_allocator]
+static ALLOCATOR: rlsf::GlobalTlsf = rlsf::GlobalTlsf::new();
+
 /// What a method of the module's classes returns to JavaScript.
 type Answer<T> = std::result::Result<T, JsError>;
 
