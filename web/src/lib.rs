@@ -8,6 +8,7 @@
 compile_error!("a module needs a backend: build welkin-web with the feature `webgl` or `webgpu`");
 
 mod args;
+mod math;
 #[cfg(feature = "probe")]
 mod probe;
 mod surface;
