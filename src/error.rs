@@ -2,10 +2,16 @@
 
 use std::fmt;
 
-/// What can go wrong. Nothing in this crate panics on bad input, and nothing
-/// is created or changed when a call returns an error.
+/// What went wrong. Nothing in this crate panics on bad input, and nothing is created or changed when a call returns
+/// an error.
+///
+/// It is one pointer, so that handing it on costs next to no code; [`Error::kind`] tells what it points to.
+#[derive(Clone, PartialEq)]
+pub struct Error(Box<ErrorKind>);
+
+/// The kinds of errors, with what they tell.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum Error {
+pub enum ErrorKind {
     /// An input is outside what the library promises to handle.
     #[error("{field} = {value} is not allowed: must be {allowed}")]
     Invalid {
@@ -47,8 +53,55 @@ pub enum Error {
 /// `Result` with this crate's [`Error`].
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
+impl fmt::Debug for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Debug::fmt(&self.0, f)
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(&self.0, f)
+    }
+}
+
+impl std::error::Error for Error {}
+
 impl Error {
-    /// An [`Error::Invalid`] from anything printable.
+    /// An error of a kind.
+    pub fn new(kind: ErrorKind) -> Self {
+        Self(Box::new(kind))
+    }
+
+    /// What went wrong.
+    pub fn kind(&self) -> &ErrorKind {
+        &self.0
+    }
+
+    /// What went wrong, to be taken apart.
+    pub fn into_kind(self) -> ErrorKind {
+        *self.0
+    }
+
+    /// An [`ErrorKind::Unavailable`].
+    #[cold]
+    pub fn unavailable(backend: &'static str, reason: impl Into<String>) -> Self {
+        Self::new(ErrorKind::Unavailable { backend, reason: reason.into() })
+    }
+
+    /// An [`ErrorKind::Lost`].
+    #[cold]
+    pub fn lost(backend: &'static str, reason: impl Into<String>) -> Self {
+        Self::new(ErrorKind::Lost { backend, reason: reason.into() })
+    }
+
+    /// An [`ErrorKind::Driver`].
+    #[cold]
+    pub fn driver(backend: &'static str, what: impl Into<String>, reason: impl Into<String>) -> Self {
+        Self::new(ErrorKind::Driver { backend, what: what.into(), reason: reason.into() })
+    }
+
+    /// An [`ErrorKind::Invalid`] from anything printable.
     pub fn invalid(field: impl fmt::Display, value: impl fmt::Display, allowed: impl fmt::Display) -> Self {
         Self::invalid_dyn(&field, &value, &allowed)
     }
@@ -56,22 +109,25 @@ impl Error {
     /// One copy in the program, however many kinds of values there are.
     #[cold]
     fn invalid_dyn(field: &dyn fmt::Display, value: &dyn fmt::Display, allowed: &dyn fmt::Display) -> Self {
-        Self::Invalid { field: field.to_string(), value: value.to_string(), allowed: allowed.to_string() }
+        let [field, value, allowed] = [field, value, allowed].map(ToString::to_string);
+        Self::new(ErrorKind::Invalid { field, value, allowed })
     }
 }
 
-/// `value` if it is finite and within `lo..=hi`, else an [`Error::Invalid`].
+/// `value` if it is finite and within `lo..=hi`, else an [`ErrorKind::Invalid`].
 pub fn in_range(field: impl fmt::Display, value: f64, lo: f64, hi: f64, unit: &str) -> Result<f64> {
-    if value.is_finite() && (lo..=hi).contains(&value) {
-        return Ok(value);
-    }
-    Err(out_of_range(&field, value, lo, hi, unit))
+    check_range(&field, value, lo, hi, unit)?;
+    Ok(value)
 }
 
-#[cold]
-fn out_of_range(field: &dyn fmt::Display, value: f64, lo: f64, hi: f64, unit: &str) -> Error {
+/// One copy in the program, however many fields are checked.
+#[inline(never)]
+fn check_range(field: &dyn fmt::Display, value: f64, lo: f64, hi: f64, unit: &str) -> Result<()> {
+    if value.is_finite() && (lo..=hi).contains(&value) {
+        return Ok(());
+    }
     let (lo, hi, space) = (short(lo), short(hi), if unit.is_empty() { "" } else { " " });
-    Error::invalid_dyn(field, &short(value), &format_args!("from {lo} to {hi}{space}{unit}"))
+    Err(Error::invalid_dyn(field, &short(value), &format_args!("from {lo} to {hi}{space}{unit}")))
 }
 
 /// A number as people write it: 0.3, 6360000, 1e15.
@@ -162,7 +218,7 @@ mod text {
     }
 }
 
-/// `v` scaled to length 1, or an [`Error::Invalid`] if it has no direction.
+/// `v` scaled to length 1, or an [`ErrorKind::Invalid`] if it has no direction.
 pub fn direction(field: &str, v: glam::DVec3) -> Result<glam::DVec3> {
     let scale = v.abs().max_element();
     if !v.is_finite() || scale < 1e-150 {

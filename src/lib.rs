@@ -85,7 +85,7 @@ pub mod render;
 pub mod settings;
 pub mod shaders;
 
-pub use error::{Error, Result};
+pub use error::{Error, ErrorKind, Result};
 pub use frame::Frame;
 pub use frame::terrain::TerrainStyle;
 pub use model::atmosphere::{AtmosphereParams, MiePhase};

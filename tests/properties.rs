@@ -11,7 +11,7 @@ use welkin::frame::luts::LutsUniform;
 use welkin::frame::uniforms::{FrameOptions, FrameUniform};
 use welkin::gpu::RowOrder;
 use welkin::model::scene::Tangents;
-use welkin::{AtmosphereParams, Camera, DepthConvention, Error, LutSettings, MiePhase, Scene};
+use welkin::{AtmosphereParams, Camera, DepthConvention, Error, ErrorKind, LutSettings, MiePhase, Scene};
 
 /// From a range, evenly in the logarithm; or one of its ends, or anything at all.
 fn near(low: f64, high: f64) -> impl Strategy<Value = f64> {
@@ -133,9 +133,9 @@ fn what_is_accepted_becomes_finite_blocks() {
     let config = ProptestConfig { cases: 4000, failure_persistence: None, ..ProptestConfig::default() };
     let inputs = (scenes(), [1..5000u32, 1..5000u32], 0.0..=1.0f64);
     let blocks = |(scene, size, sky_weight): (Scene, [u32; 2], f64)| {
-        let view = match scene.validate() {
+        let view = match scene.validate().map_err(Error::into_kind) {
             Ok(view) => view,
-            Err(Error::Invalid { field, value, allowed }) => {
+            Err(ErrorKind::Invalid { field, value, allowed }) => {
                 prop_assert!(!field.is_empty() && !value.is_empty() && !allowed.is_empty());
                 return Ok(());
             }

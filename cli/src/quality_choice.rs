@@ -92,8 +92,8 @@ fn words(time: Duration) -> String {
 
 /// What the library refuses of an option is a wrong request; anything else failed.
 fn refuse(option: &str, error: welkin::Error) -> anyhow::Error {
-    match error {
-        welkin::Error::Invalid { value, allowed, .. } => UsageError::value(option, value, allowed).into(),
+    match error.into_kind() {
+        welkin::ErrorKind::Invalid { value, allowed, .. } => UsageError::value(option, value, allowed).into(),
         other => other.into(),
     }
 }

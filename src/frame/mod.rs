@@ -105,7 +105,7 @@ impl Frame {
     /// The frame of a scene in a picture of a size in pixels, rows from the top.
     ///
     /// # Errors
-    /// [`Error::Invalid`] from [`Scene::validate`] and [`SkySettings::validate`], and for a side of 0.
+    /// [`crate::ErrorKind::Invalid`] from [`Scene::validate`] and [`SkySettings::validate`], and for a side of 0.
     pub fn new(scene: &Scene, settings: &SkySettings, size: [u32; 2]) -> Result<Self> {
         settings.validate()?;
         Self::checked(scene, settings, size, RowOrder::TopDown, None)
@@ -115,7 +115,7 @@ impl Frame {
     /// that a scene on a threshold does not switch in every frame. Either way it is within the bound.
     ///
     /// # Errors
-    /// [`Error::Invalid`] as for [`Self::new`].
+    /// [`crate::ErrorKind::Invalid`] as for [`Self::new`].
     pub fn after(previous: &Self, scene: &Scene, settings: &SkySettings, size: [u32; 2]) -> Result<Self> {
         settings.validate()?;
         Self::checked(scene, settings, size, RowOrder::TopDown, Some(previous))

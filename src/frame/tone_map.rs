@@ -54,7 +54,7 @@ impl Display {
 /// targets of other formats.
 ///
 /// # Errors
-/// [`crate::Error::Invalid`] unless `exposure` is from 0 to 1e9 and the sizes are equal.
+/// [`crate::ErrorKind::Invalid`] unless `exposure` is from 0 to 1e9 and the sizes are equal.
 pub fn tone_pass(
     backend: &mut dyn Backend,
     map: ToneMap,

@@ -50,21 +50,18 @@ impl Headless {
     /// wherever a thread has several.
     ///
     /// # Errors
-    /// [`Error::Driver`] with what EGL answers.
+    /// [`crate::ErrorKind::Driver`] with what EGL answers.
     pub fn make_current(&self) -> Result<()> {
         let Context { egl, display, context } = &self.context;
-        egl.make_current(*display, None, None, Some(*context)).map_err(|e| Error::Driver {
-            backend: "webgl2",
-            what: "make current".into(),
-            reason: e.to_string(),
-        })
+        egl.make_current(*display, None, None, Some(*context))
+            .map_err(|e| Error::driver("webgl2", "make current", e.to_string()))
     }
 
     /// Opens a surfaceless context: on the first EGL device that has ES 3 (a GPU, if its driver is
     /// installed), else through Mesa's surfaceless platform.
     ///
     /// # Errors
-    /// [`Error::Unavailable`] with what each attempt answered.
+    /// [`crate::ErrorKind::Unavailable`] with what each attempt answered.
     pub fn new() -> Result<Self> {
         let mut answers = Vec::new();
         for platform in [PLATFORM_DEVICE_EXT, PLATFORM_SURFACELESS_MESA] {
@@ -73,7 +70,7 @@ impl Headless {
                 Err(e) => answers.push(e),
             }
         }
-        Err(Error::Unavailable { backend: "webgl2", reason: answers.join("; ") })
+        Err(Error::unavailable("webgl2", answers.join("; ")))
     }
 
     fn open(platform: egl::Enum) -> Result<Self, String> {

@@ -341,7 +341,7 @@ pub trait Backend {
     /// A new texture; its content is undefined.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for a side of 0 or beyond [`AdapterInfo::max_texture_size`]; [`Error::Driver`].
+    /// [`crate::ErrorKind::Invalid`] for a side of 0 or beyond [`AdapterInfo::max_texture_size`]; [`crate::ErrorKind::Driver`].
     fn create_texture(&mut self, desc: &TextureDesc) -> Result<TextureId>;
 
     /// What a texture was made with.
@@ -406,7 +406,7 @@ pub trait Backend {
 }
 
 fn cannot_wait(backend: &'static str) -> Error {
-    Error::Unavailable { backend, reason: "this platform cannot wait for the GPU: poll instead".into() }
+    Error::unavailable(backend, "this platform cannot wait for the GPU: poll instead")
 }
 
 /// An epoch for a new backend.
@@ -423,21 +423,14 @@ pub(crate) fn known(backend: &dyn Backend, id: TextureId) -> Result<TextureDesc>
 
 /// The error for an id that this backend does not (or no longer) know.
 pub(crate) fn unknown(backend: &'static str, what: &str) -> Error {
-    Error::Driver {
-        backend,
-        what: what.to_owned(),
-        reason: "no such object: it was destroyed or belongs to another backend".into(),
-    }
+    Error::driver(backend, what, "no such object: it was destroyed or belongs to another backend")
 }
 
 /// Checks that a pass gives its program what it reads; answers the textures in the order of the program's slots.
 #[cfg(any(feature = "wgpu", feature = "webgl"))]
 pub(crate) fn check_pass(backend: &'static str, pass: &Pass, program: Program) -> Result<program::Bound> {
-    let fault = |reason| Error::Driver {
-        backend,
-        what: format!("pass {} with program {}", pass.label, program.name()),
-        reason,
-    };
+    let fault =
+        |reason| Error::driver(backend, format!("pass {} with program {}", pass.label, program.name()), reason);
     let (given, needed) = (pass.uniform.bytes().len(), program.info().uniform_size as usize);
     if given != needed {
         return Err(fault(format!("{given} uniform bytes given, {needed} needed")));

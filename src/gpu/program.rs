@@ -212,7 +212,7 @@ impl Inputs {
     /// One more texture.
     ///
     /// # Errors
-    /// [`Error::Invalid`] beyond [`TEXTURES_MAX`].
+    /// [`crate::ErrorKind::Invalid`] beyond [`TEXTURES_MAX`].
     pub fn push(&mut self, name: &'static str, texture: Option<TextureId>) -> Result<()> {
         let free = self.list.get_mut(self.len).ok_or_else(|| {
             Error::invalid("inputs", TEXTURES_MAX + 1, format_args!("at most {TEXTURES_MAX} textures of a pass"))

@@ -33,6 +33,9 @@ const GPU_DISJOINT: u32 = 0x8FBB;
 /// Uniform blocks in flight; the buffer is a ring.
 const RING: u32 = 64;
 
+/// Takes a context's state, and gives it back.
+type Save = (fn(&glow::Context, bool) -> Saved, fn(&Saved, &glow::Context, bool));
+
 #[derive(Clone, Copy)]
 enum Source {
     Own(glow::Texture),
@@ -62,7 +65,8 @@ pub struct WebGlBackend {
     epoch: u64,
     gl: Rc<glow::Context>,
     info: AdapterInfo,
-    shared: bool,
+    /// On a user's context: how its state is kept. A program without such a context has no code for it.
+    save: Option<Save>,
     web: bool,
     textures: SlotMap<TextureId, Texture>,
     programs: SlotMap<ProgramId, Compiled>,
@@ -94,7 +98,7 @@ fn format(format: Format) -> Option<(u32, u32, u32)> {
 }
 
 fn driver(what: impl ToString, reason: impl ToString) -> Error {
-    Error::Driver { backend: NAME, what: what.to_string(), reason: reason.to_string() }
+    Error::driver(NAME, what.to_string(), reason.to_string())
 }
 
 impl WebGlBackend {
@@ -102,33 +106,33 @@ impl WebGlBackend {
     /// is put back after each call; see the [module](self) for the one exception.
     ///
     /// # Errors
-    /// [`Error::Unavailable`] if the context cannot draw to float textures, or if it computes fragment shaders with
+    /// [`crate::ErrorKind::Unavailable`] if the context cannot draw to float textures, or if it computes fragment shaders with
     /// fewer than 32 bits: one pixel is drawn to find out.
     pub fn new(gl: Rc<glow::Context>) -> Result<Self> {
-        Self::make(gl, true)
+        Self::make(gl, Some((Saved::take, Saved::restore)))
     }
 
     /// As [`Self::new`], on a context that nobody else uses: its state is not saved and put back.
     pub fn own(gl: Rc<glow::Context>) -> Result<Self> {
-        Self::make(gl, false)
+        Self::make(gl, None)
     }
 
-    fn make(gl: Rc<glow::Context>, shared: bool) -> Result<Self> {
+    fn make(gl: Rc<glow::Context>, save: Option<Save>) -> Result<Self> {
         let web = cfg!(target_arch = "wasm32");
         let extensions = gl.supported_extensions();
         // Natively the names begin with GL_.
         if !extensions.iter().any(|e| e.ends_with("EXT_color_buffer_float")) {
-            return Err(Error::Unavailable {
-                backend: NAME,
-                reason: "the context has no EXT_color_buffer_float: it cannot draw to float textures".into(),
-            });
+            return Err(Error::unavailable(
+                NAME,
+                "the context has no EXT_color_buffer_float: it cannot draw to float textures",
+            ));
         }
         let timer = if extensions.iter().any(|e| e.contains("disjoint_timer_query")) {
             TimerKind::TimerQuery
         } else {
             TimerKind::Clock
         };
-        let saved = shared.then(|| Saved::take(&gl, web));
+        let saved = save.map(|(take, restore)| (take(&gl, web), restore));
         let failed = |e: String| driver("create", e);
         // SAFETY: the caller's context is current; only objects made here are touched.
         let mut made = unsafe {
@@ -164,7 +168,7 @@ impl WebGlBackend {
                     filters_f32: extensions.iter().any(|e| e.ends_with("OES_texture_float_linear")),
                     precision: Precision::Full,
                 },
-                shared,
+                save,
                 web,
                 textures: SlotMap::with_key(),
                 programs: SlotMap::with_key(),
@@ -184,8 +188,8 @@ impl WebGlBackend {
             }
         };
         let precision = precision::test(&made.gl, web, made.vertex_array, made.ring, made.binding_point);
-        if let Some(saved) = saved {
-            saved.restore(&made.gl, web);
+        if let Some((saved, restore)) = saved {
+            restore(&saved, &made.gl, web);
         }
         made.info.precision = precision?;
         Ok(made)
@@ -226,12 +230,12 @@ impl WebGlBackend {
     /// Runs `f` with the user's state put back afterwards.
     fn guarded<T>(&mut self, f: impl FnOnce(&mut Self) -> Result<T>) -> Result<T> {
         if let Some(reason) = &self.lost {
-            return Err(Error::Lost { backend: NAME, reason: reason.clone() });
+            return Err(Error::lost(NAME, reason.as_str()));
         }
-        let saved = self.shared.then(|| Saved::take(&self.gl, self.web));
+        let saved = self.save.map(|(take, restore)| (take(&self.gl, self.web), restore));
         let result = f(self);
-        if let Some(saved) = saved {
-            saved.restore(&self.gl, self.web);
+        if let Some((saved, restore)) = saved {
+            restore(&saved, &self.gl, self.web);
         }
         result
     }
@@ -255,7 +259,7 @@ impl WebGlBackend {
             code @ (0x9242 | 0x0507) => {
                 let reason = format!("context lost (GL error {code:#06x})");
                 self.lost = Some(reason.clone());
-                Err(Error::Lost { backend: NAME, reason })
+                Err(Error::lost(NAME, reason))
             }
             code => Err(driver(what, format!("GL error {code:#06x}"))),
         }

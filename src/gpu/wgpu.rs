@@ -101,9 +101,9 @@ impl WgpuBackend {
     /// Makes a device of its own on the adapter that can present to `surface` (any, if `None`), best first.
     ///
     /// # Errors
-    /// [`Error::Unavailable`] with the reason if there is no adapter or no device.
+    /// [`crate::ErrorKind::Unavailable`] with the reason if there is no adapter or no device.
     pub async fn new(instance: &wgpu::Instance, surface: Option<&wgpu::Surface<'_>>) -> Result<Self> {
-        let unavailable = |reason: String| Error::Unavailable { backend: NAME, reason };
+        let unavailable = |reason: String| Error::unavailable(NAME, reason);
         let adapter = instance
             .request_adapter(&wgpu::RequestAdapterOptions {
                 power_preference: wgpu::PowerPreference::HighPerformance,
@@ -111,7 +111,11 @@ impl WgpuBackend {
                 ..Default::default()
             })
             .await
-            .map_err(|e| unavailable(e.to_string()))?;
+            .map_err(|e| match e {
+                // What else wgpu has to say is about APIs that a browser does not have.
+                _ if cfg!(target_arch = "wasm32") => unavailable("the browser offers no adapter".into()),
+                e => unavailable(e.to_string()),
+            })?;
         let wanted =
             wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::FLOAT32_BLENDABLE | wgpu::Features::FLOAT32_FILTERABLE;
         let limits = wgpu::Limits {
@@ -418,10 +422,10 @@ impl WgpuBackend {
     /// The device's loss or first error since the last call.
     fn check(&self) -> Result<()> {
         if let Some(reason) = self.lost() {
-            return Err(Error::Lost { backend: NAME, reason });
+            return Err(Error::lost(NAME, reason));
         }
         match lock(&self.failure).take() {
-            Some(reason) => Err(Error::Driver { backend: NAME, what: "device".into(), reason }),
+            Some(reason) => Err(Error::driver(NAME, "device", reason)),
             None => Ok(()),
         }
     }
@@ -440,11 +444,9 @@ impl WgpuBackend {
     /// Lets the device make progress; waits for it natively.
     fn poll(&self) -> Result<()> {
         #[cfg(not(target_arch = "wasm32"))]
-        self.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| Error::Driver {
-            backend: NAME,
-            what: "wait".into(),
-            reason: e.to_string(),
-        })?;
+        self.device
+            .poll(wgpu::PollType::wait_indefinitely())
+            .map_err(|e| Error::driver(NAME, "wait", e.to_string()))?;
         self.check()
     }
 
@@ -465,7 +467,7 @@ impl WgpuBackend {
     }
 
     fn mapped<T>(buffer: &wgpu::Buffer, f: impl FnOnce(&[u8]) -> T) -> Result<T> {
-        let failed = |reason: String| Error::Driver { backend: NAME, what: "read back".into(), reason };
+        let failed = |reason: String| Error::driver(NAME, "read back", reason);
         let range = buffer.get_mapped_range(..).map_err(|e| failed(e.to_string()))?;
         let value = f(&range);
         drop(range);
@@ -664,7 +666,7 @@ impl Backend for WgpuBackend {
         let ready = lock(&self.reads.get(id).ok_or_else(|| unknown(NAME, "read"))?.done).take();
         let Some(ready) = ready else { return Ok(None) };
         let Some(read) = self.reads.remove(id) else { return Ok(None) };
-        ready.map_err(|e| Error::Driver { backend: NAME, what: "read back".into(), reason: e.to_string() })?;
+        ready.map_err(|e| Error::driver(NAME, "read back", e.to_string()))?;
         let row = (read.desc.width * read.desc.format.bytes() as u32) as usize;
         Self::mapped(&read.buffer, |bytes| {
             let mut out = Vec::with_capacity(read.desc.texels() * read.desc.format.channels());
@@ -686,10 +688,7 @@ impl Backend for WgpuBackend {
                 return Ok(self.timers.insert(Timer { labels, buffer, done: Slot::default(), times }));
             }
             #[cfg(target_arch = "wasm32")]
-            return Err(Error::Unavailable {
-                backend: NAME,
-                reason: "this device has no timestamps and a page cannot wait".into(),
-            });
+            return Err(Error::unavailable(NAME, "this device has no timestamps and a page cannot wait"));
         }
         let count = 2 * passes.len().max(1) as u32;
         let queries = self.device.create_query_set(&wgpu::QuerySetDescriptor {
@@ -721,7 +720,7 @@ impl Backend for WgpuBackend {
         let ready = lock(&timer.done).take();
         let Some(ready) = ready else { return Ok(None) };
         let Some(timer) = self.timers.remove(id) else { return Ok(None) };
-        ready.map_err(|e| Error::Driver { backend: NAME, what: "times".into(), reason: e.to_string() })?;
+        ready.map_err(|e| Error::driver(NAME, "times", e.to_string()))?;
         let period = f64::from(self.queue.get_timestamp_period());
         Self::mapped(&timer.buffer, |bytes| {
             let stamp =

@@ -58,7 +58,7 @@ impl AtmosphereConfig {
     /// Checks the ranges given at the fields.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for the first that is wrong.
+    /// [`crate::ErrorKind::Invalid`] for the first that is wrong.
     pub fn validate(&self) -> Result<()> {
         in_range("atmosphere_start", self.atmosphere_start, 0.0, 1e9, "m")?;
         in_range("atmosphere_end", self.atmosphere_end, 0.0, 1e9, "m")?;

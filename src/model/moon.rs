@@ -72,7 +72,7 @@ impl Moon {
     /// Checks the ranges, and that `camera` (same frame, metres) is outside of it.
     ///
     /// # Errors
-    /// [`crate::Error::Invalid`] with `moon.position`, `moon.radius`, `moon.floor` or `moon.earthshine`.
+    /// [`crate::ErrorKind::Invalid`] with `moon.position`, `moon.radius`, `moon.floor` or `moon.earthshine`.
     pub fn validate(&self, camera: DVec3) -> Result<()> {
         for (axis, c) in ["x", "y", "z"].iter().zip(self.position.to_array()) {
             in_range(format_args!("moon.position.{axis}"), c, -1e15, 1e15, "m")?;

@@ -9,7 +9,7 @@ use crate::error::{Result, in_range};
 /// planet. Within 0.1 %.
 ///
 /// # Errors
-/// [`Error::Invalid`] from [`AtmosphereParams::validate`] and for inputs out of range.
+/// [`crate::ErrorKind::Invalid`] from [`AtmosphereParams::validate`] and for inputs out of range.
 pub fn sunlight(params: &AtmosphereParams, altitude: f64, sun_sine: f64) -> Result<[f64; 3]> {
     params.validate()?;
     in_range("sun_sine", sun_sine, -1.0, 1.0, "")?;

@@ -246,9 +246,8 @@ pub fn run(backend: &mut dyn Backend, probe: Probe, cases: &[Case]) -> Result<Ve
     for batch in cases.chunks(BATCH) {
         let running = Running::begin(backend, probe, batch)?;
         let done = running.poll(backend)?;
-        answers.extend(done.ok_or_else(|| crate::Error::Unavailable {
-            backend: backend.info().backend,
-            reason: "this platform cannot wait for the GPU: poll instead".into(),
+        answers.extend(done.ok_or_else(|| {
+            crate::Error::unavailable(backend.info().backend, "this platform cannot wait for the GPU: poll instead")
         })?);
     }
     Ok(answers)

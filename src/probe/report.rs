@@ -68,7 +68,7 @@ impl Record {
     /// From [`Self::save`]; without its findings.
     ///
     /// # Errors
-    /// [`Error::Invalid`] with the first line that is none of such a file.
+    /// [`crate::ErrorKind::Invalid`] with the first line that is none of such a file.
     pub fn load(text: &str) -> Result<Self> {
         fn part<T: std::str::FromStr>(parts: &mut std::str::Split<'_, char>) -> Option<T> {
             parts.next()?.parse().ok()

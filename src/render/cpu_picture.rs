@@ -33,7 +33,7 @@ const MAX_SIDE: u32 = 16_384;
 /// Draws a scene. `settings.sky.method` does not matter here; `progress` hears the share that is done.
 ///
 /// # Errors
-/// [`crate::Error::Invalid`] for a scene, a setting or a size out of range.
+/// [`crate::ErrorKind::Invalid`] for a scene, a setting or a size out of range.
 pub fn render(scene: &Scene, settings: &PictureSettings, size: [u32; 2], progress: &dyn Fn(f32)) -> Result<CpuPicture> {
     let view = scene.validate()?;
     settings.sky.validate()?;

@@ -27,8 +27,8 @@ impl ParetoFront {
     /// before can be used again.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for no qualities, for one whose numbers are not among the committed, and for a size
-    /// that the backend does not have, before anything is created; [`Error::Unavailable`] where waiting or
+    /// [`crate::ErrorKind::Invalid`] for no qualities, for one whose numbers are not among the committed, and for a size
+    /// that the backend does not have, before anything is created; [`crate::ErrorKind::Unavailable`] where waiting or
     /// timing is impossible (browsers); errors of the backend.
     pub fn measure(backend: &mut dyn Backend, qualities: &[Quality], size: [u32; 2]) -> Result<Self> {
         let committed = Self::committed();

@@ -63,7 +63,9 @@ const BRIGHTEST: f64 = 1e6;
 /// from 1e-6 down and an exposure to match. 1 for an exposure of 0; never so much that `sun_intensity` (both as in
 /// [`PictureSettings`] and [`crate::AtmosphereParams`]) leaves its range. Multiplying by it rounds nothing.
 pub fn scale(exposure: f64, sun_intensity: f64) -> f64 {
-    if exposure > 0.0 { exposure.min(BRIGHTEST / sun_intensity).log2().floor().exp2() } else { 1.0 }
+    // A float without its fraction's bits is the power of two next below it.
+    let floor = |v: f64| f64::from_bits(v.to_bits() & f64::INFINITY.to_bits()).max(f64::MIN_POSITIVE);
+    if exposure > 0.0 { floor(exposure.min(BRIGHTEST / sun_intensity)) } else { 1.0 }
 }
 
 /// A picture's textures in the pool.
@@ -121,7 +123,7 @@ impl PictureRenderer {
     /// The passes of one picture, in order, and where they leave it.
     ///
     /// # Errors
-    /// [`crate::Error::Invalid`] for a scene, a setting or a size that is out of range, before anything is
+    /// [`crate::ErrorKind::Invalid`] for a scene, a setting or a size that is out of range, before anything is
     /// created; errors of the backend.
     pub fn passes(
         &mut self,
@@ -136,7 +138,7 @@ impl PictureRenderer {
     /// The passes of one picture, drawn straight to a texture of the caller: a canvas, say. Its row order may be either.
     ///
     /// # Errors
-    /// [`crate::Error::Invalid`] and errors of the backend as for [`Self::passes`].
+    /// [`crate::ErrorKind::Invalid`] and errors of the backend as for [`Self::passes`].
     pub fn passes_to(
         &mut self,
         backend: &mut dyn Backend,
@@ -225,7 +227,7 @@ impl PictureRenderer {
     /// Makes the passes and runs them.
     ///
     /// # Errors
-    /// [`crate::Error::Invalid`] and errors of the backend as for [`Self::passes`].
+    /// [`crate::ErrorKind::Invalid`] and errors of the backend as for [`Self::passes`].
     pub fn draw(
         &mut self,
         backend: &mut dyn Backend,

@@ -73,7 +73,7 @@ impl SkyRenderer {
     /// A renderer with the given settings.
     ///
     /// # Errors
-    /// [`Error::Invalid`] from [`SkySettings::validate`].
+    /// [`crate::ErrorKind::Invalid`] from [`SkySettings::validate`].
     pub fn new(settings: SkySettings) -> Result<Self> {
         settings.validate()?;
         Ok(Self { settings, ..Self::default() })
@@ -87,7 +87,7 @@ impl SkyRenderer {
     /// Changes the settings; on an error the old ones stay.
     ///
     /// # Errors
-    /// [`Error::Invalid`] from [`SkySettings::validate`].
+    /// [`crate::ErrorKind::Invalid`] from [`SkySettings::validate`].
     pub fn set_settings(&mut self, settings: SkySettings) -> Result<()> {
         settings.validate()?;
         self.settings = settings;
@@ -98,7 +98,7 @@ impl SkyRenderer {
     /// [`Frame::after`].
     ///
     /// # Errors
-    /// [`Error::Invalid`] as for [`Frame::new`].
+    /// [`crate::ErrorKind::Invalid`] as for [`Frame::new`].
     pub fn plan(&self, scene: &Scene, size: [u32; 2]) -> Result<Frame> {
         match &self.frame {
             Some(last) => Frame::after(last, scene, &self.settings, size),
@@ -116,7 +116,7 @@ impl SkyRenderer {
     /// LUTs that are up to date are not made again; a LUT counts as made once its passes have run.
     ///
     /// # Errors
-    /// [`Error::Invalid`] from [`Scene::validate`], for textures that the backend does not know, for sizes or row orders
+    /// [`crate::ErrorKind::Invalid`] from [`Scene::validate`], for textures that the backend does not know, for sizes or row orders
     /// that differ, and for a missing [`AerialTargets::color`]; all before anything is created. Errors of the backend.
     pub fn frame(
         &mut self,

@@ -150,7 +150,7 @@ impl SkyLight {
     /// centre, -1 to 1.
     ///
     /// # Errors
-    /// [`crate::Error::Invalid`] as for [`sunlight`].
+    /// [`crate::ErrorKind::Invalid`] as for [`sunlight`].
     pub fn ground_irradiance(&self, sun_sine: f64) -> Result<[f64; 3]> {
         let beam = sunlight(&self.params, 0.0, sun_sine)?;
         let [(column, part), _] = self.at(0.0, sun_sine);
@@ -197,7 +197,7 @@ impl SkyLight {
     /// [`LightingContext::ambient_color`], and shadows have the sky's share of all light on level ground.
     ///
     /// # Errors
-    /// [`crate::Error::Invalid`] as for [`sunlight`].
+    /// [`crate::ErrorKind::Invalid`] as for [`sunlight`].
     pub fn context(&self, altitude: f64, sun_sine: f64) -> Result<LightingContext> {
         let sky = self.harmonics(altitude, sun_sine).irradiance(DVec3::Z);
         let beam = sunlight(&self.params, altitude, sun_sine)?.map(|v| v * sun_sine.max(0.0));

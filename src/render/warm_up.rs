@@ -78,7 +78,7 @@ impl WarmUp {
     /// For a [`crate::PictureRenderer`]. Of the scene, only planet, air and depth convention count.
     ///
     /// # Errors
-    /// [`crate::Error::Invalid`] from [`Scene::validate`] and [`SkySettings::validate`].
+    /// [`crate::ErrorKind::Invalid`] from [`Scene::validate`] and [`SkySettings::validate`].
     pub fn picture(scene: &Scene, settings: &PictureSettings) -> Result<Self> {
         let mut jobs = Vec::new();
         let mut graph = Graph::default();
@@ -98,7 +98,7 @@ impl WarmUp {
     /// For a [`crate::SkyRenderer`].
     ///
     /// # Errors
-    /// [`crate::Error::Invalid`] from [`Scene::validate`] and [`SkySettings::validate`].
+    /// [`crate::ErrorKind::Invalid`] from [`Scene::validate`] and [`SkySettings::validate`].
     pub fn sky(scene: &Scene, settings: &SkySettings, targets: TargetFormats) -> Result<Self> {
         let mut jobs = Vec::new();
         let mut graph = Graph::default();

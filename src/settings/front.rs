@@ -94,7 +94,7 @@ impl ParetoFront {
     /// What was measured on one backend alone.
     ///
     /// # Errors
-    /// [`Error::Invalid`] with the backends that there are.
+    /// [`crate::ErrorKind::Invalid`] with the backends that there are.
     pub fn on(&self, backend: &str) -> Result<Self> {
         let measured: Vec<_> = self.measured.iter().filter(|m| m.backend == backend).cloned().collect();
         if measured.is_empty() {
@@ -127,7 +127,7 @@ impl ParetoFront {
     /// scattering** and over the Earth scenes of the report, is at most `error` (0.1 is 10 %).
     ///
     /// # Errors
-    /// [`Error::Invalid`] if none is so exact, or `error` is not a number: it says which comes closest.
+    /// [`crate::ErrorKind::Invalid`] if none is so exact, or `error` is not a number: it says which comes closest.
     pub fn within_error(&self, error: f64) -> Result<Quality> {
         let all = self.all("within_error", error)?;
         let fits = all.iter().filter(|(_, c)| error.is_finite() && c.error <= error);
@@ -150,7 +150,7 @@ impl ParetoFront {
     /// methods that compute single scattering alone, what they all lack hides the rest: their sampling decides.
     ///
     /// # Errors
-    /// [`Error::Invalid`] if none is so fast: it says which is the fastest.
+    /// [`crate::ErrorKind::Invalid`] if none is so fast: it says which is the fastest.
     pub fn within_budget(&self, budget: Duration) -> Result<Quality> {
         let all = self.all("within_budget", milliseconds(budget))?;
         let fits: Vec<_> = all.iter().filter(|(_, c)| c.time <= budget).collect();

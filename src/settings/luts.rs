@@ -84,7 +84,7 @@ impl LutSettings {
     /// Checks the ranges given at the fields.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for the first field that is out of range.
+    /// [`crate::ErrorKind::Invalid`] for the first field that is out of range.
     pub fn validate(&self) -> Result<()> {
         let check = |name: &str, v: u32, lo: u32, hi: u32| {
             let allowed = (lo..=hi).contains(&v);

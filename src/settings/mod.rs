@@ -90,7 +90,7 @@ impl Bound {
     /// Checks the ranges given at the fields.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for the first field that is out of range.
+    /// [`crate::ErrorKind::Invalid`] for the first field that is out of range.
     pub fn validate(&self) -> Result<()> {
         in_range("bound.relative", self.relative, 0.0, 1.0, "")?;
         in_range("bound.absolute", self.absolute, 0.0, 1e6, "")?;
@@ -122,7 +122,7 @@ impl SkySettings {
     /// Checks the quality and the ranges given at the fields.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for the first field that is out of range.
+    /// [`crate::ErrorKind::Invalid`] for the first field that is out of range.
     pub fn validate(&self) -> Result<()> {
         self.quality.validate()?;
         in_range("render_scale", self.render_scale, 0.125, 1.0, "")?;
@@ -167,7 +167,7 @@ impl Mode {
     /// The mode of a name.
     ///
     /// # Errors
-    /// [`Error::Invalid`] with the names that there are.
+    /// [`crate::ErrorKind::Invalid`] with the names that there are.
     pub fn from_name(name: &str) -> Result<Self> {
         Self::ALL.into_iter().find(|m| m.name() == name).ok_or_else(|| {
             Error::invalid("mode", Quoted(name), "one of sky-dome, atmosphere-post, planet, lut")
@@ -223,7 +223,7 @@ impl ToneMap {
     /// The tone map of a name.
     ///
     /// # Errors
-    /// [`Error::Invalid`] with the names that there are.
+    /// [`crate::ErrorKind::Invalid`] with the names that there are.
     pub fn from_name(name: &str) -> Result<Self> {
         Self::ALL
             .into_iter()

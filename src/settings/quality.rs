@@ -75,7 +75,7 @@ impl Quality {
     /// A preset by its name.
     ///
     /// # Errors
-    /// [`Error::Invalid`] with the names that there are.
+    /// [`crate::ErrorKind::Invalid`] with the names that there are.
     pub fn from_name(name: &str) -> Result<Self> {
         Self::PRESETS.iter().find(|(n, _)| *n == name).map(|(_, quality)| *quality).ok_or_else(|| {
             let names: Vec<_> = Self::PRESETS.iter().map(|(n, _)| *n).collect();
@@ -118,7 +118,7 @@ impl Quality {
     /// Checks the ranges given at the variants' fields.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for the first field that is out of range.
+    /// [`crate::ErrorKind::Invalid`] for the first field that is out of range.
     pub fn validate(&self) -> Result<()> {
         let whole = |name: &str, v: u32, hi: u32| {
             if (1..=hi).contains(&v) { Ok(()) } else { Err(Error::invalid(name, v, format_args!("from 1 to {hi}"))) }
@@ -136,7 +136,7 @@ impl Quality {
     /// [`ParetoFront::committed`].
     ///
     /// # Errors
-    /// [`Error::Invalid`] if none is so exact: it says which comes closest.
+    /// [`crate::ErrorKind::Invalid`] if none is so exact: it says which comes closest.
     pub fn within_error(error: f64) -> Result<Self> {
         ParetoFront::committed().within_error(error)
     }
@@ -146,7 +146,7 @@ impl Quality {
     /// [`ParetoFront::measure`] first.
     ///
     /// # Errors
-    /// [`Error::Invalid`] if none is so fast: it says which is the fastest.
+    /// [`crate::ErrorKind::Invalid`] if none is so fast: it says which is the fastest.
     pub fn within_budget(budget: Duration) -> Result<Self> {
         ParetoFront::committed().within_budget(budget)
     }

@@ -25,7 +25,7 @@ const FULLSCREEN: &str = "fullscreen";
 const TABLES: [(&str, &str); 2] = [("", "src/shaders/generated.rs"), ("probe", "src/probe/generated.rs")];
 
 fn driver_error(what: &str, program: &str, reason: impl ToString) -> Error {
-    Error::Driver { backend: "naga", what: format!("{what} {program}"), reason: reason.to_string() }
+    Error::driver("naga", format!("{what} {program}"), reason.to_string())
 }
 
 fn read(path: &Path) -> Result<String> {
@@ -226,7 +226,7 @@ fn stage(program: &str, wgsl: &str, stage: naga::ShaderStage, entry: &str, owner
 /// `shaders/glsl/` (equal vertex shaders share one) and the tables of programs in Rust.
 ///
 /// # Errors
-/// [`Error::Driver`] with naga's words for a shader that it does not accept, and for files that cannot be read.
+/// [`crate::ErrorKind::Driver`] with naga's words for a shader that it does not accept, and for files that cannot be read.
 pub fn generate(root: &Path) -> Result<Vec<(String, String)>> {
     let wgsl = root.join("shaders/wgsl");
     let mut files: Vec<(String, String)> = Vec::new();
@@ -444,13 +444,10 @@ pub fn struct_layout(info: &'static ProgramInfo, name: &str) -> Result<Option<La
 /// A struct of a module that no program includes. `None` if there is no such struct.
 ///
 /// # Errors
-/// [`Error::Driver`] if naga does not accept the text.
+/// [`crate::ErrorKind::Driver`] if naga does not accept the text.
 pub fn module_layout(wgsl: &str, name: &str) -> Result<Option<Layout>> {
-    let module = naga::front::wgsl::parse_str(wgsl).map_err(|e| Error::Driver {
-        backend: "naga",
-        what: "parse a module".into(),
-        reason: e.emit_to_string(wgsl),
-    })?;
+    let module = naga::front::wgsl::parse_str(wgsl)
+        .map_err(|e| Error::driver("naga", "parse a module", e.emit_to_string(wgsl)))?;
     layout(&module, name)
 }
 

@@ -130,7 +130,7 @@ fn a_record_is_kept_to_the_last_digit() {
         &format!("{lines}\t1"),
     ] {
         let error = Record::load(wrong).unwrap_err();
-        assert!(matches!(error, welkin::Error::Invalid { .. }), "{error}");
+        assert!(matches!(error.kind(), welkin::ErrorKind::Invalid { .. }), "{error}");
     }
 }
 

@@ -8,6 +8,7 @@
 compile_error!("a module needs a backend: build welkin-web with the feature `webgl` or `webgpu`");
 
 mod args;
+mod math;
 #[cfg(feature = "probe")]
 mod probe;
 mod surface;
@@ -31,6 +32,10 @@ use welkin::{
 
 use args::{canvas, flag, name, number, whole};
 use surface::Surface;
+
+/// A few kilobytes smaller than Rust's own, and as fast: a frame allocates nothing.
+#[global_allocator]
+static ALLOCATOR: rlsf::GlobalTlsf = rlsf::GlobalTlsf::new();
 
 /// What a method of the module's classes returns to JavaScript.
 type Answer<T> = std::result::Result<T, JsError>;
@@ -235,7 +240,7 @@ impl Viewer {
         self.settings.sky.bound = Some(Bound::eight_bit(self.settings.exposure));
         let mut canvas = self.canvas.borrow_mut();
         if let Some(reason) = canvas.lost() {
-            return Err(Error::Lost { backend: canvas.info().backend, reason }.into());
+            return Err(Error::lost(canvas.info().backend, reason).into());
         }
         let Self { picture, settings, drawn, .. } = self;
         canvas.present(self.size, &mut |backend, canvas| {

@@ -41,7 +41,7 @@ pub trait Surface {
 /// Opens `"webgl2"` or `"webgpu"` on a canvas that has no context yet.
 ///
 /// # Errors
-/// [`Error::Invalid`] for a backend that this module was not built with; [`Error::Unavailable`] with the reason if
+/// [`welkin::ErrorKind::Invalid`] for a backend that this module was not built with; [`welkin::ErrorKind::Unavailable`] with the reason if
 /// the browser does not have it.
 pub async fn open(canvas: HtmlCanvasElement, backend: &str) -> Result<Box<dyn Surface>> {
     match backend {

@@ -19,7 +19,7 @@ struct WebGl {
 /// The canvas' WebGL2 context with a backend on it.
 ///
 /// # Errors
-/// [`Error::Unavailable`] if the browser gives no context, or one that cannot draw to float textures.
+/// [`welkin::ErrorKind::Unavailable`] if the browser gives no context, or one that cannot draw to float textures.
 pub fn open(canvas: &HtmlCanvasElement) -> Result<Box<dyn Surface>> {
     let options = js_sys::Object::new();
     for (key, value) in
@@ -32,10 +32,7 @@ pub fn open(canvas: &HtmlCanvasElement) -> Result<Box<dyn Surface>> {
         .ok()
         .flatten()
         .and_then(|c| c.dyn_into::<WebGl2RenderingContext>().ok())
-        .ok_or_else(|| Error::Unavailable {
-            backend: "webgl2",
-            reason: "the browser gives no WebGL2 context".into(),
-        })?;
+        .ok_or_else(|| Error::unavailable("webgl2", "the browser gives no WebGL2 context"))?;
     let gl = glow::Context::from_webgl2_context(context.clone());
     let mut backend = WebGlBackend::own(Rc::new(gl))?;
     // UNMASKED_RENDERER_WEBGL: what draws, where the browser tells.

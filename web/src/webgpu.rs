@@ -17,9 +17,9 @@ struct WebGpu {
 /// A device that can present to the canvas, with a backend on it.
 ///
 /// # Errors
-/// [`Error::Unavailable`] if the browser has no WebGPU, no adapter or no device.
+/// [`welkin::ErrorKind::Unavailable`] if the browser has no WebGPU, no adapter or no device.
 pub async fn open(canvas: HtmlCanvasElement) -> Result<Box<dyn Surface>> {
-    let unavailable = |reason: String| Error::Unavailable { backend: "webgpu", reason };
+    let unavailable = |reason: String| Error::unavailable("webgpu", reason);
     let (width, height) = (canvas.width().max(1), canvas.height().max(1));
     let instance = WgpuBackend::instance();
     let surface = instance
@@ -64,7 +64,15 @@ impl Surface for WebGpu {
         let texture = match self.surface.get_current_texture() {
             wgpu::CurrentSurfaceTexture::Success(t) | wgpu::CurrentSurfaceTexture::Suboptimal(t) => t,
             other => {
-                return Err(Error::Driver { backend: "webgpu", what: "canvas".into(), reason: format!("{other:?}") });
+                // Its own Debug tells of every kind of texture.
+                let reason = match other {
+                    wgpu::CurrentSurfaceTexture::Timeout => "Timeout",
+                    wgpu::CurrentSurfaceTexture::Occluded => "Occluded",
+                    wgpu::CurrentSurfaceTexture::Outdated => "Outdated",
+                    wgpu::CurrentSurfaceTexture::Lost => "Lost",
+                    _ => "Validation",
+                };
+                return Err(Error::driver("webgpu", "canvas", reason));
             }
         };
         let view = texture.texture.create_view(&Default::default());

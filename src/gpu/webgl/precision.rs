@@ -74,7 +74,7 @@ const PART: f32 = 0.25;
 /// Draws the pixel and says what it shows. It changes the state that a pass changes.
 ///
 /// # Errors
-/// [`Error::Unavailable`] if plain numbers have fewer than 32 bits; [`Error::Driver`] if the pixel cannot be drawn.
+/// [`crate::ErrorKind::Unavailable`] if plain numbers have fewer than 32 bits; [`crate::ErrorKind::Driver`] if the pixel cannot be drawn.
 pub(super) fn test(
     gl: &glow::Context,
     web: bool,
@@ -160,7 +160,7 @@ pub(super) fn test(
 /// What the test's pixel says.
 ///
 /// # Errors
-/// [`Error::Unavailable`] if plain numbers have fewer than 32 bits.
+/// [`crate::ErrorKind::Unavailable`] if plain numbers have fewer than 32 bits.
 fn judge([excess, part, struct_excess, struct_part]: [f32; 4]) -> Result<Precision> {
     let expected_excess = HEIGHT * (2.0 * RADIUS + HEIGHT);
     let expected_part = (RADIUS + PART).fract();
