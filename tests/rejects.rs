@@ -168,7 +168,7 @@ fn wrong_requests_of_a_backend_are_refused_and_leave_nothing_behind() {
         say("feedback loop", backend.run(&[pass]), "different textures");
         let b = backend.create_texture(&TextureDesc::new("b", 4, 4, Format::Rgba16Float)).unwrap();
         let lacking = Pass { inputs: Inputs::NONE, target: Target::color(b), ..pass };
-        say("missing texture", backend.run(&[lacking]), "1 needed");
+        say("missing texture", backend.run(&[lacking]), "no texture given for \"source\"");
         let foreign = Pass { inputs: Inputs::new([("source", Some(a))]), target: Target::color(b), ..pass };
         say("too few texels", backend.write_texture(a, &[0.0; 3]), "64 values");
         backend.destroy_texture(a);

@@ -111,7 +111,9 @@ fn only_stale_tables_are_made_again() {
         let mut renderer = PictureRenderer::default();
         let mut next = |world: &World| {
             let settings = over_black(world.sky());
-            filled(&picture_passes(b, &mut renderer, &world.view.scene(), &settings, world.size))
+            let passes = picture_passes(b, &mut renderer, &world.view.scene(), &settings, world.size);
+            b.run(&passes).unwrap();
+            filled(&passes)
         };
         let mut world = World::new();
         assert_eq!(next(&world), ALL);
@@ -179,7 +181,7 @@ fn lost_textures_are_made_again() {
     on_both(|b| {
         let world = World::new();
         let want = world.draw_fresh(b);
-        for label in ["transmittance LUT", "gathered radiance", "multi-scattering LUT", "sky-view LUT", "aerial LUT"] {
+        for label in ["transmittance_lut", "gathered_radiance", "multi_scattering_lut", "sky_view_lut", "aerial_lut"] {
             let mut sky = SkyRenderer::default();
             let (passes, _) = world.run(b, &mut sky);
             let label_of = |id: TextureId| b.texture(id).map(|d| d.label);
