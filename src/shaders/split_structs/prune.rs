@@ -91,7 +91,7 @@ struct Live {
 }
 
 /// The variable or argument that a pointer leads to.
-fn target(expressions: &Arena<Expression>, mut pointer: Handle<Expression>) -> &Expression {
+pub(super) fn target(expressions: &Arena<Expression>, mut pointer: Handle<Expression>) -> &Expression {
     while let Expression::Access { base, .. } | Expression::AccessIndex { base, .. } = expressions[pointer] {
         pointer = base;
     }

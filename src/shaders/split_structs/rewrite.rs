@@ -408,8 +408,18 @@ impl<'a> Rewriter<'a> {
             }
             return Ok(false);
         };
-        // Written at once where it goes, if that is all that it is for.
-        let sole = self.uses.get(&result) == Some(&1);
+        // Written at once where it goes, if that is all that it is for, and if no argument may point there.
+        let points = |&argument: &Handle<Expression>| {
+            let root = prune::target(&self.old.expressions, argument);
+            match *root {
+                Expression::LocalVariable(_) => true,
+                Expression::FunctionArgument(i) => {
+                    matches!(self.types[self.old.arguments[i as usize].ty].inner, TypeInner::Pointer { .. })
+                }
+                _ => false,
+            }
+        };
+        let sole = self.uses.get(&result) == Some(&1) && !arguments.iter().any(points);
         match next {
             Some(Statement::Store { pointer, value })
                 if sole

@@ -179,6 +179,13 @@ fn pointers_to_structs_become_pointers_to_members() {
     assert_eq!(function(&text, "change")[0], "void change(inout float p_t, inout float p_x, inout float q) {");
     assert_eq!(function(&text, "reset")[1..], ["p_t_1 = 1.0;", "p_x_1 = 2.0;"]);
     assert!(text.contains("change(low_t, low_x, k);"), "{text}");
+    // What a function reads through a pointer is not what it writes as its result, even if the source says so.
+    let text = fragment(
+        "struct Low { t: f32, x: f32 }
+         fn turned(p: ptr<function, Low>) -> Low { return Low((*p).x, (*p).t); }",
+        "var low = Low(at.x, at.y); low = turned(&low); return vec4f(low.t, low.x, 0.0, 0.0);",
+    );
+    assert!(text.contains("turned(low_t, low_x, turned_t, turned_x);"), "{text}");
 }
 
 #[test]
