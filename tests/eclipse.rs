@@ -10,9 +10,9 @@ use welkin::reference::multiple::Settings as Solve;
 use welkin::reference::path::{Settings, path_trace};
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering, transmittance};
 use welkin::render::cpu_picture::render;
-use welkin::{AtmosphereParams, Bound, Composition, Frame, Error, Quality, PictureSettings, Scene, SkySettings};
+use welkin::{AtmosphereParams, Bound, Composition, Frame, Error, Quality, PictureSettings, Scene, SkySettings, Look};
 
-use crate::harness::{View, background, mean, on_both, orders, query};
+use crate::harness::{View, background, mean, on_both, orders, query, composed};
 
 /// Of the real one, metres.
 pub const DISTANCE: f64 = 3.6e8;

@@ -12,10 +12,7 @@ use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
 use welkin::{Mode, PictureRenderer, PictureSettings, Scene, SkyRenderer, SkySettings};
 
 use crate::harness::world::BEHIND;
-use crate::harness::{
-    View, aerial_passes, assert_physical, background_passes, cleared, copy_pass, draw, earth, free,
-    picture_passes, query, rgb, shell_passes, texture,
-};
+use crate::harness::{View, aerial_passes, assert_physical, background_passes, cleared, copy_pass, draw, earth, free, picture_passes, query, rgb, shell_passes, texture, without_disk};
 
 const SIZE: u32 = 32;
 

@@ -7,7 +7,7 @@ use welkin::gpu::{Backend, Format};
 use welkin::render::picture::scale;
 use welkin::{AtmosphereParams, Composition, LutSettings, Quality, PictureRenderer, PictureSettings, Scene, SkySettings};
 
-use crate::harness::{View, on_both};
+use crate::harness::{View, on_both, composed, with_disk};
 
 /// Half floats: the largest, the step below 6e-5, and the largest relative rounding above.
 const LARGEST: f32 = 65504.0;

@@ -9,7 +9,7 @@ use welkin::model::lighting::{lighting_context_at_altitude, modulate_ambient_by_
 use welkin::model::sunlight::sunlight;
 use welkin::render::sky_light::SkyHarmonics;
 use welkin::shaders::{LIGHTING_WGSL, translate};
-use welkin::{AtmosphereParams, Error, LutSettings, Quality, PictureRenderer, PictureSettings, SkyRenderer, SkySettings, TerrainStyle};
+use welkin::{AtmosphereParams, Error, LutSettings, Quality, PictureRenderer, PictureSettings, SkyRenderer, SkySettings, TerrainStyle, ErrorKind, AtmosphereConfig, LightingContext, LightingContextUniform, SkyLight};
 
 use crate::harness::tables::{Differences, Table, medium};
 use crate::harness::{View, background_passes, draw, on_both, orders, rgb, target};

@@ -6,12 +6,9 @@
 use std::collections::BTreeMap;
 
 use welkin::gpu::{Backend, Target};
-use welkin::{AtmosphereParams, Bound, Composition, Frame, LutSettings, Quality, MiePhase, SkyRenderer, SkySettings};
+use welkin::{AtmosphereParams, Bound, Composition, Frame, LutSettings, Quality, MiePhase, SkyRenderer, SkySettings, Look, PictureSettings, PictureRenderer};
 
-use crate::harness::{
-    View, aerial_passes, airless, asked_for, background_passes, clear_pass, frame_textures, free, march,
-    on_both, shell_passes,
-};
+use crate::harness::{View, aerial_passes, airless, asked_for, background_passes, clear_pass, frame_textures, free, march, on_both, shell_passes, frame_passes};
 
 const SIZE: [u32; 2] = [12, 9];
 
@@ -261,7 +258,7 @@ fn scenes_call_for_what_they_should() {
     let none = plan(View { params: airless(ground.params.clone()), ..ground.clone() }, sky);
     assert!(none.planned_passes().is_empty() && on(&none).is_empty(), "{none:?}");
     assert_eq!(why(&none, "atmosphere"), "no constituent has a coefficient above 0");
-    let off = plan(ground.clone(), SkySettings { enabled: false, ..sky });
+    let off = plan(ground.clone(), SkySettings { look: Look { enabled: false, ..sky.look }, ..sky });
     assert!(off.planned_passes().is_empty() && why(&off, "atmosphere") == "switched off");
     // The hand-over.
     let shell = |altitude| {

@@ -8,7 +8,7 @@ use proptest::num::f64::{ANY, NORMAL};
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 use welkin::frame::luts::LutsUniform;
-use welkin::frame::uniforms::{FrameOptions, FrameUniform};
+use welkin::frame::uniforms::{FrameUniform};
 use welkin::gpu::RowOrder;
 use welkin::model::scene::Tangents;
 use welkin::{AtmosphereParams, Camera, DepthConvention, Error, ErrorKind, LutSettings, MiePhase, Scene};
@@ -144,9 +144,8 @@ fn what_is_accepted_becomes_finite_blocks() {
         accepted.set(accepted.get() + 1);
         prop_assert!(view.altitude.is_finite() && (view.sun.length() - 1.0).abs() < 1e-9, "{view:?}");
         prop_assert!(view.sun.x >= -1e-9 && view.sun.y.abs() < 1e-8, "{view:?}");
-        let rows = RowOrder::TopDown;
-        let options = FrameOptions { size, rows, view_samples: 1, light_samples: 1, sky_weight, reduced: false };
-        finite(bytemuck::bytes_of(&FrameUniform::new(&scene, &view, &options)), "frame")?;
+        let block = FrameUniform::new(&scene, &view, size, RowOrder::TopDown, [1, 1], sky_weight);
+        finite(bytemuck::bytes_of(&block), "frame")?;
         let tables = LutsUniform::new(&scene.atmosphere, &LutSettings::default());
         finite(bytemuck::bytes_of(&tables), "tables")?;
         // Aerosol that is left over once the forward light is taken off neither shines nor amplifies.

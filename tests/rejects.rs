@@ -163,14 +163,8 @@ fn wrong_requests_of_a_backend_are_refused_and_leave_nothing_behind() {
 
         let a = backend.create_texture(&TextureDesc::new("a", 4, 4, Format::Rgba16Float)).unwrap();
         let copy = backend.create_program(Program::new(&copy::INFO, 0)).unwrap();
-        let pass = Pass {
-            label: "copy onto itself",
-            program: Some(copy),
-            inputs: Inputs::new([("source", Some(a))]),
-            uniform: Uniform::NONE,
-            target: Target::color(a),
-            depth: Default::default(),
-        };
+        let inputs = Inputs::new([("source", Some(a))]);
+        let pass = Pass { program: Some(copy), inputs, ..Pass::clear("copy onto itself", Target::color(a)) };
         say("feedback loop", backend.run(&[pass]), "different textures");
         let b = backend.create_texture(&TextureDesc::new("b", 4, 4, Format::Rgba16Float)).unwrap();
         let lacking = Pass { inputs: Inputs::NONE, target: Target::color(b), ..pass };

@@ -4,13 +4,9 @@ use glam::{DQuat, DVec2, DVec3};
 use welkin::gpu::{Backend, Format, Pass, RowOrder, Target, TextureDesc};
 use welkin::reference::single::{Sun, Tolerance, single_scattering, transmittance};
 use welkin::frame::background_weight;
-use welkin::{AtmosphereParams, Bound, Composition, LutSettings, Quality, MiePhase, PictureRenderer, PictureSettings, Scene, SkyRenderer, SkySettings};
+use welkin::{AtmosphereParams, Bound, Composition, LutSettings, Quality, MiePhase, PictureRenderer, PictureSettings, Scene, SkyRenderer, SkySettings, Look};
 
-use crate::harness::{
-    View, aerial_passes, airless, assert_physical, background, background_by, background_passes, cleared,
-    copy_pass, draw, draw_both, frame_textures, free, march, mean, on_both, over_black, picture,
-    picture_passes, query, rays, rgb, texture,
-};
+use crate::harness::{View, aerial_passes, airless, assert_physical, background, background_by, background_passes, cleared, copy_pass, draw, draw_both, frame_textures, free, march, mean, on_both, over_black, picture, picture_passes, query, rays, rgb, texture, composed, with_disk, without_disk};
 
 const FINE: SkySettings = SkySettings {
     look: Look {
@@ -404,7 +400,10 @@ fn what_is_off_is_not_there() {
         let view = View { pitch: 20.0, ..View::default() };
         let target = texture(b, "target", [8, 8], Format::Rgba16Float);
         let live = b.live();
-        let mut off = SkyRenderer::new(SkySettings { enabled: false, ..Default::default() }).unwrap();
+        let mut off = SkyRenderer::new(SkySettings {
+            look: Look { enabled: false, ..Look::default() },
+            ..SkySettings::default()
+        }).unwrap();
         assert!(background_passes(b, &mut off, &view.scene(), Target::color(target)).is_empty());
         let empty = View { params: airless(view.params.clone()), ..view.clone() }.scene();
         let mut sky = SkyRenderer::new(without_disk(SkySettings::default())).unwrap();

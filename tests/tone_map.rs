@@ -5,7 +5,7 @@ use welkin::gpu::{Backend, Format};
 use welkin::render::cpu_picture::render;
 use welkin::{PictureRenderer, PictureSettings, Scene, SkySettings, ToneMap};
 
-use crate::harness::{View, airless, draw_both, free, on_both, texture};
+use crate::harness::{View, airless, draw_both, free, on_both, texture, without_disk};
 
 /// Display values of radiance as a pass leaves them in a target, red, green and blue of each pixel, 0 to 255.
 fn shown(

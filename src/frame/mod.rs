@@ -34,7 +34,7 @@
 
 mod aerial;
 mod background;
-mod disks;
+pub mod disks;
 pub mod eclipse;
 mod effect;
 pub mod graph;

@@ -395,10 +395,9 @@ fn is_word(c: char) -> bool {
 /// The words of a text and its numbers, in order, with whether a dot before it makes a word a member's name.
 fn words(text: &str) -> impl Iterator<Item = (&str, bool)> {
     let mut rest = text;
-    let mut dot = false;
     std::iter::from_fn(move || {
         let start = rest.find(is_word)?;
-        dot = rest[..start].ends_with('.');
+        let dot = rest[..start].ends_with('.');
         rest = &rest[start..];
         let number = rest.starts_with(|c: char| c.is_ascii_digit());
         let end = rest.find(|c| !is_word(c) && !(number && c == '.')).unwrap_or(rest.len());

@@ -9,15 +9,10 @@ use glam::{DVec2, DVec3};
 use welkin::gpu::{Backend, Format, Target};
 use welkin::probe::film;
 use welkin::reference::single::{RayQuery, Tolerance, transmittance};
-use welkin::render::sky::GroundLight;
-use welkin::{AtmosphereParams, Camera, Quality, PictureRenderer, Pose, Scene, SkyRenderer, TerrainStyle};
+use welkin::{AtmosphereParams, Camera, Quality, PictureRenderer, Pose, Scene, SkyRenderer, TerrainStyle, Look, SkySettings, PictureSettings};
 
 use crate::harness::lines::Line;
-use crate::harness::{
-    View, aerial_passes, assert_physical, background_passes, brightest, colors, copy_pass, draw, expected,
-    expected_picture, frame_textures, free, sky, march, on_both, over_black, rays, rgb,
-    sample, sky, texture,
-};
+use crate::harness::{View, aerial_passes, assert_physical, background_passes, brightest, colors, copy_pass, draw, expected, expected_picture, frame_textures, free, sky, march, on_both, over_black, rays, rgb, sample, texture};
 
 // --- from the ground to far away
 
@@ -514,15 +509,16 @@ fn mountains(b: &mut dyn Backend) -> Vec<Edge> {
         let camera = Camera::above(DVec3::ZERO, view.params.planet_radius, up, north, pose, aspect).unwrap();
         let (sin, cos) = sun_elevation.to_radians().sin_cos();
         let scene = Scene { camera, sun_direction: up * sin + up.cross(north) * cos, ..view.scene() };
-        let [color, depth, copy] = [Format::Rgba32Float, Format::Depth32Float, Format::R32Float]
-            .map(|format| texture(b, "mountains", [w, h], format));
-        let clear_depth = Some(scene.depth.background() as f32);
-        let target = Target { color, clear: Some([0.0; 4]), depth: Some(depth), clear_depth };
+        let copy = texture(b, "mountains", [w, h], Format::R32Float);
+        let off = SkySettings { look: Look { enabled: false, ..Look::default() }, ..SkySettings::default() };
+        let settings = PictureSettings { terrain: Some(style), ..over_black(off) };
+        let mut picture = PictureRenderer::default();
+        let depth = picture.draw(b, &scene, &settings, [w, h]).unwrap().depth;
         let copied = copy_pass(b, depth, copy);
-        let drawn = style.pass(b, &scene, target, &GroundLight::default()).unwrap();
-        b.run(&[drawn, copied]).unwrap();
+        b.run(&[copied]).unwrap();
+        picture.destroy(b);
         let stored = b.read(copy).unwrap();
-        free(b, [color, depth, copy]);
+        free(b, [copy]);
         let edge = Edge::stored("mountains", scene, [w, h], stored);
         let sky = edge.ends.iter().filter(|end| end.is_infinite()).count();
         assert!((4..28).contains(&sky), "no skyline: {:?}", edge.ends);

@@ -8,10 +8,7 @@ use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
 use welkin::{AtmosphereParams, Composition, LutSettings, Quality, PictureRenderer, PictureSettings, Scene, SkyRenderer, SkySettings, TerrainStyle};
 
 use crate::eclipse::{DISTANCE, moon};
-use crate::harness::{
-    View, aerial_passes, background_passes, cleared, draw, everything, frame_textures, free, luts, march,
-    on_both, rgb, sky,
-};
+use crate::harness::{View, aerial_passes, background_passes, cleared, draw, everything, frame_textures, free, luts, march, on_both, rgb, sky, composed};
 
 /// A scene as [`View`] has it with the moon of a [`RayQuery`], whose azimuth turns the other way.
 fn under(moon: &Moon, view: View) -> Scene {

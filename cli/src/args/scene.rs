@@ -147,8 +147,8 @@ impl SceneArgs {
         let terrain = terrain.then(|| view.terrain());
         let [width, height] = size;
         let mut scene =
-            view.scene(place, f64::from(width) / f64::from(height), terrain.as_ref()).map_err(|e| match e {
-                welkin::Error::Invalid { field, value, allowed } if field.starts_with("camera.tangents") => {
+            view.scene(place, f64::from(width) / f64::from(height), terrain.as_ref()).map_err(|e| match e.into_kind() {
+                welkin::ErrorKind::Invalid { field, value, allowed } if field.starts_with("camera.tangents") => {
                     UsageError::new(format!(
                         "'--fov <DEGREES>' {} and '--size <WxH>' {width}x{height} make too wide a view: \
                          its edge lies at {value} (tangent of the angle), must be {allowed}",

@@ -170,13 +170,13 @@ fn judge([excess, part, struct_excess, struct_part]: [f32; 4]) -> Result<Precisi
         (excess - expected_excess).abs() <= 2.0 && (part - expected_part).abs() <= 1.0 / 2048.0
     };
     if !whole(excess, part) {
-        return Err(Error::Unavailable {
-            backend: NAME,
-            reason: format!(
+        return Err(Error::unavailable(
+            NAME,
+            format!(
                 "the driver computes fragment shaders with too few bits, though 32 are asked for (highp): it finds \
                  {excess:?} for {expected_excess:?} and {part:?} for {expected_part:?}"
             ),
-        });
+        ));
     }
     Ok(if whole(struct_excess, struct_part) { Precision::Full } else { Precision::StructMembersReduced })
 }
@@ -240,7 +240,7 @@ mod tests {
         for reduced in [half, [65504.0, 0.0], rounded(|x| bf16::from_f32(x).to_f32()), block, [0.0; 2], [f32::NAN; 2]] {
             for through_struct in [reduced, full] {
                 let error = judge(pixel(reduced, through_struct)).unwrap_err();
-                let Error::Unavailable { backend: "webgl2", reason } = error else { panic!("{error}") };
+                let crate::error::ErrorKind::Unavailable { backend: "webgl2", reason } = error.kind() else { panic!("{error}") };
                 assert!(reason.contains("highp"), "{reason}");
                 assert!(reason.contains(&format!("{:?} for 13720002.0", reduced[0])), "{reason}");
                 assert!(reason.contains(&format!("{:?} for 0.25097656", reduced[1])), "{reason}");
