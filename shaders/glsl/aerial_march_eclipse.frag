@@ -212,102 +212,78 @@ float shadow_half2_(float s_sin2_, float s_shadow_b, float s_shadow_c, float sid
 }
 
 void sun_side_inside(vec3 dir, vec3 sun, float r_1, float excess_3, float radius_6, inout float out_sun_r_mu, inout float out_nu, inout float out_sin2_, inout float out_shadow_b, inout float out_shadow_c, inout float out_shadow_half2_) {
-    float s_sun_r_mu = 0.0;
-    float s_nu = 0.0;
-    float s_sin2_1 = 0.0;
-    float s_shadow_b_1 = 0.0;
-    float s_shadow_c_1 = 0.0;
-    float s_shadow_half2_ = 0.0;
-    s_nu = dot(dir, sun);
-    float _e15 = s_nu;
-    vec3 side = cross((dir - (((_e15 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s_sin2_1 = dot(side, side);
-    s_sun_r_mu = (r_1 * sun.z);
-    s_shadow_b_1 = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+    out_sun_r_mu = 0.0;
+    out_nu = 0.0;
+    out_sin2_ = 0.0;
+    out_shadow_b = 0.0;
+    out_shadow_c = 0.0;
+    out_shadow_half2_ = 0.0;
+    out_nu = dot(dir, sun);
+    float _e21 = out_nu;
+    vec3 side = cross((dir - (((_e21 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    out_sin2_ = dot(side, side);
+    out_sun_r_mu = (r_1 * sun.z);
+    out_shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
     float q = (r_1 * length(sun.xy));
-    float _e39 = s_sun_r_mu;
-    float _e43 = half_chord2_(_e39, excess_3, (radius_6 - q), q);
-    s_shadow_c_1 = -(_e43);
-    float _e45 = s_sin2_1;
-    float _e46 = s_shadow_b_1;
-    float _e47 = s_shadow_c_1;
-    float _e49 = shadow_half2_(_e45, _e46, _e47, side.z, r_1, radius_6);
-    s_shadow_half2_ = _e49;
-    float _e50 = s_sun_r_mu;
-    float _e51 = s_nu;
-    float _e52 = s_sin2_1;
-    float _e53 = s_shadow_b_1;
-    float _e54 = s_shadow_c_1;
-    float _e55 = s_shadow_half2_;
-    out_sun_r_mu = _e50;
-    out_nu = _e51;
-    out_sin2_ = _e52;
-    out_shadow_b = _e53;
-    out_shadow_c = _e54;
+    float _e45 = out_sun_r_mu;
+    float _e49 = half_chord2_(_e45, excess_3, (radius_6 - q), q);
+    out_shadow_c = -(_e49);
+    float _e51 = out_sin2_;
+    float _e52 = out_shadow_b;
+    float _e53 = out_shadow_c;
+    float _e55 = shadow_half2_(_e51, _e52, _e53, side.z, r_1, radius_6);
     out_shadow_half2_ = _e55;
 }
 
 void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start_2, float half_, float top_excess_1, float radius_7, inout float out_sun_r_mu_1, inout float out_nu_1, inout float out_sin2_1, inout float out_shadow_b_1, inout float out_shadow_c_1, inout float out_shadow_half2_1) {
-    float s_sun_r_mu_1 = 0.0;
-    float s_nu_1 = 0.0;
-    float s_sin2_2 = 0.0;
-    float s_shadow_b_2 = 0.0;
-    float s_shadow_c_2 = 0.0;
-    float s_shadow_half2_1 = 0.0;
-    s_nu_1 = dot(dir_1, sun_1);
-    float _e15 = s_nu_1;
-    float same = ((_e15 >= 0.0) ? 1.0 : -1.0);
+    out_sun_r_mu_1 = 0.0;
+    out_nu_1 = 0.0;
+    out_sin2_1 = 0.0;
+    out_shadow_b_1 = 0.0;
+    out_shadow_c_1 = 0.0;
+    out_shadow_half2_1 = 0.0;
+    out_nu_1 = dot(dir_1, sun_1);
+    float _e21 = out_nu_1;
+    float same = ((_e21 >= 0.0) ? 1.0 : -1.0);
     vec3 apart_4 = (dir_1 - (same * sun_1));
     vec3 side_1 = cross(apart_4, sun_1);
-    s_sin2_2 = dot(side_1, side_1);
+    out_sin2_1 = dot(side_1, side_1);
     vec3 perigee_3 = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
     float there = (-(same) * dot(perigee_3, apart_4));
     float here = (r_2 * sun_1.z);
-    float _e41 = s_nu_1;
-    float _e47 = s_nu_1;
-    bool nearer = ((abs(here) + (start_2 * abs(_e41))) < (abs(there) + (half_ * abs(_e47))));
-    float _e53 = s_nu_1;
-    float _e56 = s_nu_1;
-    s_sun_r_mu_1 = (nearer ? (here + (start_2 * _e56)) : (there - (half_ * _e53)));
+    float _e47 = out_nu_1;
+    float _e53 = out_nu_1;
+    bool nearer = ((abs(here) + (start_2 * abs(_e47))) < (abs(there) + (half_ * abs(_e53))));
+    float _e59 = out_nu_1;
+    float _e62 = out_nu_1;
+    out_sun_r_mu_1 = (nearer ? (here + (start_2 * _e62)) : (there - (half_ * _e59)));
     vec3 perigee_side = cross(perigee_3, sun_1);
-    float _e62 = s_sin2_2;
-    s_shadow_b_2 = (dot(perigee_side, side_1) - (half_ * _e62));
+    float _e68 = out_sin2_1;
+    out_shadow_b_1 = (dot(perigee_side, side_1) - (half_ * _e68));
     float q_1 = length((perigee_side - (half_ * side_1)));
-    float _e68 = s_sun_r_mu_1;
-    float _e72 = half_chord2_(_e68, top_excess_1, (radius_7 - q_1), q_1);
-    s_shadow_c_2 = -(_e72);
-    float _e74 = s_sin2_2;
-    float _e75 = s_shadow_b_2;
-    float _e76 = s_shadow_c_2;
-    float _e78 = shadow_half2_(_e74, _e75, _e76, side_1.z, r_2, radius_7);
-    s_shadow_half2_1 = _e78;
-    float _e79 = s_sun_r_mu_1;
-    float _e80 = s_nu_1;
-    float _e81 = s_sin2_2;
-    float _e82 = s_shadow_b_2;
-    float _e83 = s_shadow_c_2;
-    float _e84 = s_shadow_half2_1;
-    out_sun_r_mu_1 = _e79;
-    out_nu_1 = _e80;
-    out_sin2_1 = _e81;
-    out_shadow_b_1 = _e82;
-    out_shadow_c_1 = _e83;
+    float _e74 = out_sun_r_mu_1;
+    float _e78 = half_chord2_(_e74, top_excess_1, (radius_7 - q_1), q_1);
+    out_shadow_c_1 = -(_e78);
+    float _e80 = out_sin2_1;
+    float _e81 = out_shadow_b_1;
+    float _e82 = out_shadow_c_1;
+    float _e84 = shadow_half2_(_e80, _e81, _e82, side_1.z, r_2, radius_7);
     out_shadow_half2_1 = _e84;
 }
 
 void line_past(vec3 dir_2, float h_1, float radius_8, inout float out_r_mu, inout float out_perigee_excess, inout bool out_ground) {
-    bool unnamed_1 = false;
+    bool local_1 = false;
     float r_3 = (radius_8 + h_1);
     float r_mu_9 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
     float _e14 = excess_of(h_1, radius_8);
     float _e16 = half_chord2_(r_mu_9, _e14, (radius_8 - p_2), p_2);
     if ((r_mu_9 < 0.0)) {
-        unnamed_1 = (_e16 >= 0.0);
+        local_1 = (_e16 >= 0.0);
     } else {
-        unnamed_1 = false;
+        local_1 = false;
     }
-    bool _e25 = unnamed_1;
+    bool _e25 = local_1;
     out_r_mu = r_mu_9;
     out_perigee_excess = -(_e16);
     out_ground = _e25;
@@ -325,7 +301,7 @@ float distance_to_ground(float excess_4, float r_mu_5, float root) {
 }
 
 void air_path(float line_r_mu_1, float line_perigee_excess_1, bool line_ground, float h_3, float radius_10, float thickness_1, inout float out_start, inout float out_length_1, inout float out_excess, inout float out_r_mu_1) {
-    bool unnamed_2 = false;
+    bool local_2 = false;
     float _e6 = excess_of(thickness_1, radius_10);
     float ground_root = sqrt(max(-(line_perigee_excess_1), 0.0));
     if ((h_3 <= thickness_1)) {
@@ -341,11 +317,11 @@ void air_path(float line_r_mu_1, float line_perigee_excess_1, bool line_ground, 
     float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_10) + thickness_1) + h_3));
     float _e27 = top_half_chord2_(line_r_mu_1, line_perigee_excess_1, h_3, radius_10, thickness_1);
     if (!((line_r_mu_1 >= 0.0))) {
-        unnamed_2 = (_e27 <= 0.0);
+        local_2 = (_e27 <= 0.0);
     } else {
-        unnamed_2 = true;
+        local_2 = true;
     }
-    bool _e36 = unnamed_2;
+    bool _e36 = local_2;
     if (_e36) {
         out_start = 0.0;
         out_length_1 = -1.0;
@@ -363,13 +339,13 @@ void air_path(float line_r_mu_1, float line_perigee_excess_1, bool line_ground, 
 }
 
 void air_ray(vec3 dir_3, float h_4, float radius_11, float thickness_2, vec3 sun_2, inout float out_start_1, inout float out_length_2, inout float out_excess_1, inout float out_r_mu_2, inout float out_perigee_excess_1, inout float out_sun_r_mu_2, inout float out_nu_2, inout float out_sin2_2, inout float out_shadow_b_2, inout float out_shadow_c_2, inout float out_shadow_half2_2, inout bool out_ground_1) {
-    float s_sun_r_mu_2 = 0.0;
-    float s_nu_2 = 0.0;
-    float s_sin2_3 = 0.0;
-    float s_shadow_b_3 = 0.0;
-    float s_shadow_c_3 = 0.0;
-    float s_shadow_half2_2 = 0.0;
-    bool unnamed_3 = false;
+    float s_sun_r_mu = 0.0;
+    float s_nu = 0.0;
+    float s_sin2_1 = 0.0;
+    float s_shadow_b_1 = 0.0;
+    float s_shadow_c_1 = 0.0;
+    float s_shadow_half2_ = 0.0;
+    bool local_3 = false;
     float line_r_mu_2 = 0.0;
     float line_perigee_excess_2 = 0.0;
     bool line_ground_1 = false;
@@ -377,18 +353,6 @@ void air_ray(vec3 dir_3, float h_4, float radius_11, float thickness_2, vec3 sun
     float path_length = 0.0;
     float path_excess = 0.0;
     float path_r_mu = 0.0;
-    float sun_side_inside_sun_r_mu = 0.0;
-    float sun_side_inside_nu = 0.0;
-    float sun_side_inside_sin2_ = 0.0;
-    float sun_side_inside_shadow_b = 0.0;
-    float sun_side_inside_shadow_c = 0.0;
-    float sun_side_inside_shadow_half2_ = 0.0;
-    float sun_side_outside_sun_r_mu = 0.0;
-    float sun_side_outside_nu = 0.0;
-    float sun_side_outside_sin2_ = 0.0;
-    float sun_side_outside_shadow_b = 0.0;
-    float sun_side_outside_shadow_c = 0.0;
-    float sun_side_outside_shadow_half2_ = 0.0;
     line_past(dir_3, h_4, radius_11, line_r_mu_2, line_perigee_excess_2, line_ground_1);
     float _e18 = line_r_mu_2;
     float _e19 = line_perigee_excess_2;
@@ -399,66 +363,42 @@ void air_ray(vec3 dir_3, float h_4, float radius_11, float thickness_2, vec3 sun
     float _e28 = path_excess;
     float _e29 = path_r_mu;
     if ((h_4 <= thickness_2)) {
-        sun_side_inside(dir_3, sun_2, (radius_11 + h_4), _e28, radius_11, sun_side_inside_sun_r_mu, sun_side_inside_nu, sun_side_inside_sin2_, sun_side_inside_shadow_b, sun_side_inside_shadow_c, sun_side_inside_shadow_half2_);
-        float _e39 = sun_side_inside_sun_r_mu;
-        float _e40 = sun_side_inside_nu;
-        float _e41 = sun_side_inside_sin2_;
-        float _e42 = sun_side_inside_shadow_b;
-        float _e43 = sun_side_inside_shadow_c;
-        float _e44 = sun_side_inside_shadow_half2_;
-        s_sun_r_mu_2 = _e39;
-        s_nu_2 = _e40;
-        s_sin2_3 = _e41;
-        s_shadow_b_3 = _e42;
-        s_shadow_c_3 = _e43;
-        s_shadow_half2_2 = _e44;
+        sun_side_inside(dir_3, sun_2, (radius_11 + h_4), _e28, radius_11, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
     } else {
         if ((_e27 > 0.0)) {
-            sun_side_outside(dir_3, sun_2, (radius_11 + h_4), _e26, -(_e29), _e28, radius_11, sun_side_outside_sun_r_mu, sun_side_outside_nu, sun_side_outside_sin2_, sun_side_outside_shadow_b, sun_side_outside_shadow_c, sun_side_outside_shadow_half2_);
-            float _e61 = sun_side_outside_sun_r_mu;
-            float _e62 = sun_side_outside_nu;
-            float _e63 = sun_side_outside_sin2_;
-            float _e64 = sun_side_outside_shadow_b;
-            float _e65 = sun_side_outside_shadow_c;
-            float _e66 = sun_side_outside_shadow_half2_;
-            s_sun_r_mu_2 = _e61;
-            s_nu_2 = _e62;
-            s_sin2_3 = _e63;
-            s_shadow_b_3 = _e64;
-            s_shadow_c_3 = _e65;
-            s_shadow_half2_2 = _e66;
+            sun_side_outside(dir_3, sun_2, (radius_11 + h_4), _e26, -(_e29), _e28, radius_11, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
         } else {
-            s_nu_2 = dot(dir_3, sun_2);
+            s_nu = dot(dir_3, sun_2);
         }
     }
     if (_e20) {
-        unnamed_3 = (_e27 >= 0.0);
+        local_3 = (_e27 >= 0.0);
     } else {
-        unnamed_3 = false;
+        local_3 = false;
     }
-    bool ground_2 = unnamed_3;
-    float _e74 = s_sun_r_mu_2;
-    float _e75 = s_nu_2;
-    float _e76 = s_sin2_3;
-    float _e77 = s_shadow_b_3;
-    float _e78 = s_shadow_c_3;
-    float _e79 = s_shadow_half2_2;
+    bool ground_2 = local_3;
+    float _e50 = s_sun_r_mu;
+    float _e51 = s_nu;
+    float _e52 = s_sin2_1;
+    float _e53 = s_shadow_b_1;
+    float _e54 = s_shadow_c_1;
+    float _e55 = s_shadow_half2_;
     out_start_1 = _e26;
     out_length_2 = _e27;
     out_excess_1 = _e28;
     out_r_mu_2 = _e29;
     out_perigee_excess_1 = _e19;
-    out_sun_r_mu_2 = _e74;
-    out_nu_2 = _e75;
-    out_sin2_2 = _e76;
-    out_shadow_b_2 = _e77;
-    out_shadow_c_2 = _e78;
-    out_shadow_half2_2 = _e79;
+    out_sun_r_mu_2 = _e50;
+    out_nu_2 = _e51;
+    out_sin2_2 = _e52;
+    out_shadow_b_2 = _e53;
+    out_shadow_c_2 = _e54;
+    out_shadow_half2_2 = _e55;
     out_ground_1 = ground_2;
 }
 
 void perigee_of(float ray_length_2, float ray_excess_1, float ray_r_mu_1, float ray_perigee_excess_1, bool ray_ground_1, float length_2, float radius_12, inout float out_distance, inout float out_excess_2, inout float out_r_mu_3) {
-    bool unnamed_4 = false;
+    bool local_4 = false;
     if ((ray_r_mu_1 >= 0.0)) {
         out_distance = 0.0;
         out_excess_2 = ray_excess_1;
@@ -473,11 +413,11 @@ void perigee_of(float ray_length_2, float ray_excess_1, float ray_r_mu_1, float 
     }
     float r_mu_10 = (ray_r_mu_1 + length_2);
     if (ray_ground_1) {
-        unnamed_4 = (length_2 >= ray_length_2);
+        local_4 = (length_2 >= ray_length_2);
     } else {
-        unnamed_4 = false;
+        local_4 = false;
     }
-    bool _e21 = unnamed_4;
+    bool _e21 = local_4;
     if (_e21) {
         out_distance = length_2;
         out_excess_2 = 0.0;
@@ -724,68 +664,55 @@ void multi_scattering_source(highp sampler2D lut_3, vec2 node, vec3 gas, mat3x3 
     ivec2 c_first_1 = ivec2(0);
     ivec2 c_last_1 = ivec2(0);
     vec2 c_between_1 = vec2(0.0);
-    vec3 source_gas = vec3(0.0);
-    vec3 source_aerosol = vec3(0.0);
-    ivec2 corner_first_1 = ivec2(0);
-    ivec2 corner_last_1 = ivec2(0);
-    vec2 corner_between_1 = vec2(0.0);
+    out_gas = vec3(0.0);
+    out_aerosol = vec3(0.0);
     ivec2 dims_1 = ivec2(uvec2(textureSize(lut_3, 0).xy));
-    corner(node, ivec2(dims_1.x, ((dims_1.y - 1) / MOMENTS)), corner_first_1, corner_last_1, corner_between_1);
-    ivec2 _e20 = corner_first_1;
-    ivec2 _e21 = corner_last_1;
-    vec2 _e22 = corner_between_1;
-    c_first_1 = _e20;
-    c_last_1 = _e21;
-    c_between_1 = _e22;
-    int _e27 = c_first_1.y;
-    c_first_1.y = (_e27 * MOMENTS);
-    int _e31 = c_last_1.y;
-    c_last_1.y = (_e31 * MOMENTS);
-    ivec2 _e34 = c_first_1;
-    ivec2 _e35 = c_last_1;
-    vec2 _e36 = c_between_1;
-    vec4 _e39 = bilinear(lut_3, _e34, _e35, _e36, ivec2(0));
-    vec3 mean = exp2(_e39.xyz);
+    corner(node, ivec2(dims_1.x, ((dims_1.y - 1) / MOMENTS)), c_first_1, c_last_1, c_between_1);
+    int _e21 = c_first_1.y;
+    c_first_1.y = (_e21 * MOMENTS);
+    int _e25 = c_last_1.y;
+    c_last_1.y = (_e25 * MOMENTS);
+    ivec2 _e28 = c_first_1;
+    ivec2 _e29 = c_last_1;
+    vec2 _e30 = c_between_1;
+    vec4 _e33 = bilinear(lut_3, _e28, _e29, _e30, ivec2(0));
+    vec3 mean = exp2(_e33.xyz);
     float sin_sun = sqrt(max(((1.0 - mu_sun_1) * (1.0 + mu_sun_1)), 1e-12));
     float sin_view = sqrt(max(((1.0 - mu_1) * (1.0 + mu_1)), 0.0));
     float along_2 = clamp(((nu - (mu_1 * mu_sun_1)) / sin_sun), -(sin_view), sin_view);
-    ivec2 _e66 = c_first_1;
-    ivec2 _e67 = c_last_1;
-    vec2 _e68 = c_between_1;
-    vec4 _e72 = bilinear(lut_3, _e66, _e67, _e68, ivec2(0, 3));
-    float _e75 = harmonic(3, mu_1, along_2);
-    ivec2 _e77 = c_first_1;
-    ivec2 _e78 = c_last_1;
-    vec2 _e79 = c_between_1;
-    vec4 _e83 = bilinear(lut_3, _e77, _e78, _e79, ivec2(0, 4));
-    float _e86 = harmonic(4, mu_1, along_2);
-    ivec2 _e89 = c_first_1;
-    ivec2 _e90 = c_last_1;
-    vec2 _e91 = c_between_1;
-    vec4 _e95 = bilinear(lut_3, _e89, _e90, _e91, ivec2(0, 5));
-    float _e98 = harmonic(5, mu_1, along_2);
-    vec3 l2_ = (((_e72.xyz * _e75) + (_e83.xyz * _e86)) + (_e95.xyz * _e98));
+    ivec2 _e60 = c_first_1;
+    ivec2 _e61 = c_last_1;
+    vec2 _e62 = c_between_1;
+    vec4 _e66 = bilinear(lut_3, _e60, _e61, _e62, ivec2(0, 3));
+    float _e69 = harmonic(3, mu_1, along_2);
+    ivec2 _e71 = c_first_1;
+    ivec2 _e72 = c_last_1;
+    vec2 _e73 = c_between_1;
+    vec4 _e77 = bilinear(lut_3, _e71, _e72, _e73, ivec2(0, 4));
+    float _e80 = harmonic(4, mu_1, along_2);
+    ivec2 _e83 = c_first_1;
+    ivec2 _e84 = c_last_1;
+    vec2 _e85 = c_between_1;
+    vec4 _e89 = bilinear(lut_3, _e83, _e84, _e85, ivec2(0, 5));
+    float _e92 = harmonic(5, mu_1, along_2);
+    vec3 l2_ = (((_e66.xyz * _e69) + (_e77.xyz * _e80)) + (_e89.xyz * _e92));
     if (RAYLEIGH) {
-        source_gas = ((gas * (vec3(0.2820948) + (0.1 * l2_))) * mean);
+        out_gas = ((gas * (vec3(0.2820948) + (0.1 * l2_))) * mean);
     }
     if (MIE) {
-        ivec2 _e113 = c_first_1;
-        ivec2 _e114 = c_last_1;
-        vec2 _e115 = c_between_1;
-        vec4 _e119 = bilinear(lut_3, _e113, _e114, _e115, ivec2(0, 1));
-        float _e122 = harmonic(1, mu_1, along_2);
-        ivec2 _e124 = c_first_1;
-        ivec2 _e125 = c_last_1;
-        vec2 _e126 = c_between_1;
-        vec4 _e130 = bilinear(lut_3, _e124, _e125, _e126, ivec2(0, 2));
-        float _e133 = harmonic(2, mu_1, along_2);
-        vec3 l1_ = ((_e119.xyz * _e122) + (_e130.xyz * _e133));
-        source_aerosol = ((((SH0_ * aerosol[0]) + (l1_ * aerosol[1])) + (l2_ * aerosol[2])) * mean);
+        ivec2 _e107 = c_first_1;
+        ivec2 _e108 = c_last_1;
+        vec2 _e109 = c_between_1;
+        vec4 _e113 = bilinear(lut_3, _e107, _e108, _e109, ivec2(0, 1));
+        float _e116 = harmonic(1, mu_1, along_2);
+        ivec2 _e118 = c_first_1;
+        ivec2 _e119 = c_last_1;
+        vec2 _e120 = c_between_1;
+        vec4 _e124 = bilinear(lut_3, _e118, _e119, _e120, ivec2(0, 2));
+        float _e127 = harmonic(2, mu_1, along_2);
+        vec3 l1_ = ((_e113.xyz * _e116) + (_e124.xyz * _e127));
+        out_aerosol = ((((SH0_ * aerosol[0]) + (l1_ * aerosol[1])) + (l2_ * aerosol[2])) * mean);
     }
-    vec3 _e147 = source_gas;
-    vec3 _e148 = source_aerosol;
-    out_gas = _e147;
-    out_aerosol = _e148;
 }
 
 vec2 moon_before_sun(float apart, float along_1, float radius_16, float tan_sun_radius) {
@@ -860,7 +787,7 @@ float moon_distance_to_u(float moon_1, float apart_3) {
 
 vec3 moon_shadow_visibility(highp sampler2D lut_5, vec3 s_across, float s_along, float s_radius, float s_tan_sun_radius, float s_min_visibility, vec3 position_2, vec3 sun_3) {
     vec3 visible = vec3(0.0);
-    bool unnamed_5 = false;
+    bool local_5 = false;
     float beside = dot(position_2, sun_3);
     float apart_5 = length((s_across - (position_2 - (sun_3 * beside))));
     vec2 _e13 = moon_before_sun(apart_5, (s_along - beside), s_radius, s_tan_sun_radius);
@@ -869,11 +796,11 @@ vec3 moon_shadow_visibility(highp sampler2D lut_5, vec3 s_across, float s_along,
     float _e20 = visible.x;
     if ((_e20 > 0.0)) {
         float _e24 = visible.x;
-        unnamed_5 = (_e24 < 1.0);
+        local_5 = (_e24 < 1.0);
     } else {
-        unnamed_5 = false;
+        local_5 = false;
     }
-    bool _e30 = unnamed_5;
+    bool _e30 = local_5;
     if (_e30) {
         vec3 _e31 = visible;
         float _e34 = moon_distance_to_u(_e13.x, _e13.y);
@@ -910,94 +837,90 @@ vec3 sun_visibility_around(vec3 dir_5, float distance_4) {
     return _e16;
 }
 
-void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_lut, vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, float m_ozone_center_1, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_thickness, vec3 luts_mie_extinction, float luts_altitude_steepness, vec3 luts_mie_moment0_, float luts_altitude_growth, vec3 luts_mie_moment1_, float luts_sun_middle_1, vec3 luts_mie_moment2_, float luts_sun_width_1, float luts_sun_first_1, float luts_sun_span_1, uint luts_steps, float ray_start_1, float ray_sun_r_mu_2, float ray_nu_2, float ray_sin2_2, float ray_shadow_b_2, float ray_shadow_c_2, float ray_shadow_half2_2, vec3 dir_6, float perigee_distance, float perigee_excess, float perigee_r_mu, float u_from, float u_to, vec3 gas_1, vec3 aerosol_1, float multiple, inout vec3 out_radiance, inout vec3 out_optical_path) {
-    vec3 out_radiance_1 = vec3(0.0);
-    vec3 out_transmittance = vec3(1.0);
-    vec3 out_optical_path_1 = vec3(0.0);
+void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_lut, vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, float m_ozone_center_1, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_thickness, vec3 luts_mie_extinction, float luts_altitude_steepness, vec3 luts_mie_moment0_, float luts_altitude_growth, vec3 luts_mie_moment1_, float luts_sun_middle_1, vec3 luts_mie_moment2_, float luts_sun_width_1, float luts_sun_first_1, float luts_sun_span_1, uint luts_steps, float ray_start_1, float ray_sun_r_mu_2, float ray_nu_2, float ray_sin2_2, float ray_shadow_b_2, float ray_shadow_c_2, float ray_shadow_half2_2, vec3 dir_6, float perigee_distance, float perigee_excess, float perigee_r_mu, float u_from, float u_to, vec3 gas_1, vec3 aerosol_1, float multiple, inout vec3 out_radiance, inout vec3 out_transmittance, inout vec3 out_optical_path) {
     float t0_2 = 0.0;
     uint i_1 = 0u;
     vec3 source = vec3(0.0);
     vec3 before_gas = vec3(0.0);
     vec3 before_aerosol = vec3(0.0);
-    vec4 _e18 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
+    out_radiance = vec3(0.0);
+    out_transmittance = vec3(1.0);
+    out_optical_path = vec3(0.0);
+    vec4 _e19 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
     mat3x3 coefficients_2 = mat3x3(m_rayleigh_1, luts_mie_extinction, m_ozone_1);
-    vec2 _e38 = shadow_stretch(ray_sun_r_mu_2, ray_nu_2, ray_sin2_2, ray_shadow_b_2, ray_shadow_c_2, ray_shadow_half2_2);
-    vec4 _e39 = sun_axis(luts_sun_middle_1, luts_sun_width_1, luts_sun_first_1, luts_sun_span_1);
-    vec2 _e41 = multi_scattering_span(multi_scattering_lut);
+    vec2 _e39 = shadow_stretch(ray_sun_r_mu_2, ray_nu_2, ray_sin2_2, ray_shadow_b_2, ray_shadow_c_2, ray_shadow_half2_2);
+    vec4 _e40 = sun_axis(luts_sun_middle_1, luts_sun_width_1, luts_sun_first_1, luts_sun_span_1);
+    vec2 _e42 = multi_scattering_span(multi_scattering_lut);
     mat3x3 moments = mat3x3((m_mie_scattering * luts_mie_moment0_), (m_mie_scattering * luts_mie_moment1_), (m_mie_scattering * luts_mie_moment2_));
     float du_1 = ((u_to - u_from) / float(luts_steps));
-    float _e54 = u_to_distance(perigee_distance, u_from);
-    t0_2 = _e54;
+    float _e55 = u_to_distance(perigee_distance, u_from);
+    t0_2 = _e55;
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            uint _e171 = i_1;
-            i_1 = (_e171 + 1u);
+            uint _e172 = i_1;
+            i_1 = (_e172 + 1u);
         }
         loop_init_1 = false;
-        uint _e57 = i_1;
-        if ((_e57 < luts_steps)) {
+        uint _e58 = i_1;
+        if ((_e58 < luts_steps)) {
         } else {
             break;
         }
         {
-            uint _e59 = i_1;
-            float u_3 = (u_from + (du_1 * float(_e59)));
-            float _e64 = u_to_distance(perigee_distance, (u_3 + du_1));
-            float _e65 = t0_2;
-            float step_ = (_e64 - _e65);
-            float _e70 = u_to_distance(perigee_distance, (u_3 + (0.5 * du_1)));
-            float _e72 = altitude_after(perigee_excess, perigee_r_mu, (_e70 - perigee_distance), m_radius);
-            vec3 _e73 = densities(_e18, _e72);
-            vec3 _e74 = extinction(coefficients_2, _e73);
-            vec3 tau_1 = (_e74 * step_);
-            vec3 _e79 = out_transmittance;
-            vec3 _e80 = mean_transmittance(tau_1);
-            vec3 weight = (_e79 * _e80);
-            float _e82 = t0_2;
-            vec2 _e83 = lit_part(_e38, perigee_distance, _e82, _e64, _e70);
-            if ((_e83.x > 0.0)) {
-                float past = (_e83.y - perigee_distance);
+            uint _e60 = i_1;
+            float u_3 = (u_from + (du_1 * float(_e60)));
+            float _e65 = u_to_distance(perigee_distance, (u_3 + du_1));
+            float _e66 = t0_2;
+            float step_ = (_e65 - _e66);
+            float _e71 = u_to_distance(perigee_distance, (u_3 + (0.5 * du_1)));
+            float _e73 = altitude_after(perigee_excess, perigee_r_mu, (_e71 - perigee_distance), m_radius);
+            vec3 _e74 = densities(_e19, _e73);
+            vec3 _e75 = extinction(coefficients_2, _e74);
+            vec3 tau_1 = (_e75 * step_);
+            vec3 _e80 = out_transmittance;
+            vec3 _e81 = mean_transmittance(tau_1);
+            vec3 weight = (_e80 * _e81);
+            float _e83 = t0_2;
+            vec2 _e84 = lit_part(_e39, perigee_distance, _e83, _e65, _e71);
+            if ((_e84.x > 0.0)) {
+                float past = (_e84.y - perigee_distance);
                 float lit_excess = max((perigee_excess + (past * ((2.0 * perigee_r_mu) + past))), 0.0);
-                float _e96 = altitude_of(lit_excess, m_radius);
-                vec3 _e97 = densities(_e18, _e96);
-                float sun_r_mu_1 = (ray_sun_r_mu_2 + (ray_nu_2 * _e83.y));
-                vec3 _e102 = optical_path_to_top(transmittance_lut, m_radius, m_thickness, lit_excess, _e96, sun_r_mu_1);
-                vec3 _e110 = extinction(coefficients_2, _e102);
-                source = (((gas_1 * _e97.x) + (aerosol_1 * _e97.y)) * exp(-(_e110)));
-                vec3 _e115 = source;
-                vec3 _e119 = sun_visibility(dir_6, (ray_start_1 + _e83.y));
-                source = (_e115 * _e119);
-                vec3 _e121 = out_radiance_1;
-                vec3 _e122 = source;
-                out_radiance_1 = (_e121 + ((weight * _e122) * _e83.x));
+                float _e97 = altitude_of(lit_excess, m_radius);
+                vec3 _e98 = densities(_e19, _e97);
+                float sun_r_mu_1 = (ray_sun_r_mu_2 + (ray_nu_2 * _e84.y));
+                vec3 _e103 = optical_path_to_top(transmittance_lut, m_radius, m_thickness, lit_excess, _e97, sun_r_mu_1);
+                vec3 _e111 = extinction(coefficients_2, _e103);
+                source = (((gas_1 * _e98.x) + (aerosol_1 * _e98.y)) * exp(-(_e111)));
+                vec3 _e116 = source;
+                vec3 _e120 = sun_visibility(dir_6, (ray_start_1 + _e84.y));
+                source = (_e116 * _e120);
+                vec3 _e122 = out_radiance;
+                vec3 _e123 = source;
+                out_radiance = (_e122 + ((weight * _e123) * _e84.x));
             }
             if (MULTI_SCATTERING) {
-                float r_4 = (m_radius + _e72);
-                float mu_3 = clamp((((perigee_r_mu + _e70) - perigee_distance) / r_4), -1.0, 1.0);
-                float mu_sun_2 = clamp(((ray_sun_r_mu_2 + (ray_nu_2 * _e70)) / r_4), -1.0, 1.0);
-                float _e141 = altitude_to_v(luts_altitude_steepness, luts_altitude_growth, _e72, m_thickness);
-                float _e142 = mu_sun_to_u(_e39, mu_sun_2);
-                vec2 node_1 = (vec2(_e142, _e141) * _e41);
+                float r_4 = (m_radius + _e73);
+                float mu_3 = clamp((((perigee_r_mu + _e71) - perigee_distance) / r_4), -1.0, 1.0);
+                float mu_sun_2 = clamp(((ray_sun_r_mu_2 + (ray_nu_2 * _e71)) / r_4), -1.0, 1.0);
+                float _e142 = altitude_to_v(luts_altitude_steepness, luts_altitude_growth, _e73, m_thickness);
+                float _e143 = mu_sun_to_u(_e40, mu_sun_2);
+                vec2 node_1 = (vec2(_e143, _e142) * _e42);
                 multi_scattering_source(multi_scattering_lut, node_1, m_rayleigh_1, moments, mu_3, mu_sun_2, ray_nu_2, before_gas, before_aerosol);
-                vec3 _e147 = before_gas;
-                vec3 _e148 = before_aerosol;
-                vec3 _e150 = sun_visibility_around(dir_6, (ray_start_1 + _e70));
-                vec3 source_2 = (((_e147 * _e150) * _e73.x) + ((_e148 * _e150) * _e73.y));
-                vec3 _e158 = out_radiance_1;
-                out_radiance_1 = (_e158 + ((weight * (step_ * multiple)) * source_2));
+                vec3 _e148 = before_gas;
+                vec3 _e149 = before_aerosol;
+                vec3 _e151 = sun_visibility_around(dir_6, (ray_start_1 + _e71));
+                vec3 source_2 = (((_e148 * _e151) * _e74.x) + ((_e149 * _e151) * _e74.y));
+                vec3 _e159 = out_radiance;
+                out_radiance = (_e159 + ((weight * (step_ * multiple)) * source_2));
             }
-            vec3 _e164 = out_transmittance;
-            out_transmittance = (_e164 * exp(-(tau_1)));
-            vec3 _e168 = out_optical_path_1;
-            out_optical_path_1 = (_e168 + (_e73 * step_));
-            t0_2 = _e64;
+            vec3 _e165 = out_transmittance;
+            out_transmittance = (_e165 * exp(-(tau_1)));
+            vec3 _e169 = out_optical_path;
+            out_optical_path = (_e169 + (_e74 * step_));
+            t0_2 = _e65;
         }
     }
-    vec3 _e174 = out_radiance_1;
-    vec3 _e175 = out_optical_path_1;
-    out_radiance = _e174;
-    out_optical_path = _e175;
 }
 
 float rayleigh_phase(float mu_2) {
@@ -1041,18 +964,18 @@ vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_17, fl
     return exp(-(_e10));
 }
 
-void single_scattering(vec3 m_rayleigh_2, float m_rayleigh_inv_height_2, vec3 m_mie_scattering_1, float m_mie_inv_height_2, vec3 m_mie_extinction_1, float m_ozone_center_2, vec3 m_mie_asymmetry, float m_ozone_inv_half_width_2, vec3 m_ozone_2, float m_radius_1, float m_thickness_1, float ray_start_2, float ray_length_3, float ray_excess_2, float ray_r_mu_2, float ray_perigee_excess_2, float ray_sun_r_mu_3, float ray_nu_3, float ray_sin2_3, float ray_shadow_b_3, float ray_shadow_c_3, float ray_shadow_half2_3, bool ray_ground_2, vec3 dir_8, float length_3, float away_3, uint view_samples, uint light_samples, inout vec3 out_radiance_2, inout vec3 out_transmittance_1) {
+void single_scattering(vec3 m_rayleigh_2, float m_rayleigh_inv_height_2, vec3 m_mie_scattering_1, float m_mie_inv_height_2, vec3 m_mie_extinction_1, float m_ozone_center_2, vec3 m_mie_asymmetry, float m_ozone_inv_half_width_2, vec3 m_ozone_2, float m_radius_1, float m_thickness_1, float ray_start_2, float ray_length_3, float ray_excess_2, float ray_r_mu_2, float ray_perigee_excess_2, float ray_sun_r_mu_3, float ray_nu_3, float ray_sin2_3, float ray_shadow_b_3, float ray_shadow_c_3, float ray_shadow_half2_3, bool ray_ground_2, vec3 dir_8, float length_3, float away_3, uint view_samples, uint light_samples, inout vec3 out_radiance_1, inout vec3 out_transmittance_1) {
     vec3 rayleigh = vec3(0.0);
     vec3 mie = vec3(0.0);
     vec2 shadow_1 = vec2(0.0);
-    vec3 out_radiance_3 = vec3(0.0);
-    vec3 out_transmittance_2 = vec3(1.0);
     float t0_3 = 0.0;
     uint i_2 = 0u;
     vec3 source_1 = vec3(0.0);
     float perigee_distance_1 = 0.0;
     float perigee_excess_1 = 0.0;
     float perigee_r_mu_1 = 0.0;
+    out_radiance_1 = vec3(0.0);
+    out_transmittance_1 = vec3(1.0);
     if (SUNLIGHT) {
         vec2 _e27 = shadow_stretch(ray_sun_r_mu_3, ray_nu_3, ray_sin2_3, ray_shadow_b_3, ray_shadow_c_3, ray_shadow_half2_3);
         shadow_1 = _e27;
@@ -1123,29 +1046,26 @@ void single_scattering(vec3 m_rayleigh_2, float m_rayleigh_inv_height_2, vec3 m_
                     vec3 _e137 = source_1;
                     vec3 _e141 = sun_visibility(dir_8, (ray_start_2 + _e100.y));
                     source_1 = (_e137 * _e141);
-                    vec3 _e145 = out_radiance_3;
-                    vec3 _e146 = out_transmittance_2;
+                    vec3 _e145 = out_radiance_1;
+                    vec3 _e146 = out_transmittance_1;
                     vec3 _e147 = mean_transmittance(tau_2);
                     vec3 _e149 = source_1;
-                    out_radiance_3 = (_e145 + (((_e146 * _e147) * _e149) * _e100.x));
+                    out_radiance_1 = (_e145 + (((_e146 * _e147) * _e149) * _e100.x));
                 }
             }
-            vec3 _e154 = out_transmittance_2;
-            out_transmittance_2 = (_e154 * exp(-(tau_2)));
+            vec3 _e154 = out_transmittance_1;
+            out_transmittance_1 = (_e154 * exp(-(tau_2)));
             t0_3 = _e84;
         }
     }
-    vec3 _e161 = out_radiance_3;
-    vec3 _e162 = out_transmittance_2;
-    out_radiance_2 = _e161;
-    out_transmittance_1 = _e162;
 }
 
-void all_orders(highp sampler2D transmittance_lut_1, highp sampler2D multi_scattering_lut_1, vec3 m_rayleigh_3, float m_rayleigh_inv_height_3, vec3 m_mie_scattering_2, float m_mie_inv_height_3, vec3 m_mie_extinction_2, float m_ozone_center_3, vec3 m_mie_asymmetry_1, float m_ozone_inv_half_width_3, vec3 m_ozone_3, float m_radius_2, float m_thickness_2, vec3 luts_mie_extinction_1, float luts_altitude_steepness_1, vec3 luts_mie_moment0_1, float luts_altitude_growth_1, vec3 luts_mie_moment1_1, float luts_sun_middle_2, vec3 luts_mie_moment2_1, float luts_sun_width_2, float luts_sun_first_2, float luts_sun_span_2, uint luts_steps_1, float ray_start_3, float ray_length_4, float ray_excess_3, float ray_r_mu_3, float ray_perigee_excess_3, float ray_sun_r_mu_4, float ray_nu_4, float ray_sin2_4, float ray_shadow_b_4, float ray_shadow_c_4, float ray_shadow_half2_4, bool ray_ground_3, vec3 dir_9, vec3 sun_6, float length_4, inout vec3 out_radiance_4, inout vec3 out_transmittance_3) {
+void all_orders(highp sampler2D transmittance_lut_1, highp sampler2D multi_scattering_lut_1, vec3 m_rayleigh_3, float m_rayleigh_inv_height_3, vec3 m_mie_scattering_2, float m_mie_inv_height_3, vec3 m_mie_extinction_2, float m_ozone_center_3, vec3 m_mie_asymmetry_1, float m_ozone_inv_half_width_3, vec3 m_ozone_3, float m_radius_2, float m_thickness_2, vec3 luts_mie_extinction_1, float luts_altitude_steepness_1, vec3 luts_mie_moment0_1, float luts_altitude_growth_1, vec3 luts_mie_moment1_1, float luts_sun_middle_2, vec3 luts_mie_moment2_1, float luts_sun_width_2, float luts_sun_first_2, float luts_sun_span_2, uint luts_steps_1, float ray_start_3, float ray_length_4, float ray_excess_3, float ray_r_mu_3, float ray_perigee_excess_3, float ray_sun_r_mu_4, float ray_nu_4, float ray_sin2_4, float ray_shadow_b_4, float ray_shadow_c_4, float ray_shadow_half2_4, bool ray_ground_3, vec3 dir_9, vec3 sun_6, float length_4, inout vec3 out_radiance_2, inout vec3 out_transmittance_2) {
     float perigee_distance_2 = 0.0;
     float perigee_excess_2 = 0.0;
     float perigee_r_mu_2 = 0.0;
     vec3 g_radiance = vec3(0.0);
+    vec3 g_transmittance = vec3(0.0);
     vec3 g_optical_path = vec3(0.0);
     perigee_of(ray_length_4, ray_excess_3, ray_r_mu_3, ray_perigee_excess_3, ray_ground_3, length_4, m_radius_2, perigee_distance_2, perigee_excess_2, perigee_r_mu_2);
     float _e29 = perigee_distance_2;
@@ -1157,34 +1077,22 @@ void all_orders(highp sampler2D transmittance_lut_1, highp sampler2D multi_scatt
     vec3 gas_2 = (m_rayleigh_3 * _e35);
     vec3 _e39 = mie_phase_between(dir_9, sun_6, m_mie_asymmetry_1);
     vec3 aerosol_2 = (m_mie_scattering_2 * _e39);
-    gather(transmittance_lut_1, multi_scattering_lut_1, m_rayleigh_3, m_rayleigh_inv_height_3, m_mie_scattering_2, m_mie_inv_height_3, m_ozone_center_3, m_ozone_inv_half_width_3, m_ozone_3, m_radius_2, m_thickness_2, luts_mie_extinction_1, luts_altitude_steepness_1, luts_mie_moment0_1, luts_altitude_growth_1, luts_mie_moment1_1, luts_sun_middle_2, luts_mie_moment2_1, luts_sun_width_2, luts_sun_first_2, luts_sun_span_2, luts_steps_1, ray_start_3, ray_sun_r_mu_4, ray_nu_4, ray_sin2_4, ray_shadow_b_4, ray_shadow_c_4, ray_shadow_half2_4, dir_9, _e29, _e30, _e31, _e33, _e34, gas_2, aerosol_2, 1.0, g_radiance, g_optical_path);
-    vec3 _e57 = g_radiance;
-    vec3 _e58 = g_optical_path;
-    mat3x3 _e59 = coefficients_of(m_rayleigh_3, m_mie_extinction_2, m_ozone_3);
-    vec3 _e60 = extinction(_e59, _e58);
-    out_radiance_4 = _e57;
-    out_transmittance_3 = exp(-(_e60));
+    gather(transmittance_lut_1, multi_scattering_lut_1, m_rayleigh_3, m_rayleigh_inv_height_3, m_mie_scattering_2, m_mie_inv_height_3, m_ozone_center_3, m_ozone_inv_half_width_3, m_ozone_3, m_radius_2, m_thickness_2, luts_mie_extinction_1, luts_altitude_steepness_1, luts_mie_moment0_1, luts_altitude_growth_1, luts_mie_moment1_1, luts_sun_middle_2, luts_mie_moment2_1, luts_sun_width_2, luts_sun_first_2, luts_sun_span_2, luts_steps_1, ray_start_3, ray_sun_r_mu_4, ray_nu_4, ray_sin2_4, ray_shadow_b_4, ray_shadow_c_4, ray_shadow_half2_4, dir_9, _e29, _e30, _e31, _e33, _e34, gas_2, aerosol_2, 1.0, g_radiance, g_transmittance, g_optical_path);
+    vec3 _e58 = g_radiance;
+    vec3 _e59 = g_optical_path;
+    mat3x3 _e60 = coefficients_of(m_rayleigh_3, m_mie_extinction_2, m_ozone_3);
+    vec3 _e61 = extinction(_e60, _e59);
+    out_radiance_2 = _e58;
+    out_transmittance_2 = exp(-(_e61));
 }
 
-void eclipsed_light(highp sampler2D transmittance_lut_2, highp sampler2D multi_scattering_lut_2, vec3 m_rayleigh_4, float m_rayleigh_inv_height_4, vec3 m_mie_scattering_3, float m_mie_inv_height_4, vec3 m_mie_extinction_3, float m_ozone_center_4, vec3 m_mie_asymmetry_2, float m_ozone_inv_half_width_4, vec3 m_ozone_4, float m_radius_3, float m_thickness_3, vec3 luts_mie_extinction_2, float luts_altitude_steepness_2, vec3 luts_mie_moment0_2, float luts_altitude_growth_2, vec3 luts_mie_moment1_2, float luts_sun_middle_3, vec3 luts_mie_moment2_2, float luts_sun_width_3, float luts_sun_first_3, float luts_sun_span_3, uint luts_steps_2, float ray_start_4, float ray_length_5, float ray_excess_4, float ray_r_mu_4, float ray_perigee_excess_4, float ray_sun_r_mu_5, float ray_nu_5, float ray_sin2_5, float ray_shadow_b_5, float ray_shadow_c_5, float ray_shadow_half2_5, bool ray_ground_4, vec3 dir_10, vec3 sun_7, float length_5, uint view_samples_1, uint light_samples_1, inout vec3 out_radiance_5, inout vec3 out_transmittance_4) {
-    vec3 all_orders_radiance = vec3(0.0);
-    vec3 all_orders_transmittance = vec3(0.0);
-    vec3 single_scattering_radiance = vec3(0.0);
-    vec3 single_scattering_transmittance = vec3(0.0);
+void eclipsed_light(highp sampler2D transmittance_lut_2, highp sampler2D multi_scattering_lut_2, vec3 m_rayleigh_4, float m_rayleigh_inv_height_4, vec3 m_mie_scattering_3, float m_mie_inv_height_4, vec3 m_mie_extinction_3, float m_ozone_center_4, vec3 m_mie_asymmetry_2, float m_ozone_inv_half_width_4, vec3 m_ozone_4, float m_radius_3, float m_thickness_3, vec3 luts_mie_extinction_2, float luts_altitude_steepness_2, vec3 luts_mie_moment0_2, float luts_altitude_growth_2, vec3 luts_mie_moment1_2, float luts_sun_middle_3, vec3 luts_mie_moment2_2, float luts_sun_width_3, float luts_sun_first_3, float luts_sun_span_3, uint luts_steps_2, float ray_start_4, float ray_length_5, float ray_excess_4, float ray_r_mu_4, float ray_perigee_excess_4, float ray_sun_r_mu_5, float ray_nu_5, float ray_sin2_5, float ray_shadow_b_5, float ray_shadow_c_5, float ray_shadow_half2_5, bool ray_ground_4, vec3 dir_10, vec3 sun_7, float length_5, uint view_samples_1, uint light_samples_1, inout vec3 out_radiance_3, inout vec3 out_transmittance_3) {
     if (MULTI_SCATTERING) {
-        all_orders(transmittance_lut_2, multi_scattering_lut_2, m_rayleigh_4, m_rayleigh_inv_height_4, m_mie_scattering_3, m_mie_inv_height_4, m_mie_extinction_3, m_ozone_center_4, m_mie_asymmetry_2, m_ozone_inv_half_width_4, m_ozone_4, m_radius_3, m_thickness_3, luts_mie_extinction_2, luts_altitude_steepness_2, luts_mie_moment0_2, luts_altitude_growth_2, luts_mie_moment1_2, luts_sun_middle_3, luts_mie_moment2_2, luts_sun_width_3, luts_sun_first_3, luts_sun_span_3, luts_steps_2, ray_start_4, ray_length_5, ray_excess_4, ray_r_mu_4, ray_perigee_excess_4, ray_sun_r_mu_5, ray_nu_5, ray_sin2_5, ray_shadow_b_5, ray_shadow_c_5, ray_shadow_half2_5, ray_ground_4, dir_10, sun_7, length_5, all_orders_radiance, all_orders_transmittance);
-        vec3 _e44 = all_orders_radiance;
-        vec3 _e45 = all_orders_transmittance;
-        out_radiance_5 = _e44;
-        out_transmittance_4 = _e45;
+        all_orders(transmittance_lut_2, multi_scattering_lut_2, m_rayleigh_4, m_rayleigh_inv_height_4, m_mie_scattering_3, m_mie_inv_height_4, m_mie_extinction_3, m_ozone_center_4, m_mie_asymmetry_2, m_ozone_inv_half_width_4, m_ozone_4, m_radius_3, m_thickness_3, luts_mie_extinction_2, luts_altitude_steepness_2, luts_mie_moment0_2, luts_altitude_growth_2, luts_mie_moment1_2, luts_sun_middle_3, luts_mie_moment2_2, luts_sun_width_3, luts_sun_first_3, luts_sun_span_3, luts_steps_2, ray_start_4, ray_length_5, ray_excess_4, ray_r_mu_4, ray_perigee_excess_4, ray_sun_r_mu_5, ray_nu_5, ray_sin2_5, ray_shadow_b_5, ray_shadow_c_5, ray_shadow_half2_5, ray_ground_4, dir_10, sun_7, length_5, out_radiance_3, out_transmittance_3);
         return;
     } else {
         vec3 offset = (dir_10 - sun_7);
-        single_scattering(m_rayleigh_4, m_rayleigh_inv_height_4, m_mie_scattering_3, m_mie_inv_height_4, m_mie_extinction_3, m_ozone_center_4, m_mie_asymmetry_2, m_ozone_inv_half_width_4, m_ozone_4, m_radius_3, m_thickness_3, ray_start_4, ray_length_5, ray_excess_4, ray_r_mu_4, ray_perigee_excess_4, ray_sun_r_mu_5, ray_nu_5, ray_sin2_5, ray_shadow_b_5, ray_shadow_c_5, ray_shadow_half2_5, ray_ground_4, dir_10, length_5, (0.5 * dot(offset, offset)), view_samples_1, light_samples_1, single_scattering_radiance, single_scattering_transmittance);
-        vec3 _e54 = single_scattering_radiance;
-        vec3 _e55 = single_scattering_transmittance;
-        out_radiance_5 = _e54;
-        out_transmittance_4 = _e55;
+        single_scattering(m_rayleigh_4, m_rayleigh_inv_height_4, m_mie_scattering_3, m_mie_inv_height_4, m_mie_extinction_3, m_ozone_center_4, m_mie_asymmetry_2, m_ozone_inv_half_width_4, m_ozone_4, m_radius_3, m_thickness_3, ray_start_4, ray_length_5, ray_excess_4, ray_r_mu_4, ray_perigee_excess_4, ray_sun_r_mu_5, ray_nu_5, ray_sin2_5, ray_shadow_b_5, ray_shadow_c_5, ray_shadow_half2_5, ray_ground_4, dir_10, length_5, (0.5 * dot(offset, offset)), view_samples_1, light_samples_1, out_radiance_3, out_transmittance_3);
         return;
     }
 }
@@ -1192,7 +1100,7 @@ void eclipsed_light(highp sampler2D transmittance_lut_2, highp sampler2D multi_s
 void main() {
     vec4 position = gl_FragCoord;
     vec4 scene = vec4(0.0);
-    bool unnamed = false;
+    bool local = false;
     float ray_start = 0.0;
     float ray_length = 0.0;
     float ray_excess = 0.0;
@@ -1265,11 +1173,11 @@ void main() {
     float _e104 = end_weight;
     bool _e105 = end_dims;
     if (!((_e103 <= 0.0))) {
-        unnamed = (_e104 <= 0.0);
+        local = (_e104 <= 0.0);
     } else {
-        unnamed = true;
+        local = true;
     }
-    bool _e114 = unnamed;
+    bool _e114 = local;
     if (_e114) {
         vec4 _e115 = scene;
         _fs2p_location0 = _e115;

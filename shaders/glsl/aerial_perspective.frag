@@ -216,18 +216,18 @@ float half_chord2_(float r_mu_4, float above, float depth_1, float p) {
 }
 
 void line_past(vec3 dir, float h_1, float radius_5, inout float out_r_mu, inout float out_perigee, inout float out_perigee_excess, inout bool out_ground) {
-    bool unnamed_3 = false;
+    bool local_3 = false;
     float r = (radius_5 + h_1);
     float r_mu_8 = (r * dir.z);
     float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
     float _e15 = excess_of(h_1, radius_5);
     float _e17 = half_chord2_(r_mu_8, _e15, (radius_5 - p_1), p_1);
     if ((r_mu_8 < 0.0)) {
-        unnamed_3 = (_e17 >= 0.0);
+        local_3 = (_e17 >= 0.0);
     } else {
-        unnamed_3 = false;
+        local_3 = false;
     }
-    bool _e26 = unnamed_3;
+    bool _e26 = local_3;
     out_r_mu = r_mu_8;
     out_perigee = p_1;
     out_perigee_excess = -(_e17);
@@ -246,7 +246,7 @@ float distance_to_ground(float excess_3, float r_mu_5, float root) {
 }
 
 void air_path(float line_r_mu_2, float line_perigee_excess_2, bool line_ground_1, float h_3, float radius_7, float thickness_1, inout float out_start, inout float out_length_1, inout float out_excess, inout float out_r_mu_1) {
-    bool unnamed_4 = false;
+    bool local_4 = false;
     float _e6 = excess_of(thickness_1, radius_7);
     float ground_root = sqrt(max(-(line_perigee_excess_2), 0.0));
     if ((h_3 <= thickness_1)) {
@@ -262,11 +262,11 @@ void air_path(float line_r_mu_2, float line_perigee_excess_2, bool line_ground_1
     float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_7) + thickness_1) + h_3));
     float _e27 = top_half_chord2_(line_r_mu_2, line_perigee_excess_2, h_3, radius_7, thickness_1);
     if (!((line_r_mu_2 >= 0.0))) {
-        unnamed_4 = (_e27 <= 0.0);
+        local_4 = (_e27 <= 0.0);
     } else {
-        unnamed_4 = true;
+        local_4 = true;
     }
-    bool _e36 = unnamed_4;
+    bool _e36 = local_4;
     if (_e36) {
         out_start = 0.0;
         out_length_1 = -1.0;
@@ -384,11 +384,11 @@ void aerial_slice(highp sampler2D lut_3, vec2 c_texel_1, vec2 c_size_1, float c_
     vec4 near = vec4(0.0);
     vec4 far = vec4(0.0);
     int i = 0;
-    bool unnamed_5 = false;
-    bool unnamed_6 = false;
+    bool local_5 = false;
+    bool local_6 = false;
     int i_1 = 0;
-    bool unnamed_7 = false;
-    bool unnamed_8 = false;
+    bool local_7 = false;
+    bool local_8 = false;
     float perigee_1 = clamp(-(path_r_mu_1), 0.0, path_length_1);
     float _e11 = distance_to_u(perigee_1, 0.0);
     float _e13 = distance_to_u(perigee_1, distance_2);
@@ -413,18 +413,18 @@ void aerial_slice(highp sampler2D lut_3, vec2 c_texel_1, vec2 c_size_1, float c_
         int _e46 = i;
         if ((_e46 < 4)) {
             float _e50 = far.w;
-            unnamed_5 = (fraction > _e50);
+            local_5 = (fraction > _e50);
         } else {
-            unnamed_5 = false;
+            local_5 = false;
         }
-        bool _e55 = unnamed_5;
+        bool _e55 = local_5;
         if (_e55) {
             float _e56 = slice_1;
-            unnamed_6 = (_e56 < last_1);
+            local_6 = (_e56 < last_1);
         } else {
-            unnamed_6 = false;
+            local_6 = false;
         }
-        bool _e61 = unnamed_6;
+        bool _e61 = local_6;
         if (_e61) {
         } else {
             break;
@@ -449,18 +449,18 @@ void aerial_slice(highp sampler2D lut_3, vec2 c_texel_1, vec2 c_size_1, float c_
         int _e74 = i_1;
         if ((_e74 < 4)) {
             float _e78 = near.w;
-            unnamed_7 = (fraction < _e78);
+            local_7 = (fraction < _e78);
         } else {
-            unnamed_7 = false;
+            local_7 = false;
         }
-        bool _e83 = unnamed_7;
+        bool _e83 = local_7;
         if (_e83) {
             float _e84 = slice_1;
-            unnamed_8 = (_e84 > 0.0);
+            local_8 = (_e84 > 0.0);
         } else {
-            unnamed_8 = false;
+            local_8 = false;
         }
-        bool _e90 = unnamed_8;
+        bool _e90 = local_8;
         if (_e90) {
         } else {
             break;
@@ -616,12 +616,12 @@ vec3 whole_transmittance(vec3 m_rayleigh_1, vec3 m_mie_extinction_1, vec3 m_ozon
 void main() {
     vec4 position = gl_FragCoord;
     vec4 scene = vec4(0.0);
-    bool unnamed = false;
-    bool unnamed_1 = false;
+    bool local = false;
+    bool local_1 = false;
     vec3 mie_light = vec3(0.0);
     vec3 air_transmittance = vec3(0.0);
     vec3 air_inscatter = vec3(0.0);
-    bool unnamed_2 = false;
+    bool local_2 = false;
     float line_r_mu = 0.0;
     float line_perigee = 0.0;
     float line_perigee_excess = 0.0;
@@ -636,8 +636,6 @@ void main() {
     vec2 column_texel = vec2(0.0);
     vec2 column_size = vec2(0.0);
     float column_slices = 0.0;
-    vec3 air_before_transmittance = vec3(0.0);
-    vec3 air_before_inscatter = vec3(0.0);
     vec3 f_medium_rayleigh = _group_0_binding_0_fs.frame.medium.rayleigh;
     float f_medium_rayleigh_inv_height = _group_0_binding_0_fs.frame.medium.rayleigh_inv_height;
     float f_medium_mie_inv_height = _group_0_binding_0_fs.frame.medium.mie_inv_height;
@@ -685,21 +683,21 @@ void main() {
     float _e92 = path_excess;
     float _e93 = path_r_mu;
     if (_e85) {
-        unnamed = (_e91 >= 0.0);
+        local = (_e91 >= 0.0);
     } else {
-        unnamed = false;
+        local = false;
     }
-    bool ground_4 = unnamed;
+    bool ground_4 = local;
     ray_end(_e90, _e91, _e93, ground_4, _e75, f_medium_radius, f_pixel_angle, f_shell_weight, end_length, end_weight, end_dims);
     float _e103 = end_length;
     float _e104 = end_weight;
     bool _e105 = end_dims;
     if (!((_e103 <= 0.0))) {
-        unnamed_1 = (_e104 <= 0.0);
+        local_1 = (_e104 <= 0.0);
     } else {
-        unnamed_1 = true;
+        local_1 = true;
     }
-    bool _e114 = unnamed_1;
+    bool _e114 = local_1;
     if (_e114) {
         vec4 _e115 = scene;
         _fs2p_location0 = _e115;
@@ -724,11 +722,11 @@ void main() {
     air_transmittance = vec3(1.0);
     air_inscatter = (smooth_light_1 + _e147);
     if (!(ground_4)) {
-        unnamed_2 = (_e103 >= _e91);
+        local_2 = (_e103 >= _e91);
     } else {
-        unnamed_2 = false;
+        local_2 = false;
     }
-    bool _e156 = unnamed_2;
+    bool _e156 = local_2;
     if (_e156) {
         if (_e105) {
             vec3 _e157 = whole_transmittance(f_medium_rayleigh, f_medium_mie_extinction, f_medium_ozone, f_medium_radius, f_medium_thickness, _e92, _e93);
@@ -740,17 +738,13 @@ void main() {
         vec2 _e163 = column_size;
         float _e164 = column_slices;
         vec3 _e165 = mie_light;
-        air_before(f_medium_rayleigh_inv_height, f_medium_mie_inv_height, f_medium_radius, _e91, _e92, _e93, _e162, _e163, _e164, _e103, smooth_light_1, _e165, air_before_transmittance, air_before_inscatter);
-        vec3 _e168 = air_before_transmittance;
-        vec3 _e169 = air_before_inscatter;
-        air_transmittance = _e168;
-        air_inscatter = _e169;
+        air_before(f_medium_rayleigh_inv_height, f_medium_mie_inv_height, f_medium_radius, _e91, _e92, _e93, _e162, _e163, _e164, _e103, smooth_light_1, _e165, air_transmittance, air_inscatter);
     }
-    vec4 _e170 = scene;
-    vec3 _e171 = air_transmittance;
-    vec3 _e172 = air_inscatter;
-    vec4 _e175 = compose(_e170, _e171, ((_e172 * f_medium_irradiance) * _e104));
-    _fs2p_location0 = _e175;
+    vec4 _e166 = scene;
+    vec3 _e167 = air_transmittance;
+    vec3 _e168 = air_inscatter;
+    vec4 _e171 = compose(_e166, _e167, ((_e168 * f_medium_irradiance) * _e104));
+    _fs2p_location0 = _e171;
     return;
 }
 

@@ -101,18 +101,18 @@ float half_chord2_(float r_mu_2, float above, float depth, float p) {
 }
 
 void line_past(vec3 dir, float h_1, float radius_3, inout float out_r_mu, inout float out_perigee_excess, inout bool out_ground) {
-    bool unnamed_1 = false;
+    bool local_1 = false;
     float r = (radius_3 + h_1);
     float r_mu_5 = (r * dir.z);
     float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
     float _e14 = excess_of(h_1, radius_3);
     float _e16 = half_chord2_(r_mu_5, _e14, (radius_3 - p_1), p_1);
     if ((r_mu_5 < 0.0)) {
-        unnamed_1 = (_e16 >= 0.0);
+        local_1 = (_e16 >= 0.0);
     } else {
-        unnamed_1 = false;
+        local_1 = false;
     }
-    bool _e25 = unnamed_1;
+    bool _e25 = local_1;
     out_r_mu = r_mu_5;
     out_perigee_excess = -(_e16);
     out_ground = _e25;
@@ -130,7 +130,7 @@ float distance_to_ground(float excess_3, float r_mu_3, float root) {
 }
 
 void air_path(float line_r_mu_2, float line_perigee_excess_2, bool line_ground_1, float h_3, float radius_5, float thickness_1, inout float out_length, inout float out_excess, inout float out_r_mu_1) {
-    bool unnamed_2 = false;
+    bool local_2 = false;
     float _e5 = excess_of(thickness_1, radius_5);
     float ground_root = sqrt(max(-(line_perigee_excess_2), 0.0));
     if ((h_3 <= thickness_1)) {
@@ -144,11 +144,11 @@ void air_path(float line_r_mu_2, float line_perigee_excess_2, bool line_ground_1
     }
     float _e19 = top_half_chord2_(line_r_mu_2, line_perigee_excess_2, h_3, radius_5, thickness_1);
     if (!((line_r_mu_2 >= 0.0))) {
-        unnamed_2 = (_e19 <= 0.0);
+        local_2 = (_e19 <= 0.0);
     } else {
-        unnamed_2 = true;
+        local_2 = true;
     }
-    bool _e28 = unnamed_2;
+    bool _e28 = local_2;
     if (_e28) {
         out_length = -1.0;
         out_excess = 0.0;
@@ -291,7 +291,7 @@ vec3 moon_normal(vec3 dir_2, vec3 apart, float sine) {
 
 void main() {
     vec4 position = gl_FragCoord;
-    bool unnamed = false;
+    bool local = false;
     float line_r_mu = 0.0;
     float line_perigee_excess = 0.0;
     bool line_ground = false;
@@ -323,11 +323,11 @@ void main() {
     float _e53 = _group_0_binding_0_fs.moon_chord;
     float _e54 = disk_coverage(apart_1, _e53, f_pixel_angle);
     if (!(_e46)) {
-        unnamed = (_e54 <= 0.0);
+        local = (_e54 <= 0.0);
     } else {
-        unnamed = true;
+        local = true;
     }
-    bool _e61 = unnamed;
+    bool _e61 = local;
     if (_e61) {
         discard;
     }

@@ -106,38 +106,26 @@ float shadow_half2_(float s_sin2_, float s_shadow_b, float s_shadow_c, float sid
 }
 
 void sun_side_inside(vec3 dir, vec3 sun, float r_1, float excess_3, float radius_4, inout float out_sun_r_mu, inout float out_nu, inout float out_sin2_, inout float out_shadow_b, inout float out_shadow_c, inout float out_shadow_half2_) {
-    float s_sun_r_mu = 0.0;
-    float s_nu = 0.0;
-    float s_sin2_1 = 0.0;
-    float s_shadow_b_1 = 0.0;
-    float s_shadow_c_1 = 0.0;
-    float s_shadow_half2_ = 0.0;
-    s_nu = dot(dir, sun);
-    float _e15 = s_nu;
-    vec3 side = cross((dir - (((_e15 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s_sin2_1 = dot(side, side);
-    s_sun_r_mu = (r_1 * sun.z);
-    s_shadow_b_1 = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+    out_sun_r_mu = 0.0;
+    out_nu = 0.0;
+    out_sin2_ = 0.0;
+    out_shadow_b = 0.0;
+    out_shadow_c = 0.0;
+    out_shadow_half2_ = 0.0;
+    out_nu = dot(dir, sun);
+    float _e21 = out_nu;
+    vec3 side = cross((dir - (((_e21 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    out_sin2_ = dot(side, side);
+    out_sun_r_mu = (r_1 * sun.z);
+    out_shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
     float q = (r_1 * length(sun.xy));
-    float _e39 = s_sun_r_mu;
-    float _e43 = half_chord2_(_e39, excess_3, (radius_4 - q), q);
-    s_shadow_c_1 = -(_e43);
-    float _e45 = s_sin2_1;
-    float _e46 = s_shadow_b_1;
-    float _e47 = s_shadow_c_1;
-    float _e49 = shadow_half2_(_e45, _e46, _e47, side.z, r_1, radius_4);
-    s_shadow_half2_ = _e49;
-    float _e50 = s_sun_r_mu;
-    float _e51 = s_nu;
-    float _e52 = s_sin2_1;
-    float _e53 = s_shadow_b_1;
-    float _e54 = s_shadow_c_1;
-    float _e55 = s_shadow_half2_;
-    out_sun_r_mu = _e50;
-    out_nu = _e51;
-    out_sin2_ = _e52;
-    out_shadow_b = _e53;
-    out_shadow_c = _e54;
+    float _e45 = out_sun_r_mu;
+    float _e49 = half_chord2_(_e45, excess_3, (radius_4 - q), q);
+    out_shadow_c = -(_e49);
+    float _e51 = out_sin2_;
+    float _e52 = out_shadow_b;
+    float _e53 = out_shadow_c;
+    float _e55 = shadow_half2_(_e51, _e52, _e53, side.z, r_1, radius_4);
     out_shadow_half2_ = _e55;
 }
 
@@ -146,34 +134,34 @@ float distance_to_ground(float excess_4, float r_mu_3, float root) {
 }
 
 void inner_ray(vec3 dir_1, float h_1, float radius_5, float thickness, vec3 sun_1, bool ground, inout float out_start, inout float out_length, inout float out_excess, inout float out_r_mu, inout float out_perigee_excess, inout float out_sun_r_mu_1, inout float out_nu_1, inout float out_sin2_1, inout float out_shadow_b_1, inout float out_shadow_c_1, inout float out_shadow_half2_1, inout bool out_ground) {
-    bool unnamed = false;
-    float s_sun_r_mu_1 = 0.0;
-    float s_nu_1 = 0.0;
-    float s_sin2_2 = 0.0;
-    float s_shadow_b_2 = 0.0;
-    float s_shadow_c_2 = 0.0;
-    float s_shadow_half2_1 = 0.0;
+    bool local = false;
+    float s_sun_r_mu = 0.0;
+    float s_nu = 0.0;
+    float s_sin2_1 = 0.0;
+    float s_shadow_b_1 = 0.0;
+    float s_shadow_c_1 = 0.0;
+    float s_shadow_half2_ = 0.0;
     float r_2 = (radius_5 + h_1);
     float _e15 = excess_of(h_1, radius_5);
     float r_mu_6 = (r_2 * dir_1.z);
     float p_2 = (r_2 * sqrt(dot(dir_1.xy, dir_1.xy)));
     float _e25 = half_chord2_(r_mu_6, _e15, (radius_5 - p_2), p_2);
-    sun_side_inside(dir_1, sun_1, r_2, _e15, radius_5, s_sun_r_mu_1, s_nu_1, s_sin2_2, s_shadow_b_2, s_shadow_c_2, s_shadow_half2_1);
-    float _e33 = s_sun_r_mu_1;
-    float _e34 = s_nu_1;
-    float _e35 = s_sin2_2;
-    float _e36 = s_shadow_b_2;
-    float _e37 = s_shadow_c_2;
-    float _e38 = s_shadow_half2_1;
+    sun_side_inside(dir_1, sun_1, r_2, _e15, radius_5, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
+    float _e33 = s_sun_r_mu;
+    float _e34 = s_nu;
+    float _e35 = s_sin2_1;
+    float _e36 = s_shadow_b_1;
+    float _e37 = s_shadow_c_1;
+    float _e38 = s_shadow_half2_;
     float _e40 = excess_of(thickness, radius_5);
     float _e41 = distance_to_top(_e15, r_mu_6, _e40);
     float _e45 = distance_to_ground(_e15, r_mu_6, sqrt(max(_e25, 0.0)));
     if (ground) {
-        unnamed = (r_mu_6 < 0.0);
+        local = (r_mu_6 < 0.0);
     } else {
-        unnamed = false;
+        local = false;
     }
-    bool _e52 = unnamed;
+    bool _e52 = local;
     float reach = (_e52 ? _e45 : _e41);
     out_start = 0.0;
     out_length = reach;
@@ -190,7 +178,7 @@ void inner_ray(vec3 dir_1, float h_1, float radius_5, float thickness, vec3 sun_
 }
 
 void perigee_of(float ray_length_1, float ray_excess_1, float ray_r_mu_1, float ray_perigee_excess_1, bool ray_ground_1, float length_, float radius_6, inout float out_distance, inout float out_excess_1, inout float out_r_mu_1) {
-    bool unnamed_1 = false;
+    bool local_1 = false;
     if ((ray_r_mu_1 >= 0.0)) {
         out_distance = 0.0;
         out_excess_1 = ray_excess_1;
@@ -205,11 +193,11 @@ void perigee_of(float ray_length_1, float ray_excess_1, float ray_r_mu_1, float 
     }
     float r_mu_7 = (ray_r_mu_1 + length_);
     if (ray_ground_1) {
-        unnamed_1 = (length_ >= ray_length_1);
+        local_1 = (length_ >= ray_length_1);
     } else {
-        unnamed_1 = false;
+        local_1 = false;
     }
-    bool _e21 = unnamed_1;
+    bool _e21 = local_1;
     if (_e21) {
         out_distance = length_;
         out_excess_1 = 0.0;
@@ -426,82 +414,69 @@ void multi_scattering_source(highp sampler2D lut_3, vec2 node, vec3 gas, mat3x3 
     ivec2 c_first_1 = ivec2(0);
     ivec2 c_last_1 = ivec2(0);
     vec2 c_between_1 = vec2(0.0);
-    vec3 source_gas = vec3(0.0);
-    vec3 source_aerosol = vec3(0.0);
-    ivec2 corner_first_1 = ivec2(0);
-    ivec2 corner_last_1 = ivec2(0);
-    vec2 corner_between_1 = vec2(0.0);
+    out_gas = vec3(0.0);
+    out_aerosol = vec3(0.0);
     ivec2 dims_1 = ivec2(uvec2(textureSize(lut_3, 0).xy));
-    corner(node, ivec2(dims_1.x, ((dims_1.y - 1) / MOMENTS)), corner_first_1, corner_last_1, corner_between_1);
-    ivec2 _e20 = corner_first_1;
-    ivec2 _e21 = corner_last_1;
-    vec2 _e22 = corner_between_1;
-    c_first_1 = _e20;
-    c_last_1 = _e21;
-    c_between_1 = _e22;
-    int _e27 = c_first_1.y;
-    c_first_1.y = (_e27 * MOMENTS);
-    int _e31 = c_last_1.y;
-    c_last_1.y = (_e31 * MOMENTS);
-    ivec2 _e34 = c_first_1;
-    ivec2 _e35 = c_last_1;
-    vec2 _e36 = c_between_1;
-    vec4 _e39 = bilinear(lut_3, _e34, _e35, _e36, ivec2(0));
-    vec3 mean = exp2(_e39.xyz);
+    corner(node, ivec2(dims_1.x, ((dims_1.y - 1) / MOMENTS)), c_first_1, c_last_1, c_between_1);
+    int _e21 = c_first_1.y;
+    c_first_1.y = (_e21 * MOMENTS);
+    int _e25 = c_last_1.y;
+    c_last_1.y = (_e25 * MOMENTS);
+    ivec2 _e28 = c_first_1;
+    ivec2 _e29 = c_last_1;
+    vec2 _e30 = c_between_1;
+    vec4 _e33 = bilinear(lut_3, _e28, _e29, _e30, ivec2(0));
+    vec3 mean = exp2(_e33.xyz);
     float sin_sun = sqrt(max(((1.0 - mu_sun_1) * (1.0 + mu_sun_1)), 1e-12));
     float sin_view = sqrt(max(((1.0 - mu_1) * (1.0 + mu_1)), 0.0));
     float along_1 = clamp(((nu - (mu_1 * mu_sun_1)) / sin_sun), -(sin_view), sin_view);
-    ivec2 _e66 = c_first_1;
-    ivec2 _e67 = c_last_1;
-    vec2 _e68 = c_between_1;
-    vec4 _e72 = bilinear(lut_3, _e66, _e67, _e68, ivec2(0, 3));
-    float _e75 = harmonic(3, mu_1, along_1);
-    ivec2 _e77 = c_first_1;
-    ivec2 _e78 = c_last_1;
-    vec2 _e79 = c_between_1;
-    vec4 _e83 = bilinear(lut_3, _e77, _e78, _e79, ivec2(0, 4));
-    float _e86 = harmonic(4, mu_1, along_1);
-    ivec2 _e89 = c_first_1;
-    ivec2 _e90 = c_last_1;
-    vec2 _e91 = c_between_1;
-    vec4 _e95 = bilinear(lut_3, _e89, _e90, _e91, ivec2(0, 5));
-    float _e98 = harmonic(5, mu_1, along_1);
-    vec3 l2_ = (((_e72.xyz * _e75) + (_e83.xyz * _e86)) + (_e95.xyz * _e98));
+    ivec2 _e60 = c_first_1;
+    ivec2 _e61 = c_last_1;
+    vec2 _e62 = c_between_1;
+    vec4 _e66 = bilinear(lut_3, _e60, _e61, _e62, ivec2(0, 3));
+    float _e69 = harmonic(3, mu_1, along_1);
+    ivec2 _e71 = c_first_1;
+    ivec2 _e72 = c_last_1;
+    vec2 _e73 = c_between_1;
+    vec4 _e77 = bilinear(lut_3, _e71, _e72, _e73, ivec2(0, 4));
+    float _e80 = harmonic(4, mu_1, along_1);
+    ivec2 _e83 = c_first_1;
+    ivec2 _e84 = c_last_1;
+    vec2 _e85 = c_between_1;
+    vec4 _e89 = bilinear(lut_3, _e83, _e84, _e85, ivec2(0, 5));
+    float _e92 = harmonic(5, mu_1, along_1);
+    vec3 l2_ = (((_e66.xyz * _e69) + (_e77.xyz * _e80)) + (_e89.xyz * _e92));
     if (RAYLEIGH) {
-        source_gas = ((gas * (vec3(0.2820948) + (0.1 * l2_))) * mean);
+        out_gas = ((gas * (vec3(0.2820948) + (0.1 * l2_))) * mean);
     }
     if (MIE) {
-        ivec2 _e113 = c_first_1;
-        ivec2 _e114 = c_last_1;
-        vec2 _e115 = c_between_1;
-        vec4 _e119 = bilinear(lut_3, _e113, _e114, _e115, ivec2(0, 1));
-        float _e122 = harmonic(1, mu_1, along_1);
-        ivec2 _e124 = c_first_1;
-        ivec2 _e125 = c_last_1;
-        vec2 _e126 = c_between_1;
-        vec4 _e130 = bilinear(lut_3, _e124, _e125, _e126, ivec2(0, 2));
-        float _e133 = harmonic(2, mu_1, along_1);
-        vec3 l1_ = ((_e119.xyz * _e122) + (_e130.xyz * _e133));
-        source_aerosol = ((((SH0_ * aerosol[0]) + (l1_ * aerosol[1])) + (l2_ * aerosol[2])) * mean);
+        ivec2 _e107 = c_first_1;
+        ivec2 _e108 = c_last_1;
+        vec2 _e109 = c_between_1;
+        vec4 _e113 = bilinear(lut_3, _e107, _e108, _e109, ivec2(0, 1));
+        float _e116 = harmonic(1, mu_1, along_1);
+        ivec2 _e118 = c_first_1;
+        ivec2 _e119 = c_last_1;
+        vec2 _e120 = c_between_1;
+        vec4 _e124 = bilinear(lut_3, _e118, _e119, _e120, ivec2(0, 2));
+        float _e127 = harmonic(2, mu_1, along_1);
+        vec3 l1_ = ((_e113.xyz * _e116) + (_e124.xyz * _e127));
+        out_aerosol = ((((SH0_ * aerosol[0]) + (l1_ * aerosol[1])) + (l2_ * aerosol[2])) * mean);
     }
-    vec3 _e147 = source_gas;
-    vec3 _e148 = source_aerosol;
-    out_gas = _e147;
-    out_aerosol = _e148;
 }
 
 vec3 ground_irradiance(highp sampler2D lut_4, float luts_sun_middle_2, float luts_sun_width_2, float luts_sun_first_2, float luts_sun_span_2, float mu_sun_2) {
-    ivec2 corner_first_2 = ivec2(0);
-    ivec2 corner_last_2 = ivec2(0);
-    vec2 corner_between_2 = vec2(0.0);
+    ivec2 corner_first_1 = ivec2(0);
+    ivec2 corner_last_1 = ivec2(0);
+    vec2 corner_between_1 = vec2(0.0);
     ivec2 dims_2 = ivec2(uvec2(textureSize(lut_4, 0).xy));
     vec4 _e7 = sun_axis(luts_sun_middle_2, luts_sun_width_2, luts_sun_first_2, luts_sun_span_2);
     float _e9 = mu_sun_to_u(_e7, mu_sun_2);
     vec2 position_3 = vec2((_e9 * float((dims_2.x - 1))), 0.0);
-    corner(position_3, ivec2(dims_2.x, 1), corner_first_2, corner_last_2, corner_between_2);
-    ivec2 _e23 = corner_first_2;
-    ivec2 _e24 = corner_last_2;
-    vec2 _e25 = corner_between_2;
+    corner(position_3, ivec2(dims_2.x, 1), corner_first_1, corner_last_1, corner_between_1);
+    ivec2 _e23 = corner_first_1;
+    ivec2 _e24 = corner_last_1;
+    vec2 _e25 = corner_between_1;
     vec4 _e31 = bilinear(lut_4, _e23, _e24, _e25, ivec2(0, (dims_2.y - 1)));
     return exp2(_e31.xyz);
 }
@@ -515,13 +490,13 @@ vec3 sun_visibility_around(vec3 dir_3, float distance_1) {
 }
 
 void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_lut, vec3 m_rayleigh, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, float m_ozone_center_1, float m_ozone_inv_half_width_1, vec3 m_ozone, float m_radius, float m_thickness, vec3 luts_mie_extinction, float luts_altitude_steepness_1, vec3 luts_mie_moment0_, float luts_altitude_growth_1, vec3 luts_mie_moment1_, float luts_sun_middle_3, vec3 luts_mie_moment2_, float luts_sun_width_3, float luts_sun_first_3, float luts_sun_span_3, uint luts_steps, float ray_start_1, float ray_sun_r_mu_2, float ray_nu_2, float ray_sin2_2, float ray_shadow_b_2, float ray_shadow_c_2, float ray_shadow_half2_2, vec3 dir_4, float perigee_distance_1, float perigee_excess_1, float perigee_r_mu_1, float u_from, float u_to, vec3 gas_1, vec3 aerosol_1, float multiple, inout vec3 out_radiance, inout vec3 out_transmittance) {
-    vec3 out_radiance_1 = vec3(0.0);
-    vec3 out_transmittance_1 = vec3(1.0);
     float t0_1 = 0.0;
     uint i = 0u;
     vec3 source = vec3(0.0);
     vec3 before_gas = vec3(0.0);
     vec3 before_aerosol = vec3(0.0);
+    out_radiance = vec3(0.0);
+    out_transmittance = vec3(1.0);
     vec4 _e16 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
     mat3x3 coefficients_1 = mat3x3(m_rayleigh, luts_mie_extinction, m_ozone);
     vec2 _e36 = shadow_stretch(ray_sun_r_mu_2, ray_nu_2, ray_sin2_2, ray_shadow_b_2, ray_shadow_c_2, ray_shadow_half2_2);
@@ -554,7 +529,7 @@ void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_
             vec3 _e71 = densities(_e16, _e70);
             vec3 _e72 = extinction(coefficients_1, _e71);
             vec3 tau_1 = (_e72 * step_);
-            vec3 _e76 = out_transmittance_1;
+            vec3 _e76 = out_transmittance;
             vec3 _e77 = mean_transmittance(tau_1);
             vec3 weight = (_e76 * _e77);
             float _e79 = t0_1;
@@ -571,9 +546,9 @@ void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_
                 vec3 _e112 = source;
                 vec3 _e116 = sun_visibility(dir_4, (ray_start_1 + _e80.y));
                 source = (_e112 * _e116);
-                vec3 _e118 = out_radiance_1;
+                vec3 _e118 = out_radiance;
                 vec3 _e119 = source;
-                out_radiance_1 = (_e118 + ((weight * _e119) * _e80.x));
+                out_radiance = (_e118 + ((weight * _e119) * _e80.x));
             }
             if (MULTI_SCATTERING) {
                 float r_3 = (m_radius + _e70);
@@ -587,18 +562,14 @@ void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_
                 vec3 _e145 = before_aerosol;
                 vec3 _e147 = sun_visibility_around(dir_4, (ray_start_1 + _e68));
                 vec3 source_1 = (((_e144 * _e147) * _e71.x) + ((_e145 * _e147) * _e71.y));
-                vec3 _e155 = out_radiance_1;
-                out_radiance_1 = (_e155 + ((weight * (step_ * multiple)) * source_1));
+                vec3 _e155 = out_radiance;
+                out_radiance = (_e155 + ((weight * (step_ * multiple)) * source_1));
             }
-            vec3 _e161 = out_transmittance_1;
-            out_transmittance_1 = (_e161 * exp(-(tau_1)));
+            vec3 _e161 = out_transmittance;
+            out_transmittance = (_e161 * exp(-(tau_1)));
             t0_1 = _e62;
         }
     }
-    vec3 _e168 = out_radiance_1;
-    vec3 _e169 = out_transmittance_1;
-    out_radiance = _e168;
-    out_transmittance = _e169;
 }
 
 float rayleigh_phase(float mu_2) {

@@ -78,87 +78,75 @@ float shadow_half2_(float s_sin2_, float s_shadow_b, float s_shadow_c, float sid
     return _e14;
 }
 
-void sun_side_inside(vec3 dir, vec3 sun, float r_1, float excess_2, float radius_3, inout float out_sun_r_mu, inout float out_nu, inout float out_sin2_) {
-    float s_sun_r_mu = 0.0;
-    float s_nu = 0.0;
-    float s_sin2_1 = 0.0;
-    float s_shadow_b_1 = 0.0;
-    float s_shadow_c_1 = 0.0;
-    s_nu = dot(dir, sun);
-    float _e11 = s_nu;
-    vec3 side = cross((dir - (((_e11 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s_sin2_1 = dot(side, side);
-    s_sun_r_mu = (r_1 * sun.z);
-    s_shadow_b_1 = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+void sun_side_inside(vec3 dir, vec3 sun, float r_1, float excess_2, float radius_3, inout float out_sun_r_mu, inout float out_nu, inout float out_sin2_, inout float out_shadow_b, inout float out_shadow_c) {
+    out_sun_r_mu = 0.0;
+    out_nu = 0.0;
+    out_sin2_ = 0.0;
+    out_shadow_b = 0.0;
+    out_shadow_c = 0.0;
+    out_nu = dot(dir, sun);
+    float _e18 = out_nu;
+    vec3 side = cross((dir - (((_e18 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    out_sin2_ = dot(side, side);
+    out_sun_r_mu = (r_1 * sun.z);
+    out_shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
     float q = (r_1 * length(sun.xy));
-    float _e35 = s_sun_r_mu;
-    float _e39 = half_chord2_(_e35, excess_2, (radius_3 - q), q);
-    s_shadow_c_1 = -(_e39);
-    float _e41 = s_sin2_1;
-    float _e42 = s_shadow_b_1;
-    float _e43 = s_shadow_c_1;
-    float _e45 = shadow_half2_(_e41, _e42, _e43, side.z, r_1, radius_3);
-    float _e46 = s_sun_r_mu;
-    float _e47 = s_nu;
-    float _e48 = s_sin2_1;
-    out_sun_r_mu = _e46;
-    out_nu = _e47;
-    out_sin2_ = _e48;
+    float _e42 = out_sun_r_mu;
+    float _e46 = half_chord2_(_e42, excess_2, (radius_3 - q), q);
+    out_shadow_c = -(_e46);
+    float _e48 = out_sin2_;
+    float _e49 = out_shadow_b;
+    float _e50 = out_shadow_c;
+    float _e52 = shadow_half2_(_e48, _e49, _e50, side.z, r_1, radius_3);
 }
 
-void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half_, float top_excess_1, float radius_4, inout float out_sun_r_mu_1, inout float out_nu_1, inout float out_sin2_1) {
-    float s_sun_r_mu_1 = 0.0;
-    float s_nu_1 = 0.0;
-    float s_sin2_2 = 0.0;
-    float s_shadow_b_2 = 0.0;
-    float s_shadow_c_2 = 0.0;
-    s_nu_1 = dot(dir_1, sun_1);
-    float _e11 = s_nu_1;
-    float same = ((_e11 >= 0.0) ? 1.0 : -1.0);
+void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half_, float top_excess_1, float radius_4, inout float out_sun_r_mu_1, inout float out_nu_1, inout float out_sin2_1, inout float out_shadow_b_1, inout float out_shadow_c_1) {
+    out_sun_r_mu_1 = 0.0;
+    out_nu_1 = 0.0;
+    out_sin2_1 = 0.0;
+    out_shadow_b_1 = 0.0;
+    out_shadow_c_1 = 0.0;
+    out_nu_1 = dot(dir_1, sun_1);
+    float _e18 = out_nu_1;
+    float same = ((_e18 >= 0.0) ? 1.0 : -1.0);
     vec3 apart = (dir_1 - (same * sun_1));
     vec3 side_1 = cross(apart, sun_1);
-    s_sin2_2 = dot(side_1, side_1);
+    out_sin2_1 = dot(side_1, side_1);
     vec3 perigee_3 = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
     float there = (-(same) * dot(perigee_3, apart));
     float here = (r_2 * sun_1.z);
-    float _e37 = s_nu_1;
-    float _e43 = s_nu_1;
-    bool nearer = ((abs(here) + (start * abs(_e37))) < (abs(there) + (half_ * abs(_e43))));
-    float _e49 = s_nu_1;
-    float _e52 = s_nu_1;
-    s_sun_r_mu_1 = (nearer ? (here + (start * _e52)) : (there - (half_ * _e49)));
+    float _e44 = out_nu_1;
+    float _e50 = out_nu_1;
+    bool nearer = ((abs(here) + (start * abs(_e44))) < (abs(there) + (half_ * abs(_e50))));
+    float _e56 = out_nu_1;
+    float _e59 = out_nu_1;
+    out_sun_r_mu_1 = (nearer ? (here + (start * _e59)) : (there - (half_ * _e56)));
     vec3 perigee_side = cross(perigee_3, sun_1);
-    float _e58 = s_sin2_2;
-    s_shadow_b_2 = (dot(perigee_side, side_1) - (half_ * _e58));
+    float _e65 = out_sin2_1;
+    out_shadow_b_1 = (dot(perigee_side, side_1) - (half_ * _e65));
     float q_1 = length((perigee_side - (half_ * side_1)));
-    float _e64 = s_sun_r_mu_1;
-    float _e68 = half_chord2_(_e64, top_excess_1, (radius_4 - q_1), q_1);
-    s_shadow_c_2 = -(_e68);
-    float _e70 = s_sin2_2;
-    float _e71 = s_shadow_b_2;
-    float _e72 = s_shadow_c_2;
-    float _e74 = shadow_half2_(_e70, _e71, _e72, side_1.z, r_2, radius_4);
-    float _e75 = s_sun_r_mu_1;
-    float _e76 = s_nu_1;
-    float _e77 = s_sin2_2;
-    out_sun_r_mu_1 = _e75;
-    out_nu_1 = _e76;
-    out_sin2_1 = _e77;
+    float _e71 = out_sun_r_mu_1;
+    float _e75 = half_chord2_(_e71, top_excess_1, (radius_4 - q_1), q_1);
+    out_shadow_c_1 = -(_e75);
+    float _e77 = out_sin2_1;
+    float _e78 = out_shadow_b_1;
+    float _e79 = out_shadow_c_1;
+    float _e81 = shadow_half2_(_e77, _e78, _e79, side_1.z, r_2, radius_4);
 }
 
 void line_past(vec3 dir_2, float h_1, float radius_5, inout float out_r_mu, inout float out_perigee, inout float out_perigee_excess, inout bool out_ground) {
-    bool unnamed = false;
+    bool local = false;
     float r_3 = (radius_5 + h_1);
     float r_mu_4 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
     float _e15 = excess_of(h_1, radius_5);
     float _e17 = half_chord2_(r_mu_4, _e15, (radius_5 - p_2), p_2);
     if ((r_mu_4 < 0.0)) {
-        unnamed = (_e17 >= 0.0);
+        local = (_e17 >= 0.0);
     } else {
-        unnamed = false;
+        local = false;
     }
-    bool _e26 = unnamed;
+    bool _e26 = local;
     out_r_mu = r_mu_4;
     out_perigee = p_2;
     out_perigee_excess = -(_e17);
@@ -177,7 +165,7 @@ float distance_to_ground(float excess_3, float r_mu_2, float root) {
 }
 
 void air_path(float line_r_mu_1, float line_perigee_excess_1, bool line_ground, float h_3, float radius_7, float thickness_1, inout float out_start, inout float out_length, inout float out_excess, inout float out_r_mu_1) {
-    bool unnamed_1 = false;
+    bool local_1 = false;
     float _e6 = excess_of(thickness_1, radius_7);
     float ground_root = sqrt(max(-(line_perigee_excess_1), 0.0));
     if ((h_3 <= thickness_1)) {
@@ -193,11 +181,11 @@ void air_path(float line_r_mu_1, float line_perigee_excess_1, bool line_ground, 
     float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_7) + thickness_1) + h_3));
     float _e27 = top_half_chord2_(line_r_mu_1, line_perigee_excess_1, h_3, radius_7, thickness_1);
     if (!((line_r_mu_1 >= 0.0))) {
-        unnamed_1 = (_e27 <= 0.0);
+        local_1 = (_e27 <= 0.0);
     } else {
-        unnamed_1 = true;
+        local_1 = true;
     }
-    bool _e36 = unnamed_1;
+    bool _e36 = local_1;
     if (_e36) {
         out_start = 0.0;
         out_length = -1.0;
@@ -215,7 +203,12 @@ void air_path(float line_r_mu_1, float line_perigee_excess_1, bool line_ground, 
 }
 
 void air_ray(vec3 dir_3, float h_4, float radius_8, float thickness_2, vec3 sun_2, inout float out_length_1, inout bool out_ground_1) {
-    bool unnamed_2 = false;
+    float s_sun_r_mu = 0.0;
+    float s_nu = 0.0;
+    float s_sin2_1 = 0.0;
+    float s_shadow_b_1 = 0.0;
+    float s_shadow_c_1 = 0.0;
+    bool local_2 = false;
     float line_r_mu_2 = 0.0;
     float line_perigee = 0.0;
     float line_perigee_excess_2 = 0.0;
@@ -224,12 +217,6 @@ void air_ray(vec3 dir_3, float h_4, float radius_8, float thickness_2, vec3 sun_
     float path_length = 0.0;
     float path_excess = 0.0;
     float path_r_mu = 0.0;
-    float sun_side_inside_sun_r_mu = 0.0;
-    float sun_side_inside_nu = 0.0;
-    float sun_side_inside_sin2_ = 0.0;
-    float sun_side_outside_sun_r_mu = 0.0;
-    float sun_side_outside_nu = 0.0;
-    float sun_side_outside_sin2_ = 0.0;
     line_past(dir_3, h_4, radius_8, line_r_mu_2, line_perigee, line_perigee_excess_2, line_ground_1);
     float _e9 = line_r_mu_2;
     float _e10 = line_perigee_excess_2;
@@ -240,55 +227,57 @@ void air_ray(vec3 dir_3, float h_4, float radius_8, float thickness_2, vec3 sun_
     float _e19 = path_excess;
     float _e20 = path_r_mu;
     if ((h_4 <= thickness_2)) {
-        sun_side_inside(dir_3, sun_2, (radius_8 + h_4), _e19, radius_8, sun_side_inside_sun_r_mu, sun_side_inside_nu, sun_side_inside_sin2_);
+        sun_side_inside(dir_3, sun_2, (radius_8 + h_4), _e19, radius_8, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1);
     } else {
         if ((_e18 > 0.0)) {
-            sun_side_outside(dir_3, sun_2, (radius_8 + h_4), _e17, -(_e20), _e19, radius_8, sun_side_outside_sun_r_mu, sun_side_outside_nu, sun_side_outside_sin2_);
+            sun_side_outside(dir_3, sun_2, (radius_8 + h_4), _e17, -(_e20), _e19, radius_8, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1);
         } else {
         }
     }
     if (_e11) {
-        unnamed_2 = (_e18 >= 0.0);
+        local_2 = (_e18 >= 0.0);
     } else {
-        unnamed_2 = false;
+        local_2 = false;
     }
-    bool ground_3 = unnamed_2;
+    bool ground_3 = local_2;
     out_length_1 = _e18;
     out_ground_1 = ground_3;
 }
 
 void inner_ray(vec3 dir_4, float h_5, float radius_9, float thickness_3, vec3 sun_3, bool ground, inout float out_start_1, inout float out_length_2, inout float out_excess_1, inout float out_r_mu_2, inout float out_perigee_excess_1, inout float out_sun_r_mu_2, inout float out_nu_2, inout float out_sin2_2) {
-    bool unnamed_3 = false;
-    float s_sun_r_mu_2 = 0.0;
-    float s_nu_2 = 0.0;
-    float s_sin2_3 = 0.0;
+    bool local_3 = false;
+    float s_sun_r_mu_1 = 0.0;
+    float s_nu_1 = 0.0;
+    float s_sin2_2 = 0.0;
+    float s_shadow_b_2 = 0.0;
+    float s_shadow_c_2 = 0.0;
     float r_4 = (radius_9 + h_5);
     float _e11 = excess_of(h_5, radius_9);
     float r_mu_5 = (r_4 * dir_4.z);
     float p_3 = (r_4 * sqrt(dot(dir_4.xy, dir_4.xy)));
     float _e21 = half_chord2_(r_mu_5, _e11, (radius_9 - p_3), p_3);
-    sun_side_inside(dir_4, sun_3, r_4, _e11, radius_9, s_sun_r_mu_2, s_nu_2, s_sin2_3);
-    float _e26 = s_sun_r_mu_2;
-    float _e27 = s_nu_2;
-    float _e28 = s_sin2_3;
-    float _e30 = excess_of(thickness_3, radius_9);
-    float _e31 = distance_to_top(_e11, r_mu_5, _e30);
-    float _e35 = distance_to_ground(_e11, r_mu_5, sqrt(max(_e21, 0.0)));
+    sun_side_inside(dir_4, sun_3, r_4, _e11, radius_9, s_sun_r_mu_1, s_nu_1, s_sin2_2, s_shadow_b_2, s_shadow_c_2);
+    float _e28 = s_sun_r_mu_1;
+    float _e29 = s_nu_1;
+    float _e30 = s_sin2_2;
+    float _e32 = excess_of(thickness_3, radius_9);
+    float _e33 = distance_to_top(_e11, r_mu_5, _e32);
+    float _e37 = distance_to_ground(_e11, r_mu_5, sqrt(max(_e21, 0.0)));
     if (ground) {
-        unnamed_3 = (r_mu_5 < 0.0);
+        local_3 = (r_mu_5 < 0.0);
     } else {
-        unnamed_3 = false;
+        local_3 = false;
     }
-    bool _e42 = unnamed_3;
-    float reach_1 = (_e42 ? _e35 : _e31);
+    bool _e44 = local_3;
+    float reach_1 = (_e44 ? _e37 : _e33);
     out_start_1 = 0.0;
     out_length_2 = reach_1;
     out_excess_1 = _e11;
     out_r_mu_2 = r_mu_5;
     out_perigee_excess_1 = -(_e21);
-    out_sun_r_mu_2 = _e26;
-    out_nu_2 = _e27;
-    out_sin2_2 = _e28;
+    out_sun_r_mu_2 = _e28;
+    out_nu_2 = _e29;
+    out_sin2_2 = _e30;
 }
 
 float u_to_distance(float perigee, float u) {
@@ -421,74 +410,43 @@ void upward_ray(vec2 azimuth, float v_1, float h_9, float radius_12, float thick
 }
 
 void sky_view_ray(float u_3, float v_2, bool ground_1, float h_10, float radius_13, float thickness_9, vec4 mapping_2, vec3 sun_5, inout vec3 out_dir_1, inout float out_ray_start_1, inout float out_ray_length_1, inout float out_ray_excess_1, inout float out_ray_r_mu_1, inout float out_ray_perigee_excess_1, inout float out_ray_sun_r_mu_1, inout float out_ray_nu_1, inout float out_ray_sin2_1) {
-    bool unnamed_4 = false;
+    bool local_4 = false;
     float perigee_excess = 0.0;
     float perigee_2 = 0.0;
     float from_start = 0.0;
     float mu_1 = 0.0;
-    float s_sun_r_mu_3 = 0.0;
-    float s_nu_3 = 0.0;
-    float s_sin2_4 = 0.0;
+    float s_sun_r_mu_2 = 0.0;
+    float s_nu_2 = 0.0;
+    float s_sin2_3 = 0.0;
+    float s_shadow_b_3 = 0.0;
+    float s_shadow_c_3 = 0.0;
     float start_1 = 0.0;
-    vec3 upward_ray_dir = vec3(0.0);
-    float upward_ray_ray_start = 0.0;
-    float upward_ray_ray_length = 0.0;
-    float upward_ray_ray_excess = 0.0;
-    float upward_ray_ray_r_mu = 0.0;
-    float upward_ray_ray_perigee_excess = 0.0;
-    float upward_ray_ray_sun_r_mu = 0.0;
-    float upward_ray_ray_nu = 0.0;
-    float upward_ray_ray_sin2_ = 0.0;
-    float sun_side_outside_sun_r_mu_1 = 0.0;
-    float sun_side_outside_nu_1 = 0.0;
-    float sun_side_outside_sin2_1 = 0.0;
-    float sun_side_inside_sun_r_mu_1 = 0.0;
-    float sun_side_inside_nu_1 = 0.0;
-    float sun_side_inside_sin2_1 = 0.0;
     vec2 _e15 = u_to_azimuth(u_3);
     if (!(ground_1)) {
-        unnamed_4 = (v_2 > mapping_2.x);
+        local_4 = (v_2 > mapping_2.x);
     } else {
-        unnamed_4 = false;
+        local_4 = false;
     }
-    bool _e25 = unnamed_4;
+    bool _e25 = local_4;
     if (_e25) {
-        upward_ray(_e15, v_2, h_10, radius_13, thickness_9, mapping_2, sun_5, upward_ray_dir, upward_ray_ray_start, upward_ray_ray_length, upward_ray_ray_excess, upward_ray_ray_r_mu, upward_ray_ray_perigee_excess, upward_ray_ray_sun_r_mu, upward_ray_ray_nu, upward_ray_ray_sin2_);
-        vec3 _e39 = upward_ray_dir;
-        float _e40 = upward_ray_ray_start;
-        float _e41 = upward_ray_ray_length;
-        float _e42 = upward_ray_ray_excess;
-        float _e43 = upward_ray_ray_r_mu;
-        float _e44 = upward_ray_ray_perigee_excess;
-        float _e45 = upward_ray_ray_sun_r_mu;
-        float _e46 = upward_ray_ray_nu;
-        float _e47 = upward_ray_ray_sin2_;
-        out_dir_1 = _e39;
-        out_ray_start_1 = _e40;
-        out_ray_length_1 = _e41;
-        out_ray_excess_1 = _e42;
-        out_ray_r_mu_1 = _e43;
-        out_ray_perigee_excess_1 = _e44;
-        out_ray_sun_r_mu_1 = _e45;
-        out_ray_nu_1 = _e46;
-        out_ray_sin2_1 = _e47;
+        upward_ray(_e15, v_2, h_10, radius_13, thickness_9, mapping_2, sun_5, out_dir_1, out_ray_start_1, out_ray_length_1, out_ray_excess_1, out_ray_r_mu_1, out_ray_perigee_excess_1, out_ray_sun_r_mu_1, out_ray_nu_1, out_ray_sin2_1);
         return;
     }
     float r_5 = (radius_13 + h_10);
-    float _e49 = excess_of(h_10, radius_13);
-    float _e50 = excess_of(thickness_9, radius_13);
+    float _e31 = excess_of(h_10, radius_13);
+    float _e32 = excess_of(thickness_9, radius_13);
     bool outside = (h_10 > thickness_9);
-    float start_excess = (outside ? _e50 : _e49);
+    float start_excess = (outside ? _e32 : _e31);
     if (ground_1) {
         float rest_2 = ((1.0 - v_2) * (1.0 + v_2));
         float s_5 = (SQRT_HALF * rest_2);
         mu_1 = ((v_2 * v_2) * (1.0 + rest_2));
-        float _e67 = mu_1;
-        float _e69 = mu_1;
-        perigee_excess = (((-(radius_13) * radius_13) * _e67) * _e69);
+        float _e49 = mu_1;
+        float _e51 = mu_1;
+        perigee_excess = (((-(radius_13) * radius_13) * _e49) * _e51);
         perigee_2 = (radius_13 * ((2.0 * s_5) * sqrt((1.0 - (s_5 * s_5)))));
-        float _e81 = perigee_excess;
-        from_start = (start_excess - _e81);
+        float _e63 = perigee_excess;
+        from_start = (start_excess - _e63);
     } else {
         float limit_1 = min(h_10, thickness_9);
         float s_6 = min((v_2 / max(mapping_2.x, 1e-20)), 1.0);
@@ -496,45 +454,33 @@ void sky_view_ray(float u_3, float v_2, bool ground_1, float h_10, float radius_
         float k = (1.0 - mapping_2.y);
         float y_2 = ((2.0 * z) / max((k + sqrt(((k * k) + ((4.0 * mapping_2.y) * z)))), 1e-20));
         float perigee_h_1 = (limit_1 * min((((s_6 * s_6) * (1.0 + y_2)) / (1.0 + (mapping_2.y * y_2))), 1.0));
-        float _e124 = excess_of(perigee_h_1, radius_13);
-        perigee_excess = _e124;
+        float _e106 = excess_of(perigee_h_1, radius_13);
+        perigee_excess = _e106;
         perigee_2 = (radius_13 + perigee_h_1);
         from_start = (((limit_1 * y_2) * y_2) * (((2.0 * radius_13) + limit_1) + perigee_h_1));
     }
     float above_3 = ((h_10 - thickness_9) * (((2.0 * radius_13) + thickness_9) + h_10));
-    float _e139 = from_start;
-    float r_mu_7 = -(sqrt(max(_e139, 0.0)));
-    float _e144 = from_start;
-    float down = ((outside ? -(sqrt(max((above_3 + _e144), 0.0))) : r_mu_7) / r_5);
-    float _e152 = perigee_2;
-    vec3 dir_8 = vec3((_e15 * min((_e152 / r_5), 1.0)), down);
+    float _e121 = from_start;
+    float r_mu_7 = -(sqrt(max(_e121, 0.0)));
+    float _e126 = from_start;
+    float down = ((outside ? -(sqrt(max((above_3 + _e126), 0.0))) : r_mu_7) / r_5);
+    float _e134 = perigee_2;
+    vec3 dir_8 = vec3((_e15 * min((_e134 / r_5), 1.0)), down);
     if (outside) {
         start_1 = (above_3 / (-(r_mu_7) - (r_5 * down)));
-        float _e163 = start_1;
-        sun_side_outside(dir_8, sun_5, r_5, _e163, -(r_mu_7), _e50, radius_13, sun_side_outside_sun_r_mu_1, sun_side_outside_nu_1, sun_side_outside_sin2_1);
-        float _e168 = sun_side_outside_sun_r_mu_1;
-        float _e169 = sun_side_outside_nu_1;
-        float _e170 = sun_side_outside_sin2_1;
-        s_sun_r_mu_3 = _e168;
-        s_nu_3 = _e169;
-        s_sin2_4 = _e170;
+        float _e145 = start_1;
+        sun_side_outside(dir_8, sun_5, r_5, _e145, -(r_mu_7), _e32, radius_13, s_sun_r_mu_2, s_nu_2, s_sin2_3, s_shadow_b_3, s_shadow_c_3);
     } else {
-        sun_side_inside(dir_8, sun_5, r_5, _e49, radius_13, sun_side_inside_sun_r_mu_1, sun_side_inside_nu_1, sun_side_inside_sin2_1);
-        float _e177 = sun_side_inside_sun_r_mu_1;
-        float _e178 = sun_side_inside_nu_1;
-        float _e179 = sun_side_inside_sin2_1;
-        s_sun_r_mu_3 = _e177;
-        s_nu_3 = _e178;
-        s_sin2_4 = _e179;
+        sun_side_inside(dir_8, sun_5, r_5, _e31, radius_13, s_sun_r_mu_2, s_nu_2, s_sin2_3, s_shadow_b_3, s_shadow_c_3);
     }
-    float _e180 = distance_to_top(start_excess, r_mu_7, _e50);
-    float _e181 = mu_1;
-    float reach_2 = (ground_1 ? (start_excess / max(((radius_13 * _e181) - r_mu_7), 1e-20)) : _e180);
+    float _e152 = distance_to_top(start_excess, r_mu_7, _e32);
+    float _e153 = mu_1;
+    float reach_2 = (ground_1 ? (start_excess / max(((radius_13 * _e153) - r_mu_7), 1e-20)) : _e152);
     float ray_start = start_1;
     float ray_perigee_excess = perigee_excess;
-    float ray_sun_r_mu = s_sun_r_mu_3;
-    float ray_nu = s_nu_3;
-    float ray_sin2_ = s_sin2_4;
+    float ray_sun_r_mu = s_sun_r_mu_2;
+    float ray_nu = s_nu_2;
+    float ray_sin2_ = s_sin2_3;
     out_dir_1 = dir_8;
     out_ray_start_1 = ray_start;
     out_ray_length_1 = reach_2;
@@ -595,34 +541,7 @@ vec2 view_uv(float line_r_mu_4, float line_perigee_2, float line_perigee_excess_
 }
 
 void view_ray(vec2 uv, bool ground_2, float c_medium_radius_2, float c_medium_thickness_2, vec4 c_view_2, vec4 c_light_1, vec4 c_mapping_2, inout vec3 out_dir_2, inout float out_ray_start_2, inout float out_ray_length_2, inout float out_ray_excess_2, inout float out_ray_r_mu_2, inout float out_ray_perigee_excess_2, inout float out_ray_sun_r_mu_2, inout float out_ray_nu_2, inout float out_ray_sin2_2) {
-    vec3 sky_view_ray_dir = vec3(0.0);
-    float sky_view_ray_ray_start = 0.0;
-    float sky_view_ray_ray_length = 0.0;
-    float sky_view_ray_ray_excess = 0.0;
-    float sky_view_ray_ray_r_mu = 0.0;
-    float sky_view_ray_ray_perigee_excess = 0.0;
-    float sky_view_ray_ray_sun_r_mu = 0.0;
-    float sky_view_ray_ray_nu = 0.0;
-    float sky_view_ray_ray_sin2_ = 0.0;
-    sky_view_ray(uv.x, uv.y, ground_2, c_view_2.w, c_medium_radius_2, c_medium_thickness_2, c_mapping_2, c_light_1.xyz, sky_view_ray_dir, sky_view_ray_ray_start, sky_view_ray_ray_length, sky_view_ray_ray_excess, sky_view_ray_ray_r_mu, sky_view_ray_ray_perigee_excess, sky_view_ray_ray_sun_r_mu, sky_view_ray_ray_nu, sky_view_ray_ray_sin2_);
-    vec3 _e29 = sky_view_ray_dir;
-    float _e30 = sky_view_ray_ray_start;
-    float _e31 = sky_view_ray_ray_length;
-    float _e32 = sky_view_ray_ray_excess;
-    float _e33 = sky_view_ray_ray_r_mu;
-    float _e34 = sky_view_ray_ray_perigee_excess;
-    float _e35 = sky_view_ray_ray_sun_r_mu;
-    float _e36 = sky_view_ray_ray_nu;
-    float _e37 = sky_view_ray_ray_sin2_;
-    out_dir_2 = _e29;
-    out_ray_start_2 = _e30;
-    out_ray_length_2 = _e31;
-    out_ray_excess_2 = _e32;
-    out_ray_r_mu_2 = _e33;
-    out_ray_perigee_excess_2 = _e34;
-    out_ray_sun_r_mu_2 = _e35;
-    out_ray_nu_2 = _e36;
-    out_ray_sin2_2 = _e37;
+    sky_view_ray(uv.x, uv.y, ground_2, c_view_2.w, c_medium_radius_2, c_medium_thickness_2, c_mapping_2, c_light_1.xyz, out_dir_2, out_ray_start_2, out_ray_length_2, out_ray_excess_2, out_ray_r_mu_2, out_ray_perigee_excess_2, out_ray_sun_r_mu_2, out_ray_nu_2, out_ray_sin2_2);
 }
 
 vec4 direction_answer(int answer, float c_medium_radius_3, float c_medium_thickness_3, vec4 c_view_3, vec4 c_light_2, vec4 c_mapping_3) {
@@ -672,10 +591,6 @@ vec4 ray_answer(int answer_1, float c_medium_radius_4, float c_medium_thickness_
     float there_ray_sun_r_mu = 0.0;
     float there_ray_nu = 0.0;
     float there_ray_sin2_ = 0.0;
-    float line_past_r_mu_1 = 0.0;
-    float line_past_perigee_1 = 0.0;
-    float line_past_perigee_excess_1 = 0.0;
-    bool line_past_ground_1 = false;
     vec3 view_ray_dir_1 = vec3(0.0);
     float view_ray_ray_start_1 = 0.0;
     float view_ray_ray_length_1 = 0.0;
@@ -702,28 +617,20 @@ vec4 ray_answer(int answer_1, float c_medium_radius_4, float c_medium_thickness_
     if ((answer_1 == 3)) {
         return vec4(_e20, _e22, _e23, _e24);
     }
-    line_past(_e19, c_view_4.w, c_medium_radius_4, line_past_r_mu_1, line_past_perigee_1, line_past_perigee_excess_1, line_past_ground_1);
-    float _e40 = line_past_r_mu_1;
-    float _e41 = line_past_perigee_1;
-    float _e42 = line_past_perigee_excess_1;
-    bool _e43 = line_past_ground_1;
-    line_r_mu_5 = _e40;
-    line_perigee_3 = _e41;
-    line_perigee_excess_5 = _e42;
-    line_ground_4 = _e43;
+    line_past(_e19, c_view_4.w, c_medium_radius_4, line_r_mu_5, line_perigee_3, line_perigee_excess_5, line_ground_4);
     line_perigee_excess_5 = _e24;
     line_ground_4 = ground_4;
-    float _e48 = line_r_mu_5;
-    float _e49 = line_perigee_3;
-    float _e50 = line_perigee_excess_5;
-    bool _e51 = line_ground_4;
-    vec2 _e52 = view_uv(_e48, _e49, _e50, _e51, _e19, c_medium_radius_4, c_medium_thickness_4, c_view_4, c_mapping_4);
+    float _e40 = line_r_mu_5;
+    float _e41 = line_perigee_3;
+    float _e42 = line_perigee_excess_5;
+    bool _e43 = line_ground_4;
+    vec2 _e44 = view_uv(_e40, _e41, _e42, _e43, _e19, c_medium_radius_4, c_medium_thickness_4, c_view_4, c_mapping_4);
     if ((answer_1 == 4)) {
-        return vec4(_e52, _e25, _e26);
+        return vec4(_e44, _e25, _e26);
     }
-    view_ray(_e52, ground_4, c_medium_radius_4, c_medium_thickness_4, c_view_4, c_light_3, c_mapping_4, view_ray_dir_1, view_ray_ray_start_1, view_ray_ray_length_1, view_ray_ray_excess_1, view_ray_ray_r_mu_1, view_ray_ray_perigee_excess_1, view_ray_ray_sun_r_mu_1, view_ray_ray_nu_1, view_ray_ray_sin2_1);
-    vec3 _e65 = view_ray_dir_1;
-    return vec4(_e65, _e27);
+    view_ray(_e44, ground_4, c_medium_radius_4, c_medium_thickness_4, c_view_4, c_light_3, c_mapping_4, view_ray_dir_1, view_ray_ray_start_1, view_ray_ray_length_1, view_ray_ray_excess_1, view_ray_ray_r_mu_1, view_ray_ray_perigee_excess_1, view_ray_ray_sun_r_mu_1, view_ray_ray_nu_1, view_ray_ray_sin2_1);
+    vec3 _e57 = view_ray_dir_1;
+    return vec4(_e57, _e27);
 }
 
 vec4 axes_answer(int answer_2, float c_medium_thickness_5, vec4 c_view_5, vec4 c_light_4, vec4 c_angle_1, vec4 c_uv_2, vec4 c_scale_1) {

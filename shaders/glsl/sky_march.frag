@@ -102,102 +102,78 @@ float shadow_half2_(float s_sin2_, float s_shadow_b, float s_shadow_c, float sid
 }
 
 void sun_side_inside(vec3 dir, vec3 sun, float r_1, float excess_3, float radius_4, inout float out_sun_r_mu, inout float out_nu, inout float out_sin2_, inout float out_shadow_b, inout float out_shadow_c, inout float out_shadow_half2_) {
-    float s_sun_r_mu = 0.0;
-    float s_nu = 0.0;
-    float s_sin2_1 = 0.0;
-    float s_shadow_b_1 = 0.0;
-    float s_shadow_c_1 = 0.0;
-    float s_shadow_half2_ = 0.0;
-    s_nu = dot(dir, sun);
-    float _e15 = s_nu;
-    vec3 side = cross((dir - (((_e15 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s_sin2_1 = dot(side, side);
-    s_sun_r_mu = (r_1 * sun.z);
-    s_shadow_b_1 = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+    out_sun_r_mu = 0.0;
+    out_nu = 0.0;
+    out_sin2_ = 0.0;
+    out_shadow_b = 0.0;
+    out_shadow_c = 0.0;
+    out_shadow_half2_ = 0.0;
+    out_nu = dot(dir, sun);
+    float _e21 = out_nu;
+    vec3 side = cross((dir - (((_e21 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    out_sin2_ = dot(side, side);
+    out_sun_r_mu = (r_1 * sun.z);
+    out_shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
     float q = (r_1 * length(sun.xy));
-    float _e39 = s_sun_r_mu;
-    float _e43 = half_chord2_(_e39, excess_3, (radius_4 - q), q);
-    s_shadow_c_1 = -(_e43);
-    float _e45 = s_sin2_1;
-    float _e46 = s_shadow_b_1;
-    float _e47 = s_shadow_c_1;
-    float _e49 = shadow_half2_(_e45, _e46, _e47, side.z, r_1, radius_4);
-    s_shadow_half2_ = _e49;
-    float _e50 = s_sun_r_mu;
-    float _e51 = s_nu;
-    float _e52 = s_sin2_1;
-    float _e53 = s_shadow_b_1;
-    float _e54 = s_shadow_c_1;
-    float _e55 = s_shadow_half2_;
-    out_sun_r_mu = _e50;
-    out_nu = _e51;
-    out_sin2_ = _e52;
-    out_shadow_b = _e53;
-    out_shadow_c = _e54;
+    float _e45 = out_sun_r_mu;
+    float _e49 = half_chord2_(_e45, excess_3, (radius_4 - q), q);
+    out_shadow_c = -(_e49);
+    float _e51 = out_sin2_;
+    float _e52 = out_shadow_b;
+    float _e53 = out_shadow_c;
+    float _e55 = shadow_half2_(_e51, _e52, _e53, side.z, r_1, radius_4);
     out_shadow_half2_ = _e55;
 }
 
 void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half_, float top_excess_1, float radius_5, inout float out_sun_r_mu_1, inout float out_nu_1, inout float out_sin2_1, inout float out_shadow_b_1, inout float out_shadow_c_1, inout float out_shadow_half2_1) {
-    float s_sun_r_mu_1 = 0.0;
-    float s_nu_1 = 0.0;
-    float s_sin2_2 = 0.0;
-    float s_shadow_b_2 = 0.0;
-    float s_shadow_c_2 = 0.0;
-    float s_shadow_half2_1 = 0.0;
-    s_nu_1 = dot(dir_1, sun_1);
-    float _e15 = s_nu_1;
-    float same = ((_e15 >= 0.0) ? 1.0 : -1.0);
+    out_sun_r_mu_1 = 0.0;
+    out_nu_1 = 0.0;
+    out_sin2_1 = 0.0;
+    out_shadow_b_1 = 0.0;
+    out_shadow_c_1 = 0.0;
+    out_shadow_half2_1 = 0.0;
+    out_nu_1 = dot(dir_1, sun_1);
+    float _e21 = out_nu_1;
+    float same = ((_e21 >= 0.0) ? 1.0 : -1.0);
     vec3 apart = (dir_1 - (same * sun_1));
     vec3 side_1 = cross(apart, sun_1);
-    s_sin2_2 = dot(side_1, side_1);
+    out_sin2_1 = dot(side_1, side_1);
     vec3 perigee_3 = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
     float there = (-(same) * dot(perigee_3, apart));
     float here = (r_2 * sun_1.z);
-    float _e41 = s_nu_1;
-    float _e47 = s_nu_1;
-    bool nearer = ((abs(here) + (start * abs(_e41))) < (abs(there) + (half_ * abs(_e47))));
-    float _e53 = s_nu_1;
-    float _e56 = s_nu_1;
-    s_sun_r_mu_1 = (nearer ? (here + (start * _e56)) : (there - (half_ * _e53)));
+    float _e47 = out_nu_1;
+    float _e53 = out_nu_1;
+    bool nearer = ((abs(here) + (start * abs(_e47))) < (abs(there) + (half_ * abs(_e53))));
+    float _e59 = out_nu_1;
+    float _e62 = out_nu_1;
+    out_sun_r_mu_1 = (nearer ? (here + (start * _e62)) : (there - (half_ * _e59)));
     vec3 perigee_side = cross(perigee_3, sun_1);
-    float _e62 = s_sin2_2;
-    s_shadow_b_2 = (dot(perigee_side, side_1) - (half_ * _e62));
+    float _e68 = out_sin2_1;
+    out_shadow_b_1 = (dot(perigee_side, side_1) - (half_ * _e68));
     float q_1 = length((perigee_side - (half_ * side_1)));
-    float _e68 = s_sun_r_mu_1;
-    float _e72 = half_chord2_(_e68, top_excess_1, (radius_5 - q_1), q_1);
-    s_shadow_c_2 = -(_e72);
-    float _e74 = s_sin2_2;
-    float _e75 = s_shadow_b_2;
-    float _e76 = s_shadow_c_2;
-    float _e78 = shadow_half2_(_e74, _e75, _e76, side_1.z, r_2, radius_5);
-    s_shadow_half2_1 = _e78;
-    float _e79 = s_sun_r_mu_1;
-    float _e80 = s_nu_1;
-    float _e81 = s_sin2_2;
-    float _e82 = s_shadow_b_2;
-    float _e83 = s_shadow_c_2;
-    float _e84 = s_shadow_half2_1;
-    out_sun_r_mu_1 = _e79;
-    out_nu_1 = _e80;
-    out_sin2_1 = _e81;
-    out_shadow_b_1 = _e82;
-    out_shadow_c_1 = _e83;
+    float _e74 = out_sun_r_mu_1;
+    float _e78 = half_chord2_(_e74, top_excess_1, (radius_5 - q_1), q_1);
+    out_shadow_c_1 = -(_e78);
+    float _e80 = out_sin2_1;
+    float _e81 = out_shadow_b_1;
+    float _e82 = out_shadow_c_1;
+    float _e84 = shadow_half2_(_e80, _e81, _e82, side_1.z, r_2, radius_5);
     out_shadow_half2_1 = _e84;
 }
 
 void line_past(vec3 dir_2, float h_1, float radius_6, inout float out_r_mu, inout float out_perigee_excess, inout bool out_ground) {
-    bool unnamed = false;
+    bool local = false;
     float r_3 = (radius_6 + h_1);
     float r_mu_5 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
     float _e14 = excess_of(h_1, radius_6);
     float _e16 = half_chord2_(r_mu_5, _e14, (radius_6 - p_2), p_2);
     if ((r_mu_5 < 0.0)) {
-        unnamed = (_e16 >= 0.0);
+        local = (_e16 >= 0.0);
     } else {
-        unnamed = false;
+        local = false;
     }
-    bool _e25 = unnamed;
+    bool _e25 = local;
     out_r_mu = r_mu_5;
     out_perigee_excess = -(_e16);
     out_ground = _e25;
@@ -215,7 +191,7 @@ float distance_to_ground(float excess_4, float r_mu_3, float root) {
 }
 
 void air_path(float line_r_mu_1, float line_perigee_excess_1, bool line_ground, float h_3, float radius_8, float thickness_1, inout float out_start, inout float out_length, inout float out_excess, inout float out_r_mu_1) {
-    bool unnamed_1 = false;
+    bool local_1 = false;
     float _e6 = excess_of(thickness_1, radius_8);
     float ground_root = sqrt(max(-(line_perigee_excess_1), 0.0));
     if ((h_3 <= thickness_1)) {
@@ -231,11 +207,11 @@ void air_path(float line_r_mu_1, float line_perigee_excess_1, bool line_ground, 
     float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_8) + thickness_1) + h_3));
     float _e27 = top_half_chord2_(line_r_mu_1, line_perigee_excess_1, h_3, radius_8, thickness_1);
     if (!((line_r_mu_1 >= 0.0))) {
-        unnamed_1 = (_e27 <= 0.0);
+        local_1 = (_e27 <= 0.0);
     } else {
-        unnamed_1 = true;
+        local_1 = true;
     }
-    bool _e36 = unnamed_1;
+    bool _e36 = local_1;
     if (_e36) {
         out_start = 0.0;
         out_length = -1.0;
@@ -253,13 +229,13 @@ void air_path(float line_r_mu_1, float line_perigee_excess_1, bool line_ground, 
 }
 
 void air_ray(vec3 dir_3, float h_4, float radius_9, float thickness_2, vec3 sun_2, inout float out_start_1, inout float out_length_1, inout float out_excess_1, inout float out_r_mu_2, inout float out_perigee_excess_1, inout float out_sun_r_mu_2, inout float out_nu_2, inout float out_sin2_2, inout float out_shadow_b_2, inout float out_shadow_c_2, inout float out_shadow_half2_2, inout bool out_ground_1) {
-    float s_sun_r_mu_2 = 0.0;
-    float s_nu_2 = 0.0;
-    float s_sin2_3 = 0.0;
-    float s_shadow_b_3 = 0.0;
-    float s_shadow_c_3 = 0.0;
-    float s_shadow_half2_2 = 0.0;
-    bool unnamed_2 = false;
+    float s_sun_r_mu = 0.0;
+    float s_nu = 0.0;
+    float s_sin2_1 = 0.0;
+    float s_shadow_b_1 = 0.0;
+    float s_shadow_c_1 = 0.0;
+    float s_shadow_half2_ = 0.0;
+    bool local_2 = false;
     float line_r_mu_2 = 0.0;
     float line_perigee_excess_2 = 0.0;
     bool line_ground_1 = false;
@@ -267,18 +243,6 @@ void air_ray(vec3 dir_3, float h_4, float radius_9, float thickness_2, vec3 sun_
     float path_length = 0.0;
     float path_excess = 0.0;
     float path_r_mu = 0.0;
-    float sun_side_inside_sun_r_mu = 0.0;
-    float sun_side_inside_nu = 0.0;
-    float sun_side_inside_sin2_ = 0.0;
-    float sun_side_inside_shadow_b = 0.0;
-    float sun_side_inside_shadow_c = 0.0;
-    float sun_side_inside_shadow_half2_ = 0.0;
-    float sun_side_outside_sun_r_mu = 0.0;
-    float sun_side_outside_nu = 0.0;
-    float sun_side_outside_sin2_ = 0.0;
-    float sun_side_outside_shadow_b = 0.0;
-    float sun_side_outside_shadow_c = 0.0;
-    float sun_side_outside_shadow_half2_ = 0.0;
     line_past(dir_3, h_4, radius_9, line_r_mu_2, line_perigee_excess_2, line_ground_1);
     float _e18 = line_r_mu_2;
     float _e19 = line_perigee_excess_2;
@@ -289,66 +253,42 @@ void air_ray(vec3 dir_3, float h_4, float radius_9, float thickness_2, vec3 sun_
     float _e28 = path_excess;
     float _e29 = path_r_mu;
     if ((h_4 <= thickness_2)) {
-        sun_side_inside(dir_3, sun_2, (radius_9 + h_4), _e28, radius_9, sun_side_inside_sun_r_mu, sun_side_inside_nu, sun_side_inside_sin2_, sun_side_inside_shadow_b, sun_side_inside_shadow_c, sun_side_inside_shadow_half2_);
-        float _e39 = sun_side_inside_sun_r_mu;
-        float _e40 = sun_side_inside_nu;
-        float _e41 = sun_side_inside_sin2_;
-        float _e42 = sun_side_inside_shadow_b;
-        float _e43 = sun_side_inside_shadow_c;
-        float _e44 = sun_side_inside_shadow_half2_;
-        s_sun_r_mu_2 = _e39;
-        s_nu_2 = _e40;
-        s_sin2_3 = _e41;
-        s_shadow_b_3 = _e42;
-        s_shadow_c_3 = _e43;
-        s_shadow_half2_2 = _e44;
+        sun_side_inside(dir_3, sun_2, (radius_9 + h_4), _e28, radius_9, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
     } else {
         if ((_e27 > 0.0)) {
-            sun_side_outside(dir_3, sun_2, (radius_9 + h_4), _e26, -(_e29), _e28, radius_9, sun_side_outside_sun_r_mu, sun_side_outside_nu, sun_side_outside_sin2_, sun_side_outside_shadow_b, sun_side_outside_shadow_c, sun_side_outside_shadow_half2_);
-            float _e61 = sun_side_outside_sun_r_mu;
-            float _e62 = sun_side_outside_nu;
-            float _e63 = sun_side_outside_sin2_;
-            float _e64 = sun_side_outside_shadow_b;
-            float _e65 = sun_side_outside_shadow_c;
-            float _e66 = sun_side_outside_shadow_half2_;
-            s_sun_r_mu_2 = _e61;
-            s_nu_2 = _e62;
-            s_sin2_3 = _e63;
-            s_shadow_b_3 = _e64;
-            s_shadow_c_3 = _e65;
-            s_shadow_half2_2 = _e66;
+            sun_side_outside(dir_3, sun_2, (radius_9 + h_4), _e26, -(_e29), _e28, radius_9, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
         } else {
-            s_nu_2 = dot(dir_3, sun_2);
+            s_nu = dot(dir_3, sun_2);
         }
     }
     if (_e20) {
-        unnamed_2 = (_e27 >= 0.0);
+        local_2 = (_e27 >= 0.0);
     } else {
-        unnamed_2 = false;
+        local_2 = false;
     }
-    bool ground = unnamed_2;
-    float _e74 = s_sun_r_mu_2;
-    float _e75 = s_nu_2;
-    float _e76 = s_sin2_3;
-    float _e77 = s_shadow_b_3;
-    float _e78 = s_shadow_c_3;
-    float _e79 = s_shadow_half2_2;
+    bool ground = local_2;
+    float _e50 = s_sun_r_mu;
+    float _e51 = s_nu;
+    float _e52 = s_sin2_1;
+    float _e53 = s_shadow_b_1;
+    float _e54 = s_shadow_c_1;
+    float _e55 = s_shadow_half2_;
     out_start_1 = _e26;
     out_length_1 = _e27;
     out_excess_1 = _e28;
     out_r_mu_2 = _e29;
     out_perigee_excess_1 = _e19;
-    out_sun_r_mu_2 = _e74;
-    out_nu_2 = _e75;
-    out_sin2_2 = _e76;
-    out_shadow_b_2 = _e77;
-    out_shadow_c_2 = _e78;
-    out_shadow_half2_2 = _e79;
+    out_sun_r_mu_2 = _e50;
+    out_nu_2 = _e51;
+    out_sin2_2 = _e52;
+    out_shadow_b_2 = _e53;
+    out_shadow_c_2 = _e54;
+    out_shadow_half2_2 = _e55;
     out_ground_1 = ground;
 }
 
 void perigee_of(float ray_length_1, float ray_excess_1, float ray_r_mu_1, float ray_perigee_excess_1, bool ray_ground_1, float length_, float radius_10, inout float out_distance, inout float out_excess_2, inout float out_r_mu_3) {
-    bool unnamed_3 = false;
+    bool local_3 = false;
     if ((ray_r_mu_1 >= 0.0)) {
         out_distance = 0.0;
         out_excess_2 = ray_excess_1;
@@ -363,11 +303,11 @@ void perigee_of(float ray_length_1, float ray_excess_1, float ray_r_mu_1, float 
     }
     float r_mu_6 = (ray_r_mu_1 + length_);
     if (ray_ground_1) {
-        unnamed_3 = (length_ >= ray_length_1);
+        local_3 = (length_ >= ray_length_1);
     } else {
-        unnamed_3 = false;
+        local_3 = false;
     }
-    bool _e21 = unnamed_3;
+    bool _e21 = local_3;
     if (_e21) {
         out_distance = length_;
         out_excess_2 = 0.0;
@@ -574,14 +514,14 @@ void single_scattering(vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_
     vec3 rayleigh = vec3(0.0);
     vec3 mie = vec3(0.0);
     vec2 shadow_1 = vec2(0.0);
-    vec3 out_radiance_1 = vec3(0.0);
-    vec3 out_transmittance_1 = vec3(1.0);
     float t0_2 = 0.0;
     uint i_1 = 0u;
     vec3 source = vec3(0.0);
     float perigee_distance = 0.0;
     float perigee_excess = 0.0;
     float perigee_r_mu = 0.0;
+    out_radiance = vec3(0.0);
+    out_transmittance = vec3(1.0);
     if (SUNLIGHT) {
         vec2 _e27 = shadow_stretch(ray_sun_r_mu_2, ray_nu_2, ray_sin2_2, ray_shadow_b_2, ray_shadow_c_2, ray_shadow_half2_2);
         shadow_1 = _e27;
@@ -652,22 +592,18 @@ void single_scattering(vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_
                     vec3 _e137 = source;
                     vec3 _e141 = sun_visibility(dir_6, (ray_start_1 + _e100.y));
                     source = (_e137 * _e141);
-                    vec3 _e145 = out_radiance_1;
-                    vec3 _e146 = out_transmittance_1;
+                    vec3 _e145 = out_radiance;
+                    vec3 _e146 = out_transmittance;
                     vec3 _e147 = mean_transmittance(tau_1);
                     vec3 _e149 = source;
-                    out_radiance_1 = (_e145 + (((_e146 * _e147) * _e149) * _e100.x));
+                    out_radiance = (_e145 + (((_e146 * _e147) * _e149) * _e100.x));
                 }
             }
-            vec3 _e154 = out_transmittance_1;
-            out_transmittance_1 = (_e154 * exp(-(tau_1)));
+            vec3 _e154 = out_transmittance;
+            out_transmittance = (_e154 * exp(-(tau_1)));
             t0_2 = _e84;
         }
     }
-    vec3 _e161 = out_radiance_1;
-    vec3 _e162 = out_transmittance_1;
-    out_radiance = _e161;
-    out_transmittance = _e162;
 }
 
 void main() {

@@ -103,18 +103,18 @@ float half_chord2_(float r_mu, float above, float depth, float p) {
 }
 
 void line_past(vec3 dir, float h_1, float radius_1, inout float out_r_mu, inout float out_perigee, inout float out_perigee_excess, inout bool out_ground) {
-    bool unnamed = false;
+    bool local = false;
     float r = (radius_1 + h_1);
     float r_mu_1 = (r * dir.z);
     float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
     float _e15 = excess_of(h_1, radius_1);
     float _e17 = half_chord2_(r_mu_1, _e15, (radius_1 - p_1), p_1);
     if ((r_mu_1 < 0.0)) {
-        unnamed = (_e17 >= 0.0);
+        local = (_e17 >= 0.0);
     } else {
-        unnamed = false;
+        local = false;
     }
-    bool _e26 = unnamed;
+    bool _e26 = local;
     out_r_mu = r_mu_1;
     out_perigee = p_1;
     out_perigee_excess = -(_e17);

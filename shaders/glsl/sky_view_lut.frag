@@ -131,86 +131,62 @@ float shadow_half2_(float s_sin2_, float s_shadow_b, float s_shadow_c, float sid
 }
 
 void sun_side_inside(vec3 dir, vec3 sun, float r_1, float excess_3, float radius_4, inout float out_sun_r_mu, inout float out_nu, inout float out_sin2_, inout float out_shadow_b, inout float out_shadow_c, inout float out_shadow_half2_) {
-    float s_sun_r_mu = 0.0;
-    float s_nu = 0.0;
-    float s_sin2_1 = 0.0;
-    float s_shadow_b_1 = 0.0;
-    float s_shadow_c_1 = 0.0;
-    float s_shadow_half2_ = 0.0;
-    s_nu = dot(dir, sun);
-    float _e15 = s_nu;
-    vec3 side = cross((dir - (((_e15 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
-    s_sin2_1 = dot(side, side);
-    s_sun_r_mu = (r_1 * sun.z);
-    s_shadow_b_1 = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+    out_sun_r_mu = 0.0;
+    out_nu = 0.0;
+    out_sin2_ = 0.0;
+    out_shadow_b = 0.0;
+    out_shadow_c = 0.0;
+    out_shadow_half2_ = 0.0;
+    out_nu = dot(dir, sun);
+    float _e21 = out_nu;
+    vec3 side = cross((dir - (((_e21 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    out_sin2_ = dot(side, side);
+    out_sun_r_mu = (r_1 * sun.z);
+    out_shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
     float q = (r_1 * length(sun.xy));
-    float _e39 = s_sun_r_mu;
-    float _e43 = half_chord2_(_e39, excess_3, (radius_4 - q), q);
-    s_shadow_c_1 = -(_e43);
-    float _e45 = s_sin2_1;
-    float _e46 = s_shadow_b_1;
-    float _e47 = s_shadow_c_1;
-    float _e49 = shadow_half2_(_e45, _e46, _e47, side.z, r_1, radius_4);
-    s_shadow_half2_ = _e49;
-    float _e50 = s_sun_r_mu;
-    float _e51 = s_nu;
-    float _e52 = s_sin2_1;
-    float _e53 = s_shadow_b_1;
-    float _e54 = s_shadow_c_1;
-    float _e55 = s_shadow_half2_;
-    out_sun_r_mu = _e50;
-    out_nu = _e51;
-    out_sin2_ = _e52;
-    out_shadow_b = _e53;
-    out_shadow_c = _e54;
+    float _e45 = out_sun_r_mu;
+    float _e49 = half_chord2_(_e45, excess_3, (radius_4 - q), q);
+    out_shadow_c = -(_e49);
+    float _e51 = out_sin2_;
+    float _e52 = out_shadow_b;
+    float _e53 = out_shadow_c;
+    float _e55 = shadow_half2_(_e51, _e52, _e53, side.z, r_1, radius_4);
     out_shadow_half2_ = _e55;
 }
 
 void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half_, float top_excess_1, float radius_5, inout float out_sun_r_mu_1, inout float out_nu_1, inout float out_sin2_1, inout float out_shadow_b_1, inout float out_shadow_c_1, inout float out_shadow_half2_1) {
-    float s_sun_r_mu_1 = 0.0;
-    float s_nu_1 = 0.0;
-    float s_sin2_2 = 0.0;
-    float s_shadow_b_2 = 0.0;
-    float s_shadow_c_2 = 0.0;
-    float s_shadow_half2_1 = 0.0;
-    s_nu_1 = dot(dir_1, sun_1);
-    float _e15 = s_nu_1;
-    float same = ((_e15 >= 0.0) ? 1.0 : -1.0);
+    out_sun_r_mu_1 = 0.0;
+    out_nu_1 = 0.0;
+    out_sin2_1 = 0.0;
+    out_shadow_b_1 = 0.0;
+    out_shadow_c_1 = 0.0;
+    out_shadow_half2_1 = 0.0;
+    out_nu_1 = dot(dir_1, sun_1);
+    float _e21 = out_nu_1;
+    float same = ((_e21 >= 0.0) ? 1.0 : -1.0);
     vec3 apart = (dir_1 - (same * sun_1));
     vec3 side_1 = cross(apart, sun_1);
-    s_sin2_2 = dot(side_1, side_1);
+    out_sin2_1 = dot(side_1, side_1);
     vec3 perigee_4 = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
     float there = (-(same) * dot(perigee_4, apart));
     float here = (r_2 * sun_1.z);
-    float _e41 = s_nu_1;
-    float _e47 = s_nu_1;
-    bool nearer = ((abs(here) + (start * abs(_e41))) < (abs(there) + (half_ * abs(_e47))));
-    float _e53 = s_nu_1;
-    float _e56 = s_nu_1;
-    s_sun_r_mu_1 = (nearer ? (here + (start * _e56)) : (there - (half_ * _e53)));
+    float _e47 = out_nu_1;
+    float _e53 = out_nu_1;
+    bool nearer = ((abs(here) + (start * abs(_e47))) < (abs(there) + (half_ * abs(_e53))));
+    float _e59 = out_nu_1;
+    float _e62 = out_nu_1;
+    out_sun_r_mu_1 = (nearer ? (here + (start * _e62)) : (there - (half_ * _e59)));
     vec3 perigee_side = cross(perigee_4, sun_1);
-    float _e62 = s_sin2_2;
-    s_shadow_b_2 = (dot(perigee_side, side_1) - (half_ * _e62));
+    float _e68 = out_sin2_1;
+    out_shadow_b_1 = (dot(perigee_side, side_1) - (half_ * _e68));
     float q_1 = length((perigee_side - (half_ * side_1)));
-    float _e68 = s_sun_r_mu_1;
-    float _e72 = half_chord2_(_e68, top_excess_1, (radius_5 - q_1), q_1);
-    s_shadow_c_2 = -(_e72);
-    float _e74 = s_sin2_2;
-    float _e75 = s_shadow_b_2;
-    float _e76 = s_shadow_c_2;
-    float _e78 = shadow_half2_(_e74, _e75, _e76, side_1.z, r_2, radius_5);
-    s_shadow_half2_1 = _e78;
-    float _e79 = s_sun_r_mu_1;
-    float _e80 = s_nu_1;
-    float _e81 = s_sin2_2;
-    float _e82 = s_shadow_b_2;
-    float _e83 = s_shadow_c_2;
-    float _e84 = s_shadow_half2_1;
-    out_sun_r_mu_1 = _e79;
-    out_nu_1 = _e80;
-    out_sin2_1 = _e81;
-    out_shadow_b_1 = _e82;
-    out_shadow_c_1 = _e83;
+    float _e74 = out_sun_r_mu_1;
+    float _e78 = half_chord2_(_e74, top_excess_1, (radius_5 - q_1), q_1);
+    out_shadow_c_1 = -(_e78);
+    float _e80 = out_sin2_1;
+    float _e81 = out_shadow_b_1;
+    float _e82 = out_shadow_c_1;
+    float _e84 = shadow_half2_(_e80, _e81, _e82, side_1.z, r_2, radius_5);
     out_shadow_half2_1 = _e84;
 }
 
@@ -219,34 +195,34 @@ float distance_to_ground(float excess_4, float r_mu_3, float root) {
 }
 
 void inner_ray(vec3 dir_2, float h_1, float radius_6, float thickness, vec3 sun_2, bool ground, inout float out_start, inout float out_length, inout float out_excess, inout float out_r_mu, inout float out_perigee_excess, inout float out_sun_r_mu_2, inout float out_nu_2, inout float out_sin2_2, inout float out_shadow_b_2, inout float out_shadow_c_2, inout float out_shadow_half2_2, inout bool out_ground) {
-    bool unnamed = false;
-    float s_sun_r_mu_2 = 0.0;
-    float s_nu_2 = 0.0;
-    float s_sin2_3 = 0.0;
-    float s_shadow_b_3 = 0.0;
-    float s_shadow_c_3 = 0.0;
-    float s_shadow_half2_2 = 0.0;
+    bool local = false;
+    float s_sun_r_mu = 0.0;
+    float s_nu = 0.0;
+    float s_sin2_1 = 0.0;
+    float s_shadow_b_1 = 0.0;
+    float s_shadow_c_1 = 0.0;
+    float s_shadow_half2_ = 0.0;
     float r_3 = (radius_6 + h_1);
     float _e15 = excess_of(h_1, radius_6);
     float r_mu_6 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
     float _e25 = half_chord2_(r_mu_6, _e15, (radius_6 - p_2), p_2);
-    sun_side_inside(dir_2, sun_2, r_3, _e15, radius_6, s_sun_r_mu_2, s_nu_2, s_sin2_3, s_shadow_b_3, s_shadow_c_3, s_shadow_half2_2);
-    float _e33 = s_sun_r_mu_2;
-    float _e34 = s_nu_2;
-    float _e35 = s_sin2_3;
-    float _e36 = s_shadow_b_3;
-    float _e37 = s_shadow_c_3;
-    float _e38 = s_shadow_half2_2;
+    sun_side_inside(dir_2, sun_2, r_3, _e15, radius_6, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
+    float _e33 = s_sun_r_mu;
+    float _e34 = s_nu;
+    float _e35 = s_sin2_1;
+    float _e36 = s_shadow_b_1;
+    float _e37 = s_shadow_c_1;
+    float _e38 = s_shadow_half2_;
     float _e40 = excess_of(thickness, radius_6);
     float _e41 = distance_to_top(_e15, r_mu_6, _e40);
     float _e45 = distance_to_ground(_e15, r_mu_6, sqrt(max(_e25, 0.0)));
     if (ground) {
-        unnamed = (r_mu_6 < 0.0);
+        local = (r_mu_6 < 0.0);
     } else {
-        unnamed = false;
+        local = false;
     }
-    bool _e52 = unnamed;
+    bool _e52 = local;
     float reach = (_e52 ? _e45 : _e41);
     out_start = 0.0;
     out_length = reach;
@@ -263,7 +239,7 @@ void inner_ray(vec3 dir_2, float h_1, float radius_6, float thickness, vec3 sun_
 }
 
 void perigee_of(float ray_length, float ray_excess, float ray_r_mu, float ray_perigee_excess, bool ray_ground, float length_, float radius_7, inout float out_distance, inout float out_excess_1, inout float out_r_mu_1) {
-    bool unnamed_1 = false;
+    bool local_1 = false;
     if ((ray_r_mu >= 0.0)) {
         out_distance = 0.0;
         out_excess_1 = ray_excess;
@@ -278,11 +254,11 @@ void perigee_of(float ray_length, float ray_excess, float ray_r_mu, float ray_pe
     }
     float r_mu_7 = (ray_r_mu + length_);
     if (ray_ground) {
-        unnamed_1 = (length_ >= ray_length);
+        local_1 = (length_ >= ray_length);
     } else {
-        unnamed_1 = false;
+        local_1 = false;
     }
-    bool _e21 = unnamed_1;
+    bool _e21 = local_1;
     if (_e21) {
         out_distance = length_;
         out_excess_1 = 0.0;
@@ -493,68 +469,55 @@ void multi_scattering_source(highp sampler2D lut_3, vec2 node, vec3 gas_1, mat3x
     ivec2 c_first_1 = ivec2(0);
     ivec2 c_last_1 = ivec2(0);
     vec2 c_between_1 = vec2(0.0);
-    vec3 source_gas = vec3(0.0);
-    vec3 source_aerosol = vec3(0.0);
-    ivec2 corner_first_1 = ivec2(0);
-    ivec2 corner_last_1 = ivec2(0);
-    vec2 corner_between_1 = vec2(0.0);
+    out_gas = vec3(0.0);
+    out_aerosol = vec3(0.0);
     ivec2 dims_1 = ivec2(uvec2(textureSize(lut_3, 0).xy));
-    corner(node, ivec2(dims_1.x, ((dims_1.y - 1) / MOMENTS)), corner_first_1, corner_last_1, corner_between_1);
-    ivec2 _e20 = corner_first_1;
-    ivec2 _e21 = corner_last_1;
-    vec2 _e22 = corner_between_1;
-    c_first_1 = _e20;
-    c_last_1 = _e21;
-    c_between_1 = _e22;
-    int _e27 = c_first_1.y;
-    c_first_1.y = (_e27 * MOMENTS);
-    int _e31 = c_last_1.y;
-    c_last_1.y = (_e31 * MOMENTS);
-    ivec2 _e34 = c_first_1;
-    ivec2 _e35 = c_last_1;
-    vec2 _e36 = c_between_1;
-    vec4 _e39 = bilinear(lut_3, _e34, _e35, _e36, ivec2(0));
-    vec3 mean = exp2(_e39.xyz);
+    corner(node, ivec2(dims_1.x, ((dims_1.y - 1) / MOMENTS)), c_first_1, c_last_1, c_between_1);
+    int _e21 = c_first_1.y;
+    c_first_1.y = (_e21 * MOMENTS);
+    int _e25 = c_last_1.y;
+    c_last_1.y = (_e25 * MOMENTS);
+    ivec2 _e28 = c_first_1;
+    ivec2 _e29 = c_last_1;
+    vec2 _e30 = c_between_1;
+    vec4 _e33 = bilinear(lut_3, _e28, _e29, _e30, ivec2(0));
+    vec3 mean = exp2(_e33.xyz);
     float sin_sun = sqrt(max(((1.0 - mu_sun_1) * (1.0 + mu_sun_1)), 1e-12));
     float sin_view = sqrt(max(((1.0 - mu_1) * (1.0 + mu_1)), 0.0));
     float along_1 = clamp(((nu - (mu_1 * mu_sun_1)) / sin_sun), -(sin_view), sin_view);
-    ivec2 _e66 = c_first_1;
-    ivec2 _e67 = c_last_1;
-    vec2 _e68 = c_between_1;
-    vec4 _e72 = bilinear(lut_3, _e66, _e67, _e68, ivec2(0, 3));
-    float _e75 = harmonic(3, mu_1, along_1);
-    ivec2 _e77 = c_first_1;
-    ivec2 _e78 = c_last_1;
-    vec2 _e79 = c_between_1;
-    vec4 _e83 = bilinear(lut_3, _e77, _e78, _e79, ivec2(0, 4));
-    float _e86 = harmonic(4, mu_1, along_1);
-    ivec2 _e89 = c_first_1;
-    ivec2 _e90 = c_last_1;
-    vec2 _e91 = c_between_1;
-    vec4 _e95 = bilinear(lut_3, _e89, _e90, _e91, ivec2(0, 5));
-    float _e98 = harmonic(5, mu_1, along_1);
-    vec3 l2_ = (((_e72.xyz * _e75) + (_e83.xyz * _e86)) + (_e95.xyz * _e98));
+    ivec2 _e60 = c_first_1;
+    ivec2 _e61 = c_last_1;
+    vec2 _e62 = c_between_1;
+    vec4 _e66 = bilinear(lut_3, _e60, _e61, _e62, ivec2(0, 3));
+    float _e69 = harmonic(3, mu_1, along_1);
+    ivec2 _e71 = c_first_1;
+    ivec2 _e72 = c_last_1;
+    vec2 _e73 = c_between_1;
+    vec4 _e77 = bilinear(lut_3, _e71, _e72, _e73, ivec2(0, 4));
+    float _e80 = harmonic(4, mu_1, along_1);
+    ivec2 _e83 = c_first_1;
+    ivec2 _e84 = c_last_1;
+    vec2 _e85 = c_between_1;
+    vec4 _e89 = bilinear(lut_3, _e83, _e84, _e85, ivec2(0, 5));
+    float _e92 = harmonic(5, mu_1, along_1);
+    vec3 l2_ = (((_e66.xyz * _e69) + (_e77.xyz * _e80)) + (_e89.xyz * _e92));
     if (RAYLEIGH) {
-        source_gas = ((gas_1 * (vec3(0.2820948) + (0.1 * l2_))) * mean);
+        out_gas = ((gas_1 * (vec3(0.2820948) + (0.1 * l2_))) * mean);
     }
     if (MIE) {
-        ivec2 _e113 = c_first_1;
-        ivec2 _e114 = c_last_1;
-        vec2 _e115 = c_between_1;
-        vec4 _e119 = bilinear(lut_3, _e113, _e114, _e115, ivec2(0, 1));
-        float _e122 = harmonic(1, mu_1, along_1);
-        ivec2 _e124 = c_first_1;
-        ivec2 _e125 = c_last_1;
-        vec2 _e126 = c_between_1;
-        vec4 _e130 = bilinear(lut_3, _e124, _e125, _e126, ivec2(0, 2));
-        float _e133 = harmonic(2, mu_1, along_1);
-        vec3 l1_ = ((_e119.xyz * _e122) + (_e130.xyz * _e133));
-        source_aerosol = ((((SH0_ * aerosol_1[0]) + (l1_ * aerosol_1[1])) + (l2_ * aerosol_1[2])) * mean);
+        ivec2 _e107 = c_first_1;
+        ivec2 _e108 = c_last_1;
+        vec2 _e109 = c_between_1;
+        vec4 _e113 = bilinear(lut_3, _e107, _e108, _e109, ivec2(0, 1));
+        float _e116 = harmonic(1, mu_1, along_1);
+        ivec2 _e118 = c_first_1;
+        ivec2 _e119 = c_last_1;
+        vec2 _e120 = c_between_1;
+        vec4 _e124 = bilinear(lut_3, _e118, _e119, _e120, ivec2(0, 2));
+        float _e127 = harmonic(2, mu_1, along_1);
+        vec3 l1_ = ((_e113.xyz * _e116) + (_e124.xyz * _e127));
+        out_aerosol = ((((SH0_ * aerosol_1[0]) + (l1_ * aerosol_1[1])) + (l2_ * aerosol_1[2])) * mean);
     }
-    vec3 _e147 = source_gas;
-    vec3 _e148 = source_aerosol;
-    out_gas = _e147;
-    out_aerosol = _e148;
 }
 
 vec3 sun_visibility(vec3 dir_3, float distance_) {
@@ -565,94 +528,90 @@ vec3 sun_visibility_around(vec3 dir_4, float distance_1) {
     return vec3(1.0);
 }
 
-void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_lut, vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, float m_ozone_center_1, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_thickness, vec3 luts_mie_extinction, float luts_altitude_steepness, vec3 luts_mie_moment0_, float luts_altitude_growth, vec3 luts_mie_moment1_, float luts_sun_middle_1, vec3 luts_mie_moment2_, float luts_sun_width_1, float luts_sun_first_1, float luts_sun_span_1, uint luts_steps, float ray_start, float ray_sun_r_mu_1, float ray_nu_1, float ray_sin2_1, float ray_shadow_b_1, float ray_shadow_c_1, float ray_shadow_half2_1, vec3 dir_5, float perigee_distance_1, float perigee_excess_1, float perigee_r_mu_1, float u_from, float u_to, vec3 gas_2, vec3 aerosol_2, float multiple, inout vec3 out_radiance, inout vec3 out_optical_path) {
-    vec3 out_radiance_1 = vec3(0.0);
-    vec3 out_transmittance = vec3(1.0);
-    vec3 out_optical_path_1 = vec3(0.0);
+void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_lut, vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, float m_ozone_center_1, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_thickness, vec3 luts_mie_extinction, float luts_altitude_steepness, vec3 luts_mie_moment0_, float luts_altitude_growth, vec3 luts_mie_moment1_, float luts_sun_middle_1, vec3 luts_mie_moment2_, float luts_sun_width_1, float luts_sun_first_1, float luts_sun_span_1, uint luts_steps, float ray_start, float ray_sun_r_mu_1, float ray_nu_1, float ray_sin2_1, float ray_shadow_b_1, float ray_shadow_c_1, float ray_shadow_half2_1, vec3 dir_5, float perigee_distance_1, float perigee_excess_1, float perigee_r_mu_1, float u_from, float u_to, vec3 gas_2, vec3 aerosol_2, float multiple, inout vec3 out_radiance, inout vec3 out_transmittance, inout vec3 out_optical_path) {
     float t0_1 = 0.0;
     uint i = 0u;
     vec3 source = vec3(0.0);
     vec3 before_gas = vec3(0.0);
     vec3 before_aerosol = vec3(0.0);
-    vec4 _e18 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
+    out_radiance = vec3(0.0);
+    out_transmittance = vec3(1.0);
+    out_optical_path = vec3(0.0);
+    vec4 _e19 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
     mat3x3 coefficients_1 = mat3x3(m_rayleigh_1, luts_mie_extinction, m_ozone_1);
-    vec2 _e38 = shadow_stretch(ray_sun_r_mu_1, ray_nu_1, ray_sin2_1, ray_shadow_b_1, ray_shadow_c_1, ray_shadow_half2_1);
-    vec4 _e39 = sun_axis(luts_sun_middle_1, luts_sun_width_1, luts_sun_first_1, luts_sun_span_1);
-    vec2 _e41 = multi_scattering_span(multi_scattering_lut);
+    vec2 _e39 = shadow_stretch(ray_sun_r_mu_1, ray_nu_1, ray_sin2_1, ray_shadow_b_1, ray_shadow_c_1, ray_shadow_half2_1);
+    vec4 _e40 = sun_axis(luts_sun_middle_1, luts_sun_width_1, luts_sun_first_1, luts_sun_span_1);
+    vec2 _e42 = multi_scattering_span(multi_scattering_lut);
     mat3x3 moments = mat3x3((m_mie_scattering * luts_mie_moment0_), (m_mie_scattering * luts_mie_moment1_), (m_mie_scattering * luts_mie_moment2_));
     float du = ((u_to - u_from) / float(luts_steps));
-    float _e54 = u_to_distance(perigee_distance_1, u_from);
-    t0_1 = _e54;
+    float _e55 = u_to_distance(perigee_distance_1, u_from);
+    t0_1 = _e55;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e171 = i;
-            i = (_e171 + 1u);
+            uint _e172 = i;
+            i = (_e172 + 1u);
         }
         loop_init = false;
-        uint _e57 = i;
-        if ((_e57 < luts_steps)) {
+        uint _e58 = i;
+        if ((_e58 < luts_steps)) {
         } else {
             break;
         }
         {
-            uint _e59 = i;
-            float u_3 = (u_from + (du * float(_e59)));
-            float _e64 = u_to_distance(perigee_distance_1, (u_3 + du));
-            float _e65 = t0_1;
-            float step_ = (_e64 - _e65);
-            float _e70 = u_to_distance(perigee_distance_1, (u_3 + (0.5 * du)));
-            float _e72 = altitude_after(perigee_excess_1, perigee_r_mu_1, (_e70 - perigee_distance_1), m_radius);
-            vec3 _e73 = densities(_e18, _e72);
-            vec3 _e74 = extinction(coefficients_1, _e73);
-            vec3 tau_1 = (_e74 * step_);
-            vec3 _e79 = out_transmittance;
-            vec3 _e80 = mean_transmittance(tau_1);
-            vec3 weight = (_e79 * _e80);
-            float _e82 = t0_1;
-            vec2 _e83 = lit_part(_e38, perigee_distance_1, _e82, _e64, _e70);
-            if ((_e83.x > 0.0)) {
-                float past = (_e83.y - perigee_distance_1);
+            uint _e60 = i;
+            float u_3 = (u_from + (du * float(_e60)));
+            float _e65 = u_to_distance(perigee_distance_1, (u_3 + du));
+            float _e66 = t0_1;
+            float step_ = (_e65 - _e66);
+            float _e71 = u_to_distance(perigee_distance_1, (u_3 + (0.5 * du)));
+            float _e73 = altitude_after(perigee_excess_1, perigee_r_mu_1, (_e71 - perigee_distance_1), m_radius);
+            vec3 _e74 = densities(_e19, _e73);
+            vec3 _e75 = extinction(coefficients_1, _e74);
+            vec3 tau_1 = (_e75 * step_);
+            vec3 _e80 = out_transmittance;
+            vec3 _e81 = mean_transmittance(tau_1);
+            vec3 weight = (_e80 * _e81);
+            float _e83 = t0_1;
+            vec2 _e84 = lit_part(_e39, perigee_distance_1, _e83, _e65, _e71);
+            if ((_e84.x > 0.0)) {
+                float past = (_e84.y - perigee_distance_1);
                 float lit_excess = max((perigee_excess_1 + (past * ((2.0 * perigee_r_mu_1) + past))), 0.0);
-                float _e96 = altitude_of(lit_excess, m_radius);
-                vec3 _e97 = densities(_e18, _e96);
-                float sun_r_mu = (ray_sun_r_mu_1 + (ray_nu_1 * _e83.y));
-                vec3 _e102 = optical_path_to_top(transmittance_lut, m_radius, m_thickness, lit_excess, _e96, sun_r_mu);
-                vec3 _e110 = extinction(coefficients_1, _e102);
-                source = (((gas_2 * _e97.x) + (aerosol_2 * _e97.y)) * exp(-(_e110)));
-                vec3 _e115 = source;
-                vec3 _e119 = sun_visibility(dir_5, (ray_start + _e83.y));
-                source = (_e115 * _e119);
-                vec3 _e121 = out_radiance_1;
-                vec3 _e122 = source;
-                out_radiance_1 = (_e121 + ((weight * _e122) * _e83.x));
+                float _e97 = altitude_of(lit_excess, m_radius);
+                vec3 _e98 = densities(_e19, _e97);
+                float sun_r_mu = (ray_sun_r_mu_1 + (ray_nu_1 * _e84.y));
+                vec3 _e103 = optical_path_to_top(transmittance_lut, m_radius, m_thickness, lit_excess, _e97, sun_r_mu);
+                vec3 _e111 = extinction(coefficients_1, _e103);
+                source = (((gas_2 * _e98.x) + (aerosol_2 * _e98.y)) * exp(-(_e111)));
+                vec3 _e116 = source;
+                vec3 _e120 = sun_visibility(dir_5, (ray_start + _e84.y));
+                source = (_e116 * _e120);
+                vec3 _e122 = out_radiance;
+                vec3 _e123 = source;
+                out_radiance = (_e122 + ((weight * _e123) * _e84.x));
             }
             if (MULTI_SCATTERING) {
-                float r_4 = (m_radius + _e72);
-                float mu_4 = clamp((((perigee_r_mu_1 + _e70) - perigee_distance_1) / r_4), -1.0, 1.0);
-                float mu_sun_2 = clamp(((ray_sun_r_mu_1 + (ray_nu_1 * _e70)) / r_4), -1.0, 1.0);
-                float _e141 = altitude_to_v(luts_altitude_steepness, luts_altitude_growth, _e72, m_thickness);
-                float _e142 = mu_sun_to_u(_e39, mu_sun_2);
-                vec2 node_1 = (vec2(_e142, _e141) * _e41);
+                float r_4 = (m_radius + _e73);
+                float mu_4 = clamp((((perigee_r_mu_1 + _e71) - perigee_distance_1) / r_4), -1.0, 1.0);
+                float mu_sun_2 = clamp(((ray_sun_r_mu_1 + (ray_nu_1 * _e71)) / r_4), -1.0, 1.0);
+                float _e142 = altitude_to_v(luts_altitude_steepness, luts_altitude_growth, _e73, m_thickness);
+                float _e143 = mu_sun_to_u(_e40, mu_sun_2);
+                vec2 node_1 = (vec2(_e143, _e142) * _e42);
                 multi_scattering_source(multi_scattering_lut, node_1, m_rayleigh_1, moments, mu_4, mu_sun_2, ray_nu_1, before_gas, before_aerosol);
-                vec3 _e147 = before_gas;
-                vec3 _e148 = before_aerosol;
-                vec3 _e150 = sun_visibility_around(dir_5, (ray_start + _e70));
-                vec3 source_1 = (((_e147 * _e150) * _e73.x) + ((_e148 * _e150) * _e73.y));
-                vec3 _e158 = out_radiance_1;
-                out_radiance_1 = (_e158 + ((weight * (step_ * multiple)) * source_1));
+                vec3 _e148 = before_gas;
+                vec3 _e149 = before_aerosol;
+                vec3 _e151 = sun_visibility_around(dir_5, (ray_start + _e71));
+                vec3 source_1 = (((_e148 * _e151) * _e74.x) + ((_e149 * _e151) * _e74.y));
+                vec3 _e159 = out_radiance;
+                out_radiance = (_e159 + ((weight * (step_ * multiple)) * source_1));
             }
-            vec3 _e164 = out_transmittance;
-            out_transmittance = (_e164 * exp(-(tau_1)));
-            vec3 _e168 = out_optical_path_1;
-            out_optical_path_1 = (_e168 + (_e73 * step_));
-            t0_1 = _e64;
+            vec3 _e165 = out_transmittance;
+            out_transmittance = (_e165 * exp(-(tau_1)));
+            vec3 _e169 = out_optical_path;
+            out_optical_path = (_e169 + (_e74 * step_));
+            t0_1 = _e65;
         }
     }
-    vec3 _e174 = out_radiance_1;
-    vec3 _e175 = out_optical_path_1;
-    out_radiance = _e174;
-    out_optical_path = _e175;
 }
 
 vec2 u_to_azimuth(float u_1) {
@@ -709,95 +668,44 @@ void upward_ray(vec2 azimuth, float v, float h_6, float radius_10, float thickne
 }
 
 void sky_view_ray(float u_2, float v_1, bool ground_1, float h_7, float radius_11, float thickness_5, vec4 mapping_1, vec3 sun_4, inout vec3 out_dir_1, inout float out_ray_start_1, inout float out_ray_length_1, inout float out_ray_excess_1, inout float out_ray_r_mu_1, inout float out_ray_perigee_excess_1, inout float out_ray_sun_r_mu_1, inout float out_ray_nu_1, inout float out_ray_sin2_1, inout float out_ray_shadow_b_1, inout float out_ray_shadow_c_1, inout float out_ray_shadow_half2_1, inout bool out_ray_ground_1) {
-    bool unnamed_2 = false;
+    bool local_2 = false;
     float perigee_excess_2 = 0.0;
     float perigee_3 = 0.0;
     float from_start = 0.0;
     float mu_2 = 0.0;
-    float s_sun_r_mu_3 = 0.0;
-    float s_nu_3 = 0.0;
-    float s_sin2_4 = 0.0;
-    float s_shadow_b_4 = 0.0;
-    float s_shadow_c_4 = 0.0;
-    float s_shadow_half2_3 = 0.0;
+    float s_sun_r_mu_1 = 0.0;
+    float s_nu_1 = 0.0;
+    float s_sin2_2 = 0.0;
+    float s_shadow_b_2 = 0.0;
+    float s_shadow_c_2 = 0.0;
+    float s_shadow_half2_1 = 0.0;
     float start_1 = 0.0;
-    vec3 upward_ray_dir = vec3(0.0);
-    float upward_ray_ray_start = 0.0;
-    float upward_ray_ray_length = 0.0;
-    float upward_ray_ray_excess = 0.0;
-    float upward_ray_ray_r_mu = 0.0;
-    float upward_ray_ray_perigee_excess = 0.0;
-    float upward_ray_ray_sun_r_mu = 0.0;
-    float upward_ray_ray_nu = 0.0;
-    float upward_ray_ray_sin2_ = 0.0;
-    float upward_ray_ray_shadow_b = 0.0;
-    float upward_ray_ray_shadow_c = 0.0;
-    float upward_ray_ray_shadow_half2_ = 0.0;
-    bool upward_ray_ray_ground = false;
-    float sun_side_outside_sun_r_mu = 0.0;
-    float sun_side_outside_nu = 0.0;
-    float sun_side_outside_sin2_ = 0.0;
-    float sun_side_outside_shadow_b = 0.0;
-    float sun_side_outside_shadow_c = 0.0;
-    float sun_side_outside_shadow_half2_ = 0.0;
-    float sun_side_inside_sun_r_mu = 0.0;
-    float sun_side_inside_nu = 0.0;
-    float sun_side_inside_sin2_ = 0.0;
-    float sun_side_inside_shadow_b = 0.0;
-    float sun_side_inside_shadow_c = 0.0;
-    float sun_side_inside_shadow_half2_ = 0.0;
     vec2 _e19 = u_to_azimuth(u_2);
     if (!(ground_1)) {
-        unnamed_2 = (v_1 > mapping_1.x);
+        local_2 = (v_1 > mapping_1.x);
     } else {
-        unnamed_2 = false;
+        local_2 = false;
     }
-    bool _e29 = unnamed_2;
+    bool _e29 = local_2;
     if (_e29) {
-        upward_ray(_e19, v_1, h_7, radius_11, thickness_5, mapping_1, sun_4, upward_ray_dir, upward_ray_ray_start, upward_ray_ray_length, upward_ray_ray_excess, upward_ray_ray_r_mu, upward_ray_ray_perigee_excess, upward_ray_ray_sun_r_mu, upward_ray_ray_nu, upward_ray_ray_sin2_, upward_ray_ray_shadow_b, upward_ray_ray_shadow_c, upward_ray_ray_shadow_half2_, upward_ray_ray_ground);
-        vec3 _e47 = upward_ray_dir;
-        float _e48 = upward_ray_ray_start;
-        float _e49 = upward_ray_ray_length;
-        float _e50 = upward_ray_ray_excess;
-        float _e51 = upward_ray_ray_r_mu;
-        float _e52 = upward_ray_ray_perigee_excess;
-        float _e53 = upward_ray_ray_sun_r_mu;
-        float _e54 = upward_ray_ray_nu;
-        float _e55 = upward_ray_ray_sin2_;
-        float _e56 = upward_ray_ray_shadow_b;
-        float _e57 = upward_ray_ray_shadow_c;
-        float _e58 = upward_ray_ray_shadow_half2_;
-        bool _e59 = upward_ray_ray_ground;
-        out_dir_1 = _e47;
-        out_ray_start_1 = _e48;
-        out_ray_length_1 = _e49;
-        out_ray_excess_1 = _e50;
-        out_ray_r_mu_1 = _e51;
-        out_ray_perigee_excess_1 = _e52;
-        out_ray_sun_r_mu_1 = _e53;
-        out_ray_nu_1 = _e54;
-        out_ray_sin2_1 = _e55;
-        out_ray_shadow_b_1 = _e56;
-        out_ray_shadow_c_1 = _e57;
-        out_ray_shadow_half2_1 = _e58;
-        out_ray_ground_1 = _e59;
+        upward_ray(_e19, v_1, h_7, radius_11, thickness_5, mapping_1, sun_4, out_dir_1, out_ray_start_1, out_ray_length_1, out_ray_excess_1, out_ray_r_mu_1, out_ray_perigee_excess_1, out_ray_sun_r_mu_1, out_ray_nu_1, out_ray_sin2_1, out_ray_shadow_b_1, out_ray_shadow_c_1, out_ray_shadow_half2_1, out_ray_ground_1);
         return;
     }
     float r_5 = (radius_11 + h_7);
-    float _e61 = excess_of(h_7, radius_11);
-    float _e62 = excess_of(thickness_5, radius_11);
+    float _e35 = excess_of(h_7, radius_11);
+    float _e36 = excess_of(thickness_5, radius_11);
     bool outside = (h_7 > thickness_5);
-    float start_excess = (outside ? _e62 : _e61);
+    float start_excess = (outside ? _e36 : _e35);
     if (ground_1) {
         float rest_1 = ((1.0 - v_1) * (1.0 + v_1));
         float s_1 = (SQRT_HALF * rest_1);
         mu_2 = ((v_1 * v_1) * (1.0 + rest_1));
-        float _e79 = mu_2;
-        float _e81 = mu_2;
-        perigee_excess_2 = (((-(radius_11) * radius_11) * _e79) * _e81);
+        float _e53 = mu_2;
+        float _e55 = mu_2;
+        perigee_excess_2 = (((-(radius_11) * radius_11) * _e53) * _e55);
         perigee_3 = (radius_11 * ((2.0 * s_1) * sqrt((1.0 - (s_1 * s_1)))));
-        float _e93 = perigee_excess_2;
-        from_start = (start_excess - _e93);
+        float _e67 = perigee_excess_2;
+        from_start = (start_excess - _e67);
     } else {
         float limit = min(h_7, thickness_5);
         float s_2 = min((v_1 / max(mapping_1.x, 1e-20)), 1.0);
@@ -805,60 +713,36 @@ void sky_view_ray(float u_2, float v_1, bool ground_1, float h_7, float radius_1
         float k = (1.0 - mapping_1.y);
         float y_1 = ((2.0 * z) / max((k + sqrt(((k * k) + ((4.0 * mapping_1.y) * z)))), 1e-20));
         float perigee_h = (limit * min((((s_2 * s_2) * (1.0 + y_1)) / (1.0 + (mapping_1.y * y_1))), 1.0));
-        float _e136 = excess_of(perigee_h, radius_11);
-        perigee_excess_2 = _e136;
+        float _e110 = excess_of(perigee_h, radius_11);
+        perigee_excess_2 = _e110;
         perigee_3 = (radius_11 + perigee_h);
         from_start = (((limit * y_1) * y_1) * (((2.0 * radius_11) + limit) + perigee_h));
     }
     float above_1 = ((h_7 - thickness_5) * (((2.0 * radius_11) + thickness_5) + h_7));
-    float _e151 = from_start;
-    float r_mu_8 = -(sqrt(max(_e151, 0.0)));
-    float _e156 = from_start;
-    float down = ((outside ? -(sqrt(max((above_1 + _e156), 0.0))) : r_mu_8) / r_5);
-    float _e164 = perigee_3;
-    vec3 dir_7 = vec3((_e19 * min((_e164 / r_5), 1.0)), down);
+    float _e125 = from_start;
+    float r_mu_8 = -(sqrt(max(_e125, 0.0)));
+    float _e130 = from_start;
+    float down = ((outside ? -(sqrt(max((above_1 + _e130), 0.0))) : r_mu_8) / r_5);
+    float _e138 = perigee_3;
+    vec3 dir_7 = vec3((_e19 * min((_e138 / r_5), 1.0)), down);
     if (outside) {
         start_1 = (above_1 / (-(r_mu_8) - (r_5 * down)));
-        float _e175 = start_1;
-        sun_side_outside(dir_7, sun_4, r_5, _e175, -(r_mu_8), _e62, radius_11, sun_side_outside_sun_r_mu, sun_side_outside_nu, sun_side_outside_sin2_, sun_side_outside_shadow_b, sun_side_outside_shadow_c, sun_side_outside_shadow_half2_);
-        float _e183 = sun_side_outside_sun_r_mu;
-        float _e184 = sun_side_outside_nu;
-        float _e185 = sun_side_outside_sin2_;
-        float _e186 = sun_side_outside_shadow_b;
-        float _e187 = sun_side_outside_shadow_c;
-        float _e188 = sun_side_outside_shadow_half2_;
-        s_sun_r_mu_3 = _e183;
-        s_nu_3 = _e184;
-        s_sin2_4 = _e185;
-        s_shadow_b_4 = _e186;
-        s_shadow_c_4 = _e187;
-        s_shadow_half2_3 = _e188;
+        float _e149 = start_1;
+        sun_side_outside(dir_7, sun_4, r_5, _e149, -(r_mu_8), _e36, radius_11, s_sun_r_mu_1, s_nu_1, s_sin2_2, s_shadow_b_2, s_shadow_c_2, s_shadow_half2_1);
     } else {
-        sun_side_inside(dir_7, sun_4, r_5, _e61, radius_11, sun_side_inside_sun_r_mu, sun_side_inside_nu, sun_side_inside_sin2_, sun_side_inside_shadow_b, sun_side_inside_shadow_c, sun_side_inside_shadow_half2_);
-        float _e201 = sun_side_inside_sun_r_mu;
-        float _e202 = sun_side_inside_nu;
-        float _e203 = sun_side_inside_sin2_;
-        float _e204 = sun_side_inside_shadow_b;
-        float _e205 = sun_side_inside_shadow_c;
-        float _e206 = sun_side_inside_shadow_half2_;
-        s_sun_r_mu_3 = _e201;
-        s_nu_3 = _e202;
-        s_sin2_4 = _e203;
-        s_shadow_b_4 = _e204;
-        s_shadow_c_4 = _e205;
-        s_shadow_half2_3 = _e206;
+        sun_side_inside(dir_7, sun_4, r_5, _e35, radius_11, s_sun_r_mu_1, s_nu_1, s_sin2_2, s_shadow_b_2, s_shadow_c_2, s_shadow_half2_1);
     }
-    float _e207 = distance_to_top(start_excess, r_mu_8, _e62);
-    float _e208 = mu_2;
-    float reach_1 = (ground_1 ? (start_excess / max(((radius_11 * _e208) - r_mu_8), 1e-20)) : _e207);
+    float _e157 = distance_to_top(start_excess, r_mu_8, _e36);
+    float _e158 = mu_2;
+    float reach_1 = (ground_1 ? (start_excess / max(((radius_11 * _e158) - r_mu_8), 1e-20)) : _e157);
     float ray_start_1 = start_1;
     float ray_perigee_excess_1 = perigee_excess_2;
-    float ray_sun_r_mu_2 = s_sun_r_mu_3;
-    float ray_nu_2 = s_nu_3;
-    float ray_sin2_2 = s_sin2_4;
-    float ray_shadow_b_2 = s_shadow_b_4;
-    float ray_shadow_c_2 = s_shadow_c_4;
-    float ray_shadow_half2_2 = s_shadow_half2_3;
+    float ray_sun_r_mu_2 = s_sun_r_mu_1;
+    float ray_nu_2 = s_nu_1;
+    float ray_sin2_2 = s_sin2_2;
+    float ray_shadow_b_2 = s_shadow_b_2;
+    float ray_shadow_c_2 = s_shadow_c_2;
+    float ray_shadow_half2_2 = s_shadow_half2_1;
     out_dir_1 = dir_7;
     out_ray_start_1 = ray_start_1;
     out_ray_length_1 = reach_1;
@@ -910,6 +794,7 @@ void main() {
     float perigee_excess = 0.0;
     float perigee_r_mu = 0.0;
     vec3 g_radiance = vec3(0.0);
+    vec3 g_transmittance = vec3(0.0);
     vec3 g_optical_path = vec3(0.0);
     vec3 f_medium_rayleigh = _group_0_binding_0_fs.frame.medium.rayleigh;
     float f_medium_rayleigh_inv_height = _group_0_binding_0_fs.frame.medium.rayleigh_inv_height;
@@ -974,15 +859,15 @@ void main() {
     }
     vec3 _e127 = gas;
     vec3 _e128 = aerosol;
-    gather(_group_0_binding_1_fs, _group_0_binding_2_fs, f_medium_rayleigh, f_medium_rayleigh_inv_height, f_medium_mie_scattering, f_medium_mie_inv_height, f_medium_ozone_center, f_medium_ozone_inv_half_width, f_medium_ozone, f_medium_radius, f_medium_thickness, luts_mie_extinction_1, luts_altitude_steepness_1, luts_mie_moment0_1, luts_altitude_growth_1, luts_mie_moment1_1, luts_sun_middle_2, luts_mie_moment2_1, luts_sun_width_2, luts_sun_first_2, luts_sun_span_2, luts_steps_1, _e94, _e99, _e100, _e101, _e102, _e103, _e104, _e93, _e116, _e117, _e118, _e120, _e121, _e127, _e128, 1.0, g_radiance, g_optical_path);
-    vec3 _e134 = g_radiance;
-    vec3 _e135 = g_optical_path;
-    mat3x3 _e136 = coefficients_of(f_medium_rayleigh, f_medium_mie_extinction, f_medium_ozone);
-    vec3 _e137 = extinction(_e136, _e135);
-    float grey = dot(exp(-(_e137)), vec3(0.33333334));
+    gather(_group_0_binding_1_fs, _group_0_binding_2_fs, f_medium_rayleigh, f_medium_rayleigh_inv_height, f_medium_mie_scattering, f_medium_mie_inv_height, f_medium_ozone_center, f_medium_ozone_inv_half_width, f_medium_ozone, f_medium_radius, f_medium_thickness, luts_mie_extinction_1, luts_altitude_steepness_1, luts_mie_moment0_1, luts_altitude_growth_1, luts_mie_moment1_1, luts_sun_middle_2, luts_mie_moment2_1, luts_sun_width_2, luts_sun_first_2, luts_sun_span_2, luts_steps_1, _e94, _e99, _e100, _e101, _e102, _e103, _e104, _e93, _e116, _e117, _e118, _e120, _e121, _e127, _e128, 1.0, g_radiance, g_transmittance, g_optical_path);
+    vec3 _e135 = g_radiance;
+    vec3 _e136 = g_optical_path;
+    mat3x3 _e137 = coefficients_of(f_medium_rayleigh, f_medium_mie_extinction, f_medium_ozone);
+    vec3 _e138 = extinction(_e137, _e136);
+    float grey = dot(exp(-(_e138)), vec3(0.33333334));
     float scale = (ground_3 ? (1.0 / _e95) : 1.0);
-    vec3 _e151 = encode_light((max(_e134, vec3(0.0)) * scale));
-    _fs2p_location0 = vec4(_e151, grey);
+    vec3 _e152 = encode_light((max(_e135, vec3(0.0)) * scale));
+    _fs2p_location0 = vec4(_e152, grey);
     return;
 }
 

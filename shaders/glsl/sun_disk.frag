@@ -103,18 +103,18 @@ float half_chord2_(float r_mu_2, float above, float depth, float p) {
 }
 
 void line_past(vec3 dir, float h_1, float radius_3, inout float out_r_mu, inout float out_perigee_excess, inout bool out_ground) {
-    bool unnamed_1 = false;
+    bool local_1 = false;
     float r_1 = (radius_3 + h_1);
     float r_mu_5 = (r_1 * dir.z);
     float p_1 = (r_1 * sqrt(dot(dir.xy, dir.xy)));
     float _e14 = excess_of(h_1, radius_3);
     float _e16 = half_chord2_(r_mu_5, _e14, (radius_3 - p_1), p_1);
     if ((r_mu_5 < 0.0)) {
-        unnamed_1 = (_e16 >= 0.0);
+        local_1 = (_e16 >= 0.0);
     } else {
-        unnamed_1 = false;
+        local_1 = false;
     }
-    bool _e25 = unnamed_1;
+    bool _e25 = local_1;
     out_r_mu = r_mu_5;
     out_perigee_excess = -(_e16);
     out_ground = _e25;
@@ -132,7 +132,7 @@ float distance_to_ground(float excess_3, float r_mu_3, float root) {
 }
 
 void air_path(float line_r_mu_2, float line_perigee_excess_2, bool line_ground_1, float h_3, float radius_5, float thickness_1, inout float out_length, inout float out_excess, inout float out_r_mu_1) {
-    bool unnamed_2 = false;
+    bool local_2 = false;
     float _e5 = excess_of(thickness_1, radius_5);
     float ground_root = sqrt(max(-(line_perigee_excess_2), 0.0));
     if ((h_3 <= thickness_1)) {
@@ -146,11 +146,11 @@ void air_path(float line_r_mu_2, float line_perigee_excess_2, bool line_ground_1
     }
     float _e19 = top_half_chord2_(line_r_mu_2, line_perigee_excess_2, h_3, radius_5, thickness_1);
     if (!((line_r_mu_2 >= 0.0))) {
-        unnamed_2 = (_e19 <= 0.0);
+        local_2 = (_e19 <= 0.0);
     } else {
-        unnamed_2 = true;
+        local_2 = true;
     }
-    bool _e28 = unnamed_2;
+    bool _e28 = local_2;
     if (_e28) {
         out_length = -1.0;
         out_excess = 0.0;
@@ -304,7 +304,7 @@ vec3 limb_darkening(float r, float half_) {
 
 void main() {
     vec4 position = gl_FragCoord;
-    bool unnamed = false;
+    bool local = false;
     vec3 light = vec3(0.0);
     float line_r_mu = 0.0;
     float line_perigee_excess = 0.0;
@@ -336,11 +336,11 @@ void main() {
     bool _e50 = line_ground;
     float _e52 = disk_coverage((dir_1 - f_sun), f_sun_chord, f_pixel_angle);
     if (!(_e50)) {
-        unnamed = (_e52 <= 0.0);
+        local = (_e52 <= 0.0);
     } else {
-        unnamed = true;
+        local = true;
     }
-    bool _e59 = unnamed;
+    bool _e59 = local;
     if (_e59) {
         discard;
     }

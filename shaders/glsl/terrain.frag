@@ -252,7 +252,7 @@ float moon_distance_to_u(float moon_1, float apart_3) {
 
 vec3 moon_shadow_visibility(highp sampler2D lut_3, vec3 s_across, float s_along, float s_radius, float s_tan_sun_radius, float s_min_visibility, vec3 position_1, vec3 sun) {
     vec3 visible = vec3(0.0);
-    bool unnamed = false;
+    bool local = false;
     float beside = dot(position_1, sun);
     float apart_4 = length((s_across - (position_1 - (sun * beside))));
     vec2 _e13 = moon_before_sun(apart_4, (s_along - beside), s_radius, s_tan_sun_radius);
@@ -261,11 +261,11 @@ vec3 moon_shadow_visibility(highp sampler2D lut_3, vec3 s_across, float s_along,
     float _e20 = visible.x;
     if ((_e20 > 0.0)) {
         float _e24 = visible.x;
-        unnamed = (_e24 < 1.0);
+        local = (_e24 < 1.0);
     } else {
-        unnamed = false;
+        local = false;
     }
-    bool _e30 = unnamed;
+    bool _e30 = local;
     if (_e30) {
         vec3 _e31 = visible;
         float _e34 = moon_distance_to_u(_e13.x, _e13.y);

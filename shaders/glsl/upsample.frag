@@ -68,52 +68,20 @@ float half_chord2_(float r_mu, float above, float depth, float p) {
     return (depth * (sphere + p));
 }
 
-<<<<<<< HEAD
-<<<<<<< HEAD
-Line line_past(vec3 dir, float h_1, float radius_1) {
-=======
 void line_past(vec3 dir, float h_1, float radius_1, inout bool out_ground) {
->>>>>>> h-a1
     bool local = false;
-    float r = (radius_1 + h_1);
-    float r_mu_1 = (r * dir.z);
-    float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
-<<<<<<< HEAD
-    float _e11 = excess_of(h_1, radius_1);
-    float _e13 = half_chord2_(r_mu_1, _e11, (radius_1 - p_1), p_1);
-    if ((r_mu_1 < 0.0)) {
-        local = (_e13 >= 0.0);
-=======
-    float _e12 = excess_of(h_1, radius_1);
-    float _e14 = half_chord2_(b_1, _e12, (radius_1 - p_1), p_1);
-    if ((b_1 < 0.0)) {
-        local = (_e14 >= 0.0);
->>>>>>> h-a1
-=======
-void line_past(vec3 dir, float h_1, float radius_1, inout bool out_ground) {
-    bool unnamed = false;
     float r = (radius_1 + h_1);
     float r_mu_1 = (r * dir.z);
     float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
     float _e12 = excess_of(h_1, radius_1);
     float _e14 = half_chord2_(r_mu_1, _e12, (radius_1 - p_1), p_1);
     if ((r_mu_1 < 0.0)) {
-        unnamed = (_e14 >= 0.0);
->>>>>>> h-a2
+        local = (_e14 >= 0.0);
     } else {
-        unnamed = false;
+        local = false;
     }
-<<<<<<< HEAD
     bool _e22 = local;
-<<<<<<< HEAD
-    return Line(r_mu_1, p_1, -(_e13), _e22);
-=======
     out_ground = _e22;
->>>>>>> h-a1
-=======
-    bool _e22 = unnamed;
-    out_ground = _e22;
->>>>>>> h-a2
 }
 
 bool hits_planet(vec3 dir_1, float h_2, float radius_2) {
