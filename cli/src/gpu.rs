@@ -4,7 +4,7 @@ use anyhow::Context;
 use welkin::gpu::egl::Headless;
 use welkin::gpu::wgpu::WgpuBackend;
 use welkin::gpu::{AdapterInfo, Backend};
-use welkin::{Quality, PictureRenderer};
+use welkin::{PictureRenderer, Quality};
 
 use crate::args::backend::BackendChoice;
 use crate::args::usage::UsageError;

@@ -75,7 +75,10 @@ fn what_no_quality_can_do_is_rejected_with_the_best_that_one_can() {
     let costs: Vec<_> = Quality::PRESETS.iter().map(|(_, q)| (q, front.cost(q).unwrap())).collect();
     let (best, cost) = costs.iter().min_by(|a, b| a.1.error.total_cmp(&b.1.error)).unwrap();
     let least = format!("{} or more", (cost.error * 1e3).ceil() / 1e3);
-    rejected(&["--within-error", "1e-4"], &["--within-error", "'0.0001'", &least, best.preset_name().unwrap(), "all orders"]);
+    rejected(
+        &["--within-error", "1e-4"],
+        &["--within-error", "'0.0001'", &least, best.preset_name().unwrap(), "all orders"],
+    );
     rejected(
         &["--within-budget", "1ns", "--view", "noon", "--size", "16x16"],
         &["--within-budget", "ms or more", "quality ", "at 16×16 on "],

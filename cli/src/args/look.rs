@@ -52,11 +52,8 @@ impl LookArgs {
     /// The settings of a sky that is drawn as well as `quality` says and looks as these options say; `moon`
     /// says whether the scene has a moon, `output` where the picture is written.
     pub fn sky(&self, quality: SkySettings, moon: bool, exposure: f32, output: &Path) -> SkySettings {
-        let look = Look {
-            composition: self.mode.composition(),
-            limb_darkening: self.limb_darkening || moon,
-            ..quality.look
-        };
+        let look =
+            Look { composition: self.mode.composition(), limb_darkening: self.limb_darkening || moon, ..quality.look };
         SkySettings { look, bound: self.bound(exposure, output), ..quality }
     }
 

@@ -20,7 +20,6 @@ pub fn march([view_samples, light_samples]: [u32; 2]) -> Quality {
     Quality::March { view_samples, light_samples }
 }
 
-
 /// How a quality was asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum QualityArg {
@@ -37,7 +36,8 @@ pub enum QualityArg {
 }
 
 fn parse_quality() -> impl TypedValueParser<Value = Quality> {
-    PossibleValuesParser::new(Quality::PRESETS.iter().map(|(name, _)| *name)).try_map(|name: String| Quality::from_name(&name))
+    PossibleValuesParser::new(Quality::PRESETS.iter().map(|(name, _)| *name))
+        .try_map(|name: String| Quality::from_name(&name))
 }
 
 /// A quality by its name.

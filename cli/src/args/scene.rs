@@ -147,15 +147,17 @@ impl SceneArgs {
         let terrain = terrain.then(|| view.terrain());
         let [width, height] = size;
         let mut scene =
-            view.scene(place, f64::from(width) / f64::from(height), terrain.as_ref()).map_err(|e| match e.into_kind() {
-                welkin::ErrorKind::Invalid { field, value, allowed } if field.starts_with("camera.tangents") => {
-                    UsageError::new(format!(
-                        "'--fov <DEGREES>' {} and '--size <WxH>' {width}x{height} make too wide a view: \
+            view.scene(place, f64::from(width) / f64::from(height), terrain.as_ref()).map_err(|e| {
+                match e.into_kind() {
+                    welkin::ErrorKind::Invalid { field, value, allowed } if field.starts_with("camera.tangents") => {
+                        UsageError::new(format!(
+                            "'--fov <DEGREES>' {} and '--size <WxH>' {width}x{height} make too wide a view: \
                          its edge lies at {value} (tangent of the angle), must be {allowed}",
-                        view.fov
-                    ))
+                            view.fov
+                        ))
+                    }
+                    other => UsageError::new(other.to_string()),
                 }
-                other => UsageError::new(other.to_string()),
             })?;
         if let (true, Some((place, time))) = (self.moon, place_and_time) {
             place_moon(&mut scene, place, time)?;

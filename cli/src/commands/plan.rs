@@ -53,10 +53,8 @@ pub fn run(args: &PlanArgs) -> anyhow::Result<()> {
     let mut gpu = Gpu::open(if budget { render.backend.backend } else { BackendChoice::Cpu })?;
     let choice = QualityChoice::new(render.quality.asked(), render.look.mode(), &mut gpu, framed.size)?;
     let request = render.request(framed, choice.sky);
-    let settings = SkySettings {
-        look: Look { foreground: request.terrain.is_some(), ..request.sky.look },
-        ..request.sky
-    };
+    let settings =
+        SkySettings { look: Look { foreground: request.terrain.is_some(), ..request.sky.look }, ..request.sky };
     let plan = Frame::new(&request.scene, &settings, [request.width, request.height])?;
     let text = if args.json { json(&plan, settings.bound) } else { words(&plan, settings.bound) };
     writeln!(std::io::stdout().lock(), "{text}")?;

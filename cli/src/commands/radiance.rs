@@ -13,7 +13,9 @@ use rayon::prelude::*;
 use welkin::gpu::{Backend, Format, Pass, Target, TextureDesc, TextureId};
 use welkin::reference::multiple::Settings;
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
-use welkin::{AerialTargets, AtmosphereParams, Camera, DepthConvention, FrameTargets, Quality, Scene, SkyRenderer, SkySettings};
+use welkin::{
+    AerialTargets, AtmosphereParams, Camera, DepthConvention, FrameTargets, Quality, Scene, SkyRenderer, SkySettings,
+};
 
 use crate::args::backend::{self, BackendArgs, BackendChoice};
 use crate::args::cache::CacheArgs;

@@ -75,7 +75,9 @@ impl Difference {
 impl CompareArgs {
     /// The settings of the sky that is drawn.
     fn sky(&self) -> SkySettings {
-        self.samples.given().map_or_else(|| SkySettings::from(self.preset.quality()), |samples| SkySettings::from(march(samples)))
+        self.samples
+            .given()
+            .map_or_else(|| SkySettings::from(self.preset.quality()), |samples| SkySettings::from(march(samples)))
     }
 }
 
@@ -164,7 +166,12 @@ fn keep(path: &Path, picture: &Picture) -> anyhow::Result<()> {
 
 fn time(args: &CompareArgs, gpus: &mut [(&str, Gpu)], out: &mut impl Write) -> anyhow::Result<()> {
     let [w, h] = args.time_size;
-    writeln!(out, "\nTimes at {w}×{h}, {}, best of {}; × is the ratio to the copy:\n", args.sky().quality, args.repeat)?;
+    writeln!(
+        out,
+        "\nTimes at {w}×{h}, {}, best of {}; × is the ratio to the copy:\n",
+        args.sky().quality,
+        args.repeat
+    )?;
     writeln!(out, "| view | backend | pass | ms | × |\n|---|---|---|---:|---:|")?;
     for view in &VIEWS {
         let request = request(args, view, args.time_size, true)?;

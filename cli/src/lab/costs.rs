@@ -8,7 +8,9 @@ use clap::Args;
 use welkin::frame::graph::Runs;
 use welkin::gpu::{Format, Target, TextureDesc};
 use welkin::model::moon::{MOON_RADIUS, Moon};
-use welkin::{AerialTargets, AtmosphereParams, Bound, Composition, FrameTargets, Look, Quality, Scene, SkyRenderer, SkySettings};
+use welkin::{
+    AerialTargets, AtmosphereParams, Bound, Composition, FrameTargets, Look, Quality, Scene, SkyRenderer, SkySettings,
+};
 
 use crate::args::backend::BackendArgs;
 use crate::args::quality::{PresetArgs, march};
@@ -127,7 +129,10 @@ fn rows(quality: Quality) -> Vec<Row> {
         moon: None,
     };
     let orbit = Case { view: View { altitude: 4e5, pitch: -18.0, fov: 40.0, ..day.view }, ..day.clone() };
-    let dome = Case { sky: SkySettings { look: Look { composition: Composition::SkyDome, ..day.sky.look }, ..day.sky }, ..day.clone() };
+    let dome = Case {
+        sky: SkySettings { look: Look { composition: Composition::SkyDome, ..day.sky.look }, ..day.sky },
+        ..day.clone()
+    };
     let medium = |change: fn(&mut AtmosphereParams)| {
         let mut case = day.clone();
         change(&mut case.params);
@@ -148,7 +153,8 @@ fn rows(quality: Quality) -> Vec<Row> {
         case
     };
     let up = Case { view: View { pitch: 50.0, ..day.view }, ..day.clone() };
-    let nothing_before = Case { sky: SkySettings { look: Look { foreground: false, ..up.sky.look }, ..up.sky }, ..up.clone() };
+    let nothing_before =
+        Case { sky: SkySettings { look: Look { foreground: false, ..up.sky.look }, ..up.sky }, ..up.clone() };
     let half = sky(|s| s.render_scale = 0.5);
     let full = sky(|s| s.render_scale = 1.0);
     let march = sky(|s| s.quality = march([16, 8]));

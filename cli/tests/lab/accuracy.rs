@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::time::Duration;
 
 use welkin::Quality;
-use welkin::settings::front::{ParetoFront, MEDIA};
+use welkin::settings::front::{MEDIA, ParetoFront};
 
 use crate::harness::{folder, lab, text};
 

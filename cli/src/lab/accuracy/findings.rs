@@ -2,7 +2,7 @@
 
 use welkin::{Quality, SkySettings};
 
-use crate::args::quality::{march};
+use crate::args::quality::march;
 use crate::lab::accuracy::measure::{Against, Summary, Times};
 use crate::lab::accuracy::scenes::{Frame, MEDIA, Setup};
 

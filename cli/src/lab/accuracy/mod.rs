@@ -14,10 +14,9 @@ use anyhow::Context;
 use clap::Args;
 use welkin::gpu::{Backend, Format, TextureDesc, TextureId};
 use welkin::reference::multiple::Settings;
-use welkin::settings::front::{ParetoFront, MeanError};
+use welkin::settings::front::{MeanError, ParetoFront};
 use welkin::{PictureRenderer, Quality};
 
-use crate::quality_choice::presets;
 use crate::args::backend::BackendChoice;
 use crate::args::cache::CacheArgs;
 use crate::args::output::OutputArgs;
@@ -28,6 +27,7 @@ use crate::gpu::Gpu;
 use crate::lab::timing;
 use crate::output::Destination;
 use crate::progress::Progress;
+use crate::quality_choice::presets;
 use findings::{Candidate, Entry, Findings, Over};
 use measure::{Against, Errors, Expected, Times};
 use scenes::{Frame, MEDIA, SETUPS, Setup};
@@ -104,7 +104,11 @@ pub fn run(args: &AccuracyArgs) -> anyhow::Result<()> {
 }
 
 /// All findings; and if a size is given, the front of every preset, timed at it.
-fn investigate(quick: bool, front_size: Option<[u32; 2]>, cache: &mut Cache) -> anyhow::Result<(Findings, ParetoFront)> {
+fn investigate(
+    quick: bool,
+    front_size: Option<[u32; 2]>,
+    cache: &mut Cache,
+) -> anyhow::Result<(Findings, ParetoFront)> {
     let start = Instant::now();
     let (frame, runs, settings) =
         if quick { (Frame::QUICK, 2, Settings::QUICK) } else { (Frame::WHOLE, 2, Settings::FINE) };

@@ -100,8 +100,9 @@ pub fn markdown(f: &Findings) -> Result<String, std::fmt::Error> {
             for against in Against::BOTH {
                 writeln!(t, "### {name}, {}\n", title(against))?;
                 t += HEAD;
-                f.compared(backend, medium, against)
-                    .try_for_each(|e| row(&mut t, &[e.candidate.quality.method(), &e.candidate.numbers()], e, against))?;
+                f.compared(backend, medium, against).try_for_each(|e| {
+                    row(&mut t, &[e.candidate.quality.method(), &e.candidate.numbers()], e, against)
+                })?;
                 let points = front(f, backend, medium, against);
                 writeln!(t, "\nFront of all methods, by the worst channel's mean: {points}.\n")?;
             }

@@ -11,15 +11,15 @@ use std::time::Instant;
 use anyhow::{Context, ensure};
 use clap::{Args, ValueEnum};
 use rayon::prelude::*;
+use welkin::frame::HAND_OVER;
 use welkin::gpu::Format;
 use welkin::reference::multiple::{Orders, Settings};
-use welkin::frame::HAND_OVER;
 use welkin::{AtmosphereParams, PictureRenderer, PictureSettings, Scene, SkySettings, ToneMap};
 
 use crate::args::backend::{BackendArgs, BackendChoice};
 use crate::args::cache::CacheArgs;
 use crate::args::output::OutputArgs;
-use crate::args::quality::{PresetArgs};
+use crate::args::quality::PresetArgs;
 use crate::args::scene::PlanetArgs;
 use crate::args::usage::UsageError;
 use crate::args::values::{self, Length, degrees, number};

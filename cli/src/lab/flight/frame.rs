@@ -1,6 +1,5 @@
 //! What is measured of each frame of a flight.
 
-
 use crate::lab::film::path::Moment;
 
 /// What a frame's sky costs.

@@ -16,7 +16,7 @@ use welkin::{AtmosphereParams, Bound, Frame, PictureRenderer, PictureSettings, S
 
 use crate::args::backend::{BackendArgs, BackendChoice};
 use crate::args::output::{self, OutputArgs};
-use crate::args::quality::{PresetArgs};
+use crate::args::quality::PresetArgs;
 use crate::args::scene::PlanetArgs;
 use crate::args::values;
 use crate::gpu::Gpu;
