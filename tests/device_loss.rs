@@ -4,11 +4,11 @@
 use welkin::gpu::egl::Headless;
 use welkin::gpu::wgpu::WgpuBackend;
 use welkin::gpu::{Backend, Format, Pass, TextureDesc, TextureId};
-use welkin::{Error, ErrorKind, Quality, PictureRenderer, PictureSettings, SkyRenderer, SkySettings};
+use welkin::{Error, ErrorKind, PictureRenderer, PictureSettings, SkyRenderer};
 
-use crate::embedding::{own, scene};
+use crate::embedding::{own, scene, small};
 use crate::harness::world::{World, fresh_picture, whole_picture};
-use crate::harness::{TINY, background_passes, cleared, on_both, texture};
+use crate::harness::{background_passes, cleared, on_both, texture};
 
 /// After a device was lost, a renderer that was kept draws on a new one what a fresh one draws.
 #[test]
@@ -67,7 +67,7 @@ fn tables_of_a_lost_device_are_forgotten() {
         b.run(&passes).unwrap();
         b.read(target).unwrap()
     };
-    let settings = SkySettings { quality: Quality::Luts(TINY), ..SkySettings::default() };
+    let settings = small();
     // As many textures of the user's as there may be before the first table, so that the ids meet.
     for own in [0, 1, 7] {
         let mut kept = SkyRenderer::new(settings).unwrap();
@@ -108,7 +108,8 @@ fn a_lost_device_is_an_error_and_a_new_one_works() {
     let color = TextureDesc::new("after", 4, 4, Format::Rgba8);
     let lost = backend.create_texture(&color).map(|_| ()).or_else(|_| {
         let mut sky = PictureRenderer::default();
-        sky.draw(&mut backend, &scene(), &PictureSettings::default(), [4, 4]).map(|_| ())
+        let settings = PictureSettings { sky: small(), ..PictureSettings::default() };
+        sky.draw(&mut backend, &scene(), &settings, [4, 4]).map(|_| ())
     });
     println!("{lost:?}");
     assert!(matches!(lost.as_ref().map_err(Error::kind), Err(ErrorKind::Lost { .. } | ErrorKind::Driver { .. })), "{lost:?}");

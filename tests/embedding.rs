@@ -9,10 +9,10 @@ use welkin::gpu::webgl::WebGlBackend;
 use welkin::gpu::wgpu::WgpuBackend;
 use welkin::gpu::{Backend, Format, Pass, Precision, RowOrder, Target, TextureDesc, TextureId};
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
-use welkin::{Mode, PictureRenderer, PictureSettings, Scene, SkyRenderer, SkySettings};
+use welkin::{Quality, Mode, PictureRenderer, PictureSettings, Scene, SkyRenderer, SkySettings};
 
 use crate::harness::world::BEHIND;
-use crate::harness::{View, aerial_passes, assert_physical, background_passes, cleared, copy_pass, draw, earth, free, picture_passes, query, rgb, shell_passes, texture, without_disk};
+use crate::harness::{TINY, View, aerial_passes, assert_physical, background_passes, cleared, copy_pass, draw, earth, free, picture_passes, query, rgb, shell_passes, texture, without_disk};
 
 const SIZE: u32 = 32;
 
@@ -20,10 +20,15 @@ pub fn scene() -> Scene {
     View { pitch: 10.0, ..View::default() }.scene()
 }
 
+/// A sky that costs little: what it looks like does not matter here.
+pub fn small() -> SkySettings {
+    SkySettings { quality: Quality::Luts(TINY), ..SkySettings::default() }
+}
+
 /// The background by a backend of welkin's own, RGBA8.
 pub fn own(backend: &mut dyn Backend) -> Vec<f32> {
     let color = texture(backend, "own", [SIZE, SIZE], Format::Rgba8);
-    let mut sky = SkyRenderer::new(SkySettings::default()).unwrap();
+    let mut sky = SkyRenderer::new(small()).unwrap();
     let passes = background_passes(backend, &mut sky, &scene(), cleared(color));
     backend.run(&passes).unwrap();
     let pixels = backend.read(color).unwrap();
@@ -87,7 +92,7 @@ fn a_wgpu_user_hands_in_device_queue_encoder_and_view() {
 
     let mut backend =
         WgpuBackend::from_device(device.clone(), queue.clone(), &adapter.get_info().name).unwrap();
-    let mut sky = SkyRenderer::new(SkySettings::default()).unwrap();
+    let mut sky = SkyRenderer::new(small()).unwrap();
     let desc = TextureDesc::new("user's target", SIZE, SIZE, Format::Bgra8);
     let id = backend.import_view(texture.create_view(&Default::default()), desc).unwrap();
     let mut encoder = device.create_command_encoder(&Default::default());
@@ -252,14 +257,15 @@ fn a_webgl2_user_gets_the_contexts_state_back() {
         ..TextureDesc::new("user's framebuffer", SIZE, SIZE, Format::Rgba8)
     };
     let id = backend.import_framebuffer(Some(framebuffer), desc).unwrap();
-    let mut sky = SkyRenderer::new(SkySettings::default()).unwrap();
+    let mut sky = SkyRenderer::new(small()).unwrap();
     let passes = background_passes(&mut backend, &mut sky, &scene(), cleared(id));
     backend.run(&passes).unwrap();
     assert_eq!(state(&gl), before, "drawing changed the state");
 
     let mut renderer = PictureRenderer::default();
-    let _ = draw(&mut backend, &mut renderer, &scene(), &PictureSettings::default(), [16, 16]);
-    let passes = picture_passes(&mut backend, &mut renderer, &scene(), &PictureSettings::default(), [16, 16]);
+    let settings = PictureSettings { sky: small(), ..PictureSettings::default() };
+    let _ = draw(&mut backend, &mut renderer, &scene(), &settings, [16, 16]);
+    let passes = picture_passes(&mut backend, &mut renderer, &scene(), &settings, [16, 16]);
     let _ = backend.times(&passes).unwrap();
     let scratch = backend.create_texture(&TextureDesc::new("scratch", 2, 2, Format::Rgba32Float)).unwrap();
     backend.write_texture(scratch, &[1.0; 16]).unwrap();

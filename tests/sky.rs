@@ -220,17 +220,14 @@ fn both_backends_draw_the_same() {
     let mut drawn: Vec<Vec<Vec<f32>>> = Vec::new();
     on_both(|b| {
         let settings = PictureSettings::default();
+        let mut renderer = PictureRenderer::default();
         drawn.push(
             views
                 .iter()
-                .map(|(_, v)| {
-                    let mut renderer = PictureRenderer::default();
-                    let [_, display] = draw_both(b, &mut renderer, &v.scene(), &settings, [160, 120]);
-                    renderer.destroy(b);
-                    display
-                })
+                .map(|(_, v)| draw_both(b, &mut renderer, &v.scene(), &settings, [160, 120])[1].clone())
                 .collect(),
         );
+        renderer.destroy(b);
     });
     for (i, (name, _)) in views.iter().enumerate() {
         let differences: Vec<f32> =
@@ -516,6 +513,7 @@ fn sun_is_dimmed_by_the_air_as_in_the_reference() {
         |on| with_disk(on, composed(Composition::SkyDome, SkySettings::default()));
     let mut worst = 0.0_f64;
     on_both(|b| {
+        let mut renderers = [true, false].map(|on| SkyRenderer::new(settings(on)).unwrap());
         // From the ground to the horizon, from the stratosphere below it, through the limb from orbit.
         for (altitude, elevation) in
             [(2.0, 60.0), (2.0, 5.0), (2.0, 0.5), (30e3, -4.0), (4e5, -19.0), (4e5, -18.0)]
@@ -524,7 +522,7 @@ fn sun_is_dimmed_by_the_air_as_in_the_reference() {
                 View { params: params.clone(), altitude, pitch: elevation, fov: 0.02, ..View::default() };
             let scene = View { sun_elevation: elevation, ..view }.scene();
             let [with, without] =
-                [true, false].map(|on| background(b, &scene, settings(on), [3, 3], [0.0; 4]));
+                renderers.each_mut().map(|sky| background_by(b, sky, &scene, [3, 3], [0.0; 4]));
             let full = bare_disk(&scene, [3, 3])[4];
             let through =
                 transmittance(&params, &rays(&scene, [3, 3])[4], Tolerance { relative: 1e-8 }).unwrap();
@@ -535,6 +533,7 @@ fn sun_is_dimmed_by_the_air_as_in_the_reference() {
                 println!("{altitude} m, sun {elevation}: {} {}", got / full, through[c]);
             }
         }
+        renderers.iter_mut().for_each(|sky| sky.destroy(b));
     });
     println!("worst: {worst:.1e} of the transmittance");
     assert!(worst < 5e-4, "{worst}");
