@@ -88,6 +88,7 @@ pub mod shaders;
 pub use error::{Error, ErrorKind, Result};
 pub use frame::Frame;
 pub use frame::terrain::TerrainStyle;
+pub use model::airglow::Airglow;
 pub use model::atmosphere::{AtmosphereParams, MiePhase};
 pub use model::lighting::{AtmosphereConfig, LightingContext};
 pub use model::moon::Moon;

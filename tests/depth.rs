@@ -1,7 +1,7 @@
 //! Every depth convention gives the same air and the same shell.
 
 use welkin::gpu::{Backend, Target};
-use welkin::{Composition, DepthConvention, LutSettings, Mode, Scene, SkyRenderer, SkySettings};
+use welkin::{Composition, DepthConvention, LutSettings, Mode, Scene, SkyRenderer};
 
 use crate::harness::{View, aerial_passes, assert_physical, frame_textures, free, luts, march, on_both, shell_passes, sky, composed, without_disk};
 

@@ -235,6 +235,7 @@ const BARE: SkySettings = SkySettings {
         sun_disk: true,
         limb_darkening: false,
         foreground: true,
+        airglow: None,
     },
     quality: Quality::March { view_samples: 8, light_samples: 4 },
     render_scale: 1.0,

@@ -5,7 +5,7 @@
 
 use welkin::gpu::{Backend, Format};
 use welkin::render::picture::scale;
-use welkin::{AtmosphereParams, Composition, LutSettings, Quality, PictureRenderer, PictureSettings, Scene, SkySettings};
+use welkin::{AtmosphereParams, Composition, Quality, PictureRenderer, PictureSettings, Scene, SkySettings};
 
 use crate::harness::{View, on_both, composed, with_disk};
 

@@ -18,6 +18,7 @@ compile_error!(
     "the integration tests need every feature: run `cargo test` at the root, or give --all-features"
 );
 
+mod airglow;
 mod depth;
 mod device_loss;
 mod eclipse;

@@ -6,9 +6,9 @@
 use std::collections::BTreeMap;
 
 use welkin::gpu::{Backend, Target};
-use welkin::{AtmosphereParams, Bound, Composition, Frame, LutSettings, Quality, MiePhase, SkyRenderer, SkySettings, Look, PictureSettings, PictureRenderer};
+use welkin::{AtmosphereParams, Bound, Composition, Frame, LutSettings, Quality, MiePhase, SkyRenderer, SkySettings, Look};
 
-use crate::harness::{View, aerial_passes, airless, asked_for, background_passes, clear_pass, frame_textures, free, march, on_both, shell_passes, frame_passes};
+use crate::harness::{View, airless, asked_for, clear_pass, frame_textures, free, march, on_both, frame_passes};
 
 const SIZE: [u32; 2] = [12, 9];
 

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use glam::DVec3;
 use welkin::gpu::Program;
-use welkin::gpu::{Backend, Format, Inputs, Pass, Target, TextureDesc, Uniform};
+use welkin::gpu::{Backend, Format, Inputs, Pass, Target, TextureDesc};
 use welkin::settings::front::ParetoFront;
 use welkin::shaders::copy;
 use welkin::{AtmosphereParams, DepthConvention, Error, PictureRenderer, PictureSettings, Quality, Scene, SkySettings, ToneMap};

@@ -3,6 +3,7 @@
 
 use std::path::Path;
 
+use welkin::frame::airglow::AirglowUniform;
 use welkin::frame::disks::DiskUniform;
 use welkin::frame::eclipse::{EclipseUniform, ShadowUniform};
 use welkin::frame::luts::{FrameLuts, MediumLuts, LutsUniform};
@@ -149,7 +150,7 @@ fn rust_layout(name: &str) -> (Vec<(String, u32)>, u32) {
 }
 
 /// Blocks that are called `Uniforms` in every program that has one.
-fn whole_blocks() -> [(Vec<(String, u32)>, u32); 4] {
+fn whole_blocks() -> [(Vec<(String, u32)>, u32); 5] {
     let whole = |fields: Vec<(&str, u32)>, size: usize| {
         let mut out = Vec::new();
         for (name, offset) in fields {
@@ -172,12 +173,13 @@ fn whole_blocks() -> [(Vec<(String, u32)>, u32); 4] {
         whole(MediumLuts::offsets(), size_of::<MediumLuts>()),
         whole(EclipseUniform::offsets(), size_of::<EclipseUniform>()),
         whole(DiskUniform::offsets(), size_of::<DiskUniform>()),
+        whole(AirglowUniform::offsets(), size_of::<AirglowUniform>()),
     ]
 }
 
 #[test]
 fn whole_blocks_have_the_layout_that_naga_gives_them() {
-    let mut found = [0; 4];
+    let mut found = [0; 5];
     for info in programs() {
         let Some(layout) = translate::struct_layout(info, "Uniforms").unwrap() else { continue };
         assert_eq!(layout.1, info.uniform_size, "{}", info.name);

@@ -15,6 +15,7 @@ const FINE: SkySettings = SkySettings {
         sun_disk: false,
         limb_darkening: false,
         foreground: true,
+        airglow: None,
     },
     quality: Quality::March { view_samples: 256, light_samples: 64 },
     render_scale: 1.0,

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::graph::Node;
-use super::{Frame, aerial, background, disks, eclipse, luts, medium};
+use super::{Frame, aerial, airglow, background, disks, eclipse, luts, medium};
 use crate::error::short;
 
 /// Why an effect is on or off: words, and where a number decided, that number.
@@ -85,16 +85,18 @@ pub(crate) static EFFECTS: [&dyn Effect; EFFECT_COUNT] = [
     &luts::MultiScattering,
     &luts::SkyViewLut,
     &luts::AerialLut,
+    &airglow::AirglowBehind,
     &background::BackgroundSky,
     &background::ReducedResolution,
     &disks::SunDisk,
     &disks::MoonDisk,
     &aerial::PlanetShell,
     &aerial::AerialPerspective,
+    &airglow::AirglowBefore,
 ];
 
 /// How many effects there are.
-pub(crate) const EFFECT_COUNT: usize = 16;
+pub(crate) const EFFECT_COUNT: usize = 18;
 
 #[cfg(test)]
 mod tests {

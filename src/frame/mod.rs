@@ -33,6 +33,7 @@
 //! of its own, worked out in `omit`, and the cheapest are taken as long as their sum stays within it.
 
 mod aerial;
+pub mod airglow;
 mod background;
 pub mod disks;
 pub mod eclipse;

@@ -8,6 +8,7 @@ pub mod quality;
 use std::fmt;
 
 use crate::error::{Error, Quoted, Result, in_range};
+use crate::model::airglow::Airglow;
 
 pub use luts::LutSettings;
 pub use quality::Quality;
@@ -50,6 +51,8 @@ pub struct Look {
     pub limb_darkening: bool,
     /// Whether something may stand before the sky: `false` promises a depth buffer that holds the background alone.
     pub foreground: bool,
+    /// The night sky's own light, for instance [`Airglow::EARTH`]; `None` draws none.
+    pub airglow: Option<Airglow>,
 }
 
 impl Default for Look {
@@ -61,6 +64,7 @@ impl Default for Look {
             sun_disk: true,
             limb_darkening: false,
             foreground: true,
+            airglow: None,
         }
     }
 }
@@ -125,6 +129,7 @@ impl SkySettings {
     /// [`crate::ErrorKind::Invalid`] for the first field that is out of range.
     pub fn validate(&self) -> Result<()> {
         self.quality.validate()?;
+        self.look.airglow.map_or(Ok(()), |airglow| airglow.validate())?;
         in_range("render_scale", self.render_scale, 0.125, 1.0, "")?;
         self.bound.map_or(Ok(()), |bound| bound.validate())
     }

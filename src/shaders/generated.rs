@@ -4,7 +4,7 @@
 use crate::gpu::{ProgramInfo, TextureSlot, Vertices};
 
 /// Every program.
-pub static PROGRAMS: &[&ProgramInfo] = &[&aerial_lut_scan::INFO, &aerial_lut_slices::INFO, &aerial_march::INFO, &aerial_march_eclipse::INFO, &aerial_perspective::INFO, &copy::INFO, &moon_disk::INFO, &multi_scattering_gather::INFO, &multi_scattering_lut::INFO, &sky_march::INFO, &sky_march_eclipse::INFO, &sky_view::INFO, &sky_view_lut::INFO, &sun_disk::INFO, &terrain::INFO, &tone_map::INFO, &transmittance_lut::INFO, &upsample::INFO, ];
+pub static PROGRAMS: &[&ProgramInfo] = &[&aerial_lut_scan::INFO, &aerial_lut_slices::INFO, &aerial_march::INFO, &aerial_march_eclipse::INFO, &aerial_perspective::INFO, &airglow::INFO, &copy::INFO, &moon_disk::INFO, &multi_scattering_gather::INFO, &multi_scattering_lut::INFO, &sky_march::INFO, &sky_march_eclipse::INFO, &sky_view::INFO, &sky_view_lut::INFO, &sun_disk::INFO, &terrain::INFO, &tone_map::INFO, &transmittance_lut::INFO, &upsample::INFO, ];
 
 #[cfg(any(feature = "wgpu", feature = "translate"))]
 mod text {
@@ -34,6 +34,7 @@ mod text {
     pub(super) const LIB_ECLIPSED_SUN: &str = crate::shaders::wgsl!("lib/eclipsed_sun");
     pub(super) const PASS_AERIAL_MARCH_ECLIPSE: &str = crate::shaders::wgsl!("pass/aerial_march_eclipse");
     pub(super) const PASS_AERIAL_PERSPECTIVE: &str = crate::shaders::wgsl!("pass/aerial_perspective");
+    pub(super) const PASS_AIRGLOW: &str = crate::shaders::wgsl!("pass/airglow");
     pub(super) const PASS_COPY: &str = crate::shaders::wgsl!("pass/copy");
     pub(super) const LIB_CELESTIAL_DISK: &str = crate::shaders::wgsl!("lib/celestial_disk");
     pub(super) const PASS_MOON_DISK: &str = crate::shaders::wgsl!("pass/moon_disk");
@@ -62,6 +63,7 @@ static PARTS: &[&str] = &[
     "const bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst bool MULTI_SCATTERING = true;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst int AIR_SMOOTH = 0;\nconst int AIR_MIE = 1;\nconst int AIR_BEAM = 2;\nconst int AIR_TRANSMITTANCE = 3;\nconst int AIR_KINDS = 4;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\n",
     "const bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst int ZENITHS = 16;\nconst int AZIMUTHS = 8;\n",
     "const float HALF_MAX = 32000.0;\n",
+    "const float HALF_MAX = 32000.0;\nconst bool BEFORE = true;\nconst vec4 NODES = vec4(0.06943184, 0.3300095, 0.66999054, 0.93056816);\nconst vec4 WEIGHTS = vec4(0.17392743, 0.32607257, 0.32607257, 0.17392743);\n",
     "const float HALF_MAX = 32000.0;\nconst bool BLEND = true;\nconst float SUBPIXEL = 0.0625;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool SUNLIGHT = true;\n",
     "const float HALF_MAX = 32000.0;\nconst bool BLEND = true;\nconst float SUBPIXEL = 0.0625;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst bool MULTI_SCATTERING = true;\nconst float PI = 3.1415927;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool SUNLIGHT = true;\nconst float SQRT_HALF = 0.70710677;\n",
     "const float HALF_MAX = 32000.0;\nconst bool BLEND = true;\nconst float SUBPIXEL = 0.0625;\nconst float LOG_FLOOR = -100.0;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst int AIR_SMOOTH = 0;\nconst int AIR_MIE = 1;\nconst int AIR_BEAM = 2;\nconst int AIR_TRANSMITTANCE = 3;\nconst int AIR_KINDS = 4;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool MIE_SINGLE = true;\n",
@@ -92,6 +94,7 @@ static PARTS: &[&str] = &[
     "struct Tone {\nfloat exposure;\nuint flipped;\nfloat pad1_;\nfloat pad2_;\n};\n",
     "struct Uniforms {\nFrame frame;\nLuts luts;\nMoonShadow moon_shadow;\n};\n",
     "struct Uniforms {\nFrame frame;\nLuts luts;\n};\n",
+    "struct Uniforms {\nFrame frame;\nvec3 zenith;\nfloat bottom;\nfloat middle;\nfloat top;\nfloat pad1_;\nfloat pad2_;\n};\n",
     "struct Uniforms {\nFrame frame;\nvec4 rectangle;\nvec3 moon_direction;\nfloat moon_sine;\nfloat moon_chord;\nfloat albedo_over_pi;\nfloat earthshine;\nfloat sun_visibility;\n};\n",
     "struct Uniforms {\nMedium medium;\nLuts luts;\n};\n",
     "uniform highp sampler2D _group_0_binding_1_fs;\n",
@@ -168,6 +171,7 @@ static PARTS: &[&str] = &[
     "void main() {\nuint a = uint(gl_VertexID);\nvec3 b = vec3(0.0);\nfloat c = 0.0;\nfloat d = 0.0;\nvec3 e = vec3(0.0);\nfloat f = 0.0;\nfloat g = 0.0;\nvec3 h = vec3(0.0);\nfloat i = 0.0;\nfloat j = 0.0;\nvec4 k = vec4(0.0);\nvec3 l = vec3(0.0);\nvec3 m = vec3(0.0);\nvec3 n = vec3(0.0);\nvec3 o = vec3(0.0);\nfloat p = 0.0;\nfloat q = 0.0;\nfloat r = 0.0;\nvec3 s = _group_0_binding_0_vs.frame.medium.rayleigh;\nfloat t = _group_0_binding_0_vs.frame.medium.rayleigh_inv_height;\nfloat u = _group_0_binding_0_vs.frame.medium.mie_inv_height;\nvec3 v = _group_0_binding_0_vs.frame.medium.mie_extinction;\nfloat w = _group_0_binding_0_vs.frame.medium.ozone_center;\nfloat x = _group_0_binding_0_vs.frame.medium.ozone_inv_half_width;\nvec3 y = _group_0_binding_0_vs.frame.medium.ozone;\nfloat z = _group_0_binding_0_vs.frame.medium.radius;\nfloat aa = _group_0_binding_0_vs.frame.medium.thickness;\nvec3 ab = _group_0_binding_0_vs.frame.sun;\nfloat ac = _group_0_binding_0_vs.frame.camera_altitude;\nb = s;\nc = t;\nd = u;\ne = v;\nf = w;\ng = x;\nh = y;\ni = z;\nj = aa;\nif (SKY_LIGHT) {\nvec3 ad = _group_0_binding_0_vs.luts.mie_extinction;\ne = ad;\n}\nvec3 ae = vec3(0.0, 0.0, 1.0);\ngrid_point(a, o, p, q, r);\nvec3 af = o;\nfloat ag = p;\nfloat ah = q;\nfloat ai = r;\nvec3 aj = ((af * ag) + (ae * (1.0 - ah)));\nvec3 ak = _group_0_binding_0_vs.planet_x;\nvec3 al = _group_0_binding_0_vs.planet_y;\nvec3 am = _group_0_binding_0_vs.planet_z;\nvec3 an = vec3(dot(ak, aj), dot(al, aj), dot(am, aj));\nfloat ao = _group_0_binding_0_vs.amplitude;\nfloat ap = _group_0_binding_0_vs.mountain_rate;\nfloat aq = _group_0_binding_0_vs.sea;\nvec4 ar = height_field(an, ao, ap, aq, ai);\nfloat as = ar.w;\nfloat at = i;\nfloat au = (at + as);\nvec3 av = ((af * (au * ag)) + (ae * ((as - ac) - (au * ah))));\nvec3 aw = _group_0_binding_0_vs.planet_x;\nvec3 ax = _group_0_binding_0_vs.planet_y;\nvec3 ay = _group_0_binding_0_vs.planet_z;\nvec3 az = (((aw * ar.x) + (ax * ar.y)) + (ay * ar.z));\nfloat ba = i;\nvec3 bb = normalize((aj - ((az - (aj * dot(az, aj))) / vec3(ba))));\nvec4 bc = clip_position(av);\nk = bc;\nl = av;\nvec3 bd = b;\nfloat be = c;\nfloat bf = d;\nvec3 bg = e;\nfloat bh = f;\nfloat bi = g;\nvec3 bj = h;\nfloat bk = i;\nfloat bl = j;\nvec3 bm = ground_light(bd, be, bf, bg, bh, bi, bj, bk, bl, as, aj, bb);\nm = bm;\nn = vec3(as, dot(bb, aj), dot(aj, ab));\nvec4 bn = k;\nvec3 bo = l;\nvec3 bp = m;\nvec3 bq = n;\ngl_Position = bn;\n_vs2fs_location0 = bo;\n_vs2fs_location1 = bp;\n_vs2fs_location2 = bq;\ngl_Position.yz = vec2(-gl_Position.y, gl_Position.z * 2.0 - gl_Position.w);\nreturn;\n}\n",
     "void main() {\nvec4 a = gl_FragCoord;\nbool b = false;\nfloat c = 0.0;\nfloat d = 0.0;\nbool e = false;\nvec3 f = _group_0_binding_0_fs.frame.medium.rayleigh;\nfloat g = _group_0_binding_0_fs.frame.medium.rayleigh_inv_height;\nfloat h = _group_0_binding_0_fs.frame.medium.mie_inv_height;\nvec3 i = _group_0_binding_0_fs.frame.medium.mie_extinction;\nfloat j = _group_0_binding_0_fs.frame.medium.ozone_center;\nfloat k = _group_0_binding_0_fs.frame.medium.ozone_inv_half_width;\nvec3 l = _group_0_binding_0_fs.frame.medium.ozone;\nfloat m = _group_0_binding_0_fs.frame.medium.radius;\nvec3 n = _group_0_binding_0_fs.frame.medium.irradiance;\nfloat o = _group_0_binding_0_fs.frame.medium.thickness;\nvec3 p = _group_0_binding_0_fs.frame.ray_forward;\nfloat q = _group_0_binding_0_fs.frame.altitude;\nvec3 r = _group_0_binding_0_fs.frame.ray_right;\nvec3 s = _group_0_binding_0_fs.frame.ray_up;\nvec3 t = _group_0_binding_0_fs.frame.sun;\nvec2 u = _group_0_binding_0_fs.frame.size;\nfloat v = _group_0_binding_0_fs.frame.pixel_angle;\nvec3 w = pixel_ray(a.xy, u, p, r, s);\nvec3 x = normalize(w);\nline_past(x, q, m, c, d, e);\nfloat y = c;\nfloat z = d;\nbool aa = e;\nvec3 ab = _group_0_binding_0_fs.moon_direction;\nvec3 ac = (x - ab);\nfloat ad = _group_0_binding_0_fs.moon_chord;\nfloat ae = disk_coverage(ac, ad, v);\nif (!(aa)) {\nb = (ae <= 0.0);\n} else {\nb = true;\n}\nbool af = b;\nif (af) {\ndiscard;\n}\nfloat ag = _group_0_binding_0_fs.moon_sine;\nvec3 ah = moon_normal(x, ac, ag);\nfloat ai = _group_0_binding_0_fs.albedo_over_pi;\nfloat aj = _group_0_binding_0_fs.earthshine;\nfloat ak = lommel_seeliger(ah, x, t, ai, aj);\nvec4 al = disk_color((n * (ae * ak)), y, z, aa, q, f, g, h, i, j, k, l, m, o);\n_fs2p_location0 = al;\nreturn;\n}\n",
     "void main() {\nvec4 a = gl_FragCoord;\nbool b = false;\nvec3 c = vec3(0.0);\nfloat d = 0.0;\nfloat e = 0.0;\nbool f = false;\nvec3 g = _group_0_binding_0_fs.frame.medium.rayleigh;\nfloat h = _group_0_binding_0_fs.frame.medium.rayleigh_inv_height;\nfloat i = _group_0_binding_0_fs.frame.medium.mie_inv_height;\nvec3 j = _group_0_binding_0_fs.frame.medium.mie_extinction;\nfloat k = _group_0_binding_0_fs.frame.medium.ozone_center;\nfloat l = _group_0_binding_0_fs.frame.medium.ozone_inv_half_width;\nvec3 m = _group_0_binding_0_fs.frame.medium.ozone;\nfloat n = _group_0_binding_0_fs.frame.medium.radius;\nvec3 o = _group_0_binding_0_fs.frame.medium.irradiance;\nfloat p = _group_0_binding_0_fs.frame.medium.thickness;\nvec3 q = _group_0_binding_0_fs.frame.ray_forward;\nfloat r = _group_0_binding_0_fs.frame.altitude;\nvec3 s = _group_0_binding_0_fs.frame.ray_right;\nvec3 t = _group_0_binding_0_fs.frame.ray_up;\nvec3 u = _group_0_binding_0_fs.frame.sun;\nfloat v = _group_0_binding_0_fs.frame.sun_chord;\nvec2 w = _group_0_binding_0_fs.frame.size;\nfloat x = _group_0_binding_0_fs.frame.sun_disk;\nfloat y = _group_0_binding_0_fs.frame.pixel_angle;\nvec3 z = pixel_ray(a.xy, w, q, s, t);\nvec3 aa = normalize(z);\nline_past(aa, r, n, d, e, f);\nfloat ab = d;\nfloat ac = e;\nbool ad = f;\nfloat ae = disk_coverage((aa - u), v, y);\nif (!(ad)) {\nb = (ae <= 0.0);\n} else {\nb = true;\n}\nbool af = b;\nif (af) {\ndiscard;\n}\nc = (o * (x * ae));\nif (LIMB_DARKENING) {\nvec3 ag = c;\nvec3 ah = limb_darkening((length((aa - u)) / v), ((0.5 * y) / v));\nc = (ag * ah);\n}\nif (MOON) {\nvec3 ai = _group_0_binding_0_fs.moon_direction;\nfloat aj = _group_0_binding_0_fs.moon_chord;\nfloat ak = disk_coverage((aa - ai), aj, y);\nfloat al = (1.0 - ak);\nvec3 am = c;\nfloat an = _group_0_binding_0_fs.sun_visibility;\nfloat ao = resolved(v, y);\nc = (am * mix(an, al, ao));\n}\nvec3 ap = c;\nvec4 aq = disk_color(ap, ab, ac, ad, r, g, h, i, j, k, l, m, n, p);\n_fs2p_location0 = aq;\nreturn;\n}\n",
+    "void main() {\nvec4 a = gl_FragCoord;\nfloat b = 0.0;\nbool c = false;\nfloat d = 0.0;\nfloat e = 0.0;\nfloat f = 0.0;\nbool g = false;\nfloat h = _group_0_binding_0_fs.frame.medium.radius;\nvec3 i = _group_0_binding_0_fs.frame.ray_forward;\nfloat j = _group_0_binding_0_fs.frame.altitude;\nvec3 k = _group_0_binding_0_fs.frame.ray_right;\nvec3 l = _group_0_binding_0_fs.frame.ray_up;\nvec2 m = _group_0_binding_0_fs.frame.size;\nfloat n = _group_0_binding_0_fs.frame.depth.scale;\nfloat o = _group_0_binding_0_fs.frame.depth.bias;\nfloat p = _group_0_binding_0_fs.frame.depth.log_;\nfloat q = _group_0_binding_0_fs.frame.depth.background;\nvec3 r = pixel_ray(a.xy, m, i, k, l);\nfloat s = length(r);\nline_past((r / vec3(s)), j, h, d, e, f, g);\nfloat t = d;\nfloat u = e;\nfloat v = f;\nbool w = g;\nfloat x = _group_0_binding_0_fs.bottom;\nfloat y = _group_0_binding_0_fs.middle;\nfloat z = _group_0_binding_0_fs.top;\nvec3 aa = vec3(x, y, z);\nfloat ab = altitude_of(v, h);\nfloat ac = (abs(t) / sqrt(((h + j) + u)));\nif (BEFORE) {\nif ((t < 0.0)) {\nvec4 ad = texelFetch(_group_0_binding_1_fs, ivec2(a.xy), 0);\nfloat ae = depth_distance(n, o, p, q, ad.x, s);\nfloat af = rise_to_distance(ac, u);\nfloat ag = _group_0_binding_0_fs.middle;\nfloat ah = rise_to_distance(sqrt(max((ag - ab), 0.0)), u);\nfloat ai = (af - ah);\nif (!((ae < 0.0))) {\nc = (ae > ai);\n} else {\nc = true;\n}\nbool aj = c;\nif (aj) {\nfloat ak = tent_column(0.0, ac, ab, u, aa);\nb = ak;\n}\n}\n} else {\nif (!(w)) {\nfloat al = tent_column(((t > 0.0) ? ac : 0.0), 1000000000.0, ab, u, aa);\nb = al;\n}\n}\nvec3 am = _group_0_binding_0_fs.zenith;\nfloat an = b;\nfloat ao = _group_0_binding_0_fs.top;\nfloat ap = _group_0_binding_0_fs.middle;\n_fs2p_location0 = vec4((am * (an / (ao - ap))), 0.0);\nreturn;\n}\n",
     "void main() {\nvec4 a = gl_FragCoord;\nfloat b = 0.0;\nfloat c = 0.0;\nfloat d = 0.0;\nfloat e = 0.0;\nfloat f = 0.0;\nfloat g = 0.0;\nfloat h = 0.0;\nfloat i = 0.0;\nfloat j = 0.0;\nfloat k = 0.0;\nfloat l = 0.0;\nbool m = false;\nvec3 n = vec3(0.0);\nvec3 o = vec3(0.0);\nvec3 p = _group_0_binding_0_fs.frame.medium.rayleigh;\nfloat q = _group_0_binding_0_fs.frame.medium.rayleigh_inv_height;\nvec3 r = _group_0_binding_0_fs.frame.medium.mie_scattering;\nfloat s = _group_0_binding_0_fs.frame.medium.mie_inv_height;\nvec3 t = _group_0_binding_0_fs.frame.medium.mie_extinction;\nfloat u = _group_0_binding_0_fs.frame.medium.ozone_center;\nvec3 v = _group_0_binding_0_fs.frame.medium.mie_asymmetry;\nfloat w = _group_0_binding_0_fs.frame.medium.ozone_inv_half_width;\nvec3 x = _group_0_binding_0_fs.frame.medium.ozone;\nfloat y = _group_0_binding_0_fs.frame.medium.radius;\nvec3 z = _group_0_binding_0_fs.frame.medium.irradiance;\nfloat aa = _group_0_binding_0_fs.frame.medium.thickness;\nvec3 ab = _group_0_binding_0_fs.frame.ray_forward;\nfloat ac = _group_0_binding_0_fs.frame.altitude;\nvec3 ad = _group_0_binding_0_fs.frame.ray_right;\nfloat ae = _group_0_binding_0_fs.frame.sky_weight;\nvec3 af = _group_0_binding_0_fs.frame.ray_up;\nvec3 ag = _group_0_binding_0_fs.frame.sun;\nvec2 ah = _group_0_binding_0_fs.frame.size;\nuint ai = _group_0_binding_0_fs.frame.view_samples;\nuint aj = _group_0_binding_0_fs.frame.light_samples;\nuint ak = _group_0_binding_0_fs.frame.reduced;\nvec3 al = pixel_ray(a.xy, ah, ab, ad, af);\nvec3 am = normalize(al);\nbool an = hits_planet(am, ac, y);\nif (an) {\nif ((ak == 0u)) {\ndiscard;\n}\n_fs2p_location0 = vec4(0.0, 0.0, 0.0, -1.0);\nreturn;\n}\nair_ray(am, ac, y, aa, ag, b, c, d, e, f, g, h, i, j, k, l, m);\nfloat ao = b;\nfloat ap = c;\nfloat aq = d;\nfloat ar = e;\nfloat as = f;\nfloat at = g;\nfloat au = h;\nfloat av = i;\nfloat aw = j;\nfloat ax = k;\nfloat ay = l;\nbool az = m;\nif ((ap <= 0.0)) {\n_fs2p_location0 = vec4(0.0);\nreturn;\n}\nvec3 ba = _group_0_binding_0_fs.luts.mie_extinction;\nfloat bb = _group_0_binding_0_fs.luts.altitude_steepness;\nvec3 bc = _group_0_binding_0_fs.luts.mie_moment0_;\nfloat bd = _group_0_binding_0_fs.luts.altitude_growth;\nvec3 be = _group_0_binding_0_fs.luts.mie_moment1_;\nfloat bf = _group_0_binding_0_fs.luts.sun_middle;\nvec3 bg = _group_0_binding_0_fs.luts.mie_moment2_;\nfloat bh = _group_0_binding_0_fs.luts.sun_width;\nfloat bi = _group_0_binding_0_fs.luts.sun_first;\nfloat bj = _group_0_binding_0_fs.luts.sun_span;\nuint bk = _group_0_binding_0_fs.luts.steps;\neclipsed_light(_group_0_binding_2_fs, _group_0_binding_3_fs, p, q, r, s, t, u, v, w, x, y, aa, ba, bb, bc, bd, be, bf, bg, bh, bi, bj, bk, ao, ap, aq, ar, as, at, au, av, aw, ax, ay, az, am, ag, ap, ai, aj, n, o);\nvec3 bl = n;\nvec3 bm = o;\nvec4 bn = veil(((bl * ae) * z), bm);\n_fs2p_location0 = bn;\nreturn;\n}\n",
     "void main() {\nvec4 a = gl_FragCoord;\nfloat b = 0.0;\nfloat c = 0.0;\nfloat d = 0.0;\nfloat e = 0.0;\nfloat f = 0.0;\nfloat g = 0.0;\nfloat h = 0.0;\nfloat i = 0.0;\nfloat j = 0.0;\nfloat k = 0.0;\nfloat l = 0.0;\nbool m = false;\nvec3 n = vec3(0.0);\nvec3 o = vec3(0.0);\nvec3 p = _group_0_binding_0_fs.medium.rayleigh;\nfloat q = _group_0_binding_0_fs.medium.rayleigh_inv_height;\nvec3 r = _group_0_binding_0_fs.medium.mie_scattering;\nfloat s = _group_0_binding_0_fs.medium.mie_inv_height;\nvec3 t = _group_0_binding_0_fs.medium.mie_extinction;\nfloat u = _group_0_binding_0_fs.medium.ozone_center;\nvec3 v = _group_0_binding_0_fs.medium.mie_asymmetry;\nfloat w = _group_0_binding_0_fs.medium.ozone_inv_half_width;\nvec3 x = _group_0_binding_0_fs.medium.ozone;\nfloat y = _group_0_binding_0_fs.medium.radius;\nvec3 z = _group_0_binding_0_fs.medium.irradiance;\nfloat aa = _group_0_binding_0_fs.medium.thickness;\nvec2 ab = _group_0_binding_0_fs.size;\nvec3 ac = _group_0_binding_0_fs.ray_forward;\nvec3 ad = _group_0_binding_0_fs.ray_right;\nvec3 ae = _group_0_binding_0_fs.ray_up;\nvec3 af = pixel_ray(a.xy, ab, ac, ad, ae);\nvec3 ag = normalize(af);\nfloat ah = _group_0_binding_0_fs.altitude;\nbool ai = hits_planet(ag, ah, y);\nif (ai) {\nuint aj = _group_0_binding_0_fs.reduced;\nif ((aj == 0u)) {\ndiscard;\n}\n_fs2p_location0 = vec4(0.0, 0.0, 0.0, -1.0);\nreturn;\n}\nfloat ak = _group_0_binding_0_fs.altitude;\nvec3 al = _group_0_binding_0_fs.sun;\nair_ray(ag, ak, y, aa, al, b, c, d, e, f, g, h, i, j, k, l, m);\nfloat am = b;\nfloat an = c;\nfloat ao = d;\nfloat ap = e;\nfloat aq = f;\nfloat ar = g;\nfloat as = h;\nfloat at = i;\nfloat au = j;\nfloat av = k;\nfloat aw = l;\nbool ax = m;\nif ((an <= 0.0)) {\n_fs2p_location0 = vec4(0.0);\nreturn;\n}\nvec3 ay = _group_0_binding_0_fs.sun;\nvec3 az = (ag - ay);\nuint ba = _group_0_binding_0_fs.view_samples;\nuint bb = _group_0_binding_0_fs.light_samples;\nsingle_scattering(p, q, r, s, t, u, v, w, x, y, aa, am, an, ao, ap, aq, ar, as, at, au, av, aw, ax, ag, an, (0.5 * dot(az, az)), ba, bb, n, o);\nvec3 bc = n;\nvec3 bd = o;\nfloat be = _group_0_binding_0_fs.sky_weight;\nvec4 bf = veil(((bc * be) * z), bd);\n_fs2p_location0 = bf;\nreturn;\n}\n",
     "void main() {\nvec4 a = gl_FragCoord;\nfloat b = _group_0_binding_0_fs.medium.radius;\nfloat c = _group_0_binding_0_fs.medium.thickness;\nivec2 d = ivec2(a.xy);\nint e = (ivec2(uvec2(textureSize(_group_0_binding_1_fs, 0).xy)).y / ZENITHS);\nbool f = (d.y == (e * MOMENTS));\nivec2 g = ivec2(d.x, (f ? 0 : (d.y / MOMENTS)));\nfloat h = _group_0_binding_0_fs.luts.altitude_steepness;\nfloat i = _group_0_binding_0_fs.luts.altitude_growth;\nfloat j = v_to_altitude(h, i, (float(g.y) / float((e - 1))), c);\nvec3 k = vec3(7.888609e-31);\nif (f) {\nvec3 l = moment(g, j, b, MOMENTS);\n_fs2p_location0 = vec4(log2(max(l, k)), 0.0);\nreturn;\n}\nvec3 m = moment(g, j, b, 0);\nvec3 n = max(m, k);\nint o = (d.y % MOMENTS);\nif ((o == 0)) {\n_fs2p_location0 = vec4(log2(n), 0.0);\nreturn;\n}\nvec3 p = moment(g, j, b, o);\n_fs2p_location0 = vec4((p / n), 0.0);\nreturn;\n}\n",
@@ -209,6 +213,7 @@ static PARTS: &[&str] = &[
     "void ray_end(float a, float b, float c, bool d, float e, float f, float g, float h, inout float i, inout float j, inout bool k) {\nif ((e >= 0.0)) {\nfloat l = scene_reach(a, b, c, d, e, f, g);\ni = l;\nj = 1.0;\nk = true;\nreturn;\n}\nif (d) {\ni = b;\nj = 1.0;\nk = true;\nreturn;\n}\ni = b;\nj = h;\nk = (h >= 1.0);\n}\n",
     "float rayleigh_phase(float a) {\nreturn (0.0596831 * (1.0 + (a * a)));\n}\n",
     "float resolved(float a, float b) {\nreturn smoothstep(1.0, 4.0, (a / b));\n}\n",
+    "float rise_to_distance(float a, float b) {\nreturn (a * sqrt(((a * a) + (2.0 * b))));\n}\n",
     "vec2 row_to_v(int a, int b, int c) {\nbool d = (a < c);\nint e = (d ? 0 : c);\nint f = (d ? c : (b - c));\nreturn vec2((float((a - e)) / float((f - 1))), (d ? 1.0 : 0.0));\n}\n",
     "float scene_reach(float a, float b, float c, bool d, float e, float f, float g) {\nfloat h = min(b, (e - a));\nif (!(d)) {\nreturn h;\n}\nfloat i = max((abs((c + b)) / f), 0.05);\nfloat j = (((SUBPIXEL * g) * e) / i);\nfloat k = smoothstep((0.5 * j), j, (b - h));\nreturn ((b * (1.0 - k)) + (h * k));\n}\n",
     "float segment(vec2 a) {\nfloat b = quarter_atan(a.x, a.y);\nfloat c = (2.0 * b);\nif ((c < 0.5)) {\nfloat d = ((4.0 * c) * c);\nfloat e = (1.0 - ((d * 0.05) * (1.0 - ((d * 0.023809524) * (1.0 - (d * 0.013888889))))));\nreturn (((c * d) * 0.16666667) * e);\n}\nfloat f = dot(a, a);\nreturn (c - ((((2.0 * a.x) * a.y) * ((a.y * a.y) - (a.x * a.x))) / (f * f)));\n}\n",
@@ -231,6 +236,8 @@ static PARTS: &[&str] = &[
     "vec3 sun_visibility_around(vec3 a, float b) {\nreturn vec3(1.0);\n}\n",
     "vec3 sun_visibility_around(vec3 a, float b) {\nvec3 c = _group_0_binding_0_fs.moon_shadow.across;\nfloat d = _group_0_binding_0_fs.moon_shadow.min_visibility;\nfloat e = _group_0_binding_0_fs.moon_shadow.inv_extent;\nvec3 f = _group_0_binding_0_fs.frame.sun;\nvec3 g = moon_shadow_visibility_around(_group_0_binding_1_fs, c, d, e, (a * b), f);\nreturn g;\n}\n",
     "vec3 sun_visibility_around(vec3 a, float b) {\nvec3 c = _group_0_binding_0_fs.moon_shadow.across;\nfloat d = _group_0_binding_0_fs.moon_shadow.min_visibility;\nfloat e = _group_0_binding_0_fs.moon_shadow.inv_extent;\nvec3 f = _group_0_binding_0_fs.frame.sun;\nvec3 g = moon_shadow_visibility_around(_group_0_binding_3_fs, c, d, e, (a * b), f);\nreturn g;\n}\n",
+    "float tent_column(float a, float b, float c, float d, vec3 e) {\nfloat f = (1.0 / (e.z - e.y));\nvec3 g = clamp(sqrt(max((e - vec3(c)), vec3(0.0))), vec3(a), vec3(max(b, a)));\nfloat h = tent_part(g.x, g.y, c, d, e.y, f);\nfloat i = tent_part(g.y, g.z, c, d, e.y, f);\nreturn (h + i);\n}\n",
+    "float tent_part(float a, float b, float c, float d, float e, float f) {\nvec4 g = (vec4(a) + ((b - a) * NODES));\nvec4 h = ((2.0 * (vec4(d) + (g * g))) / sqrt((vec4((2.0 * d)) + (g * g))));\nvec4 i = max((vec4(1.0) - (abs(((vec4(c) + (g * g)) - vec4(e))) * f)), vec4(0.0));\nreturn ((b - a) * dot(WEIGHTS, (h * i)));\n}\n",
     "vec3 tone_curve(vec3 a) {\nif (ACES) {\nvec3 b = aces(a);\nreturn b;\n}\nif (AGX) {\nvec3 c = agx(a);\nreturn c;\n}\nvec3 d = neutral(a);\nreturn d;\n}\n",
     "float top_half_chord2_(float a, float b, float c, float d, float e) {\nfloat f = (a * a);\nfloat g = excess_of(e, d);\nfloat h = ((c - e) * (((2.0 * d) + e) + c));\nreturn ((f < g) ? (f - h) : (g - b));\n}\n",
     "vec3 transmittance_texel_ray(vec2 a, vec2 b, float c, float d) {\nvec2 e = (a / (b - vec2(1.0)));\nfloat f = excess_of(d, c);\nfloat g = sqrt(f);\nfloat h = (e.y * g);\nfloat i = altitude_of((h * h), c);\nfloat j = min(i, d);\nfloat k = (d - j);\nfloat l = (k + (e.x * ((h + g) - k)));\nfloat m = ((l > 0.0) ? (((((g - h) * (g + h)) / l) - l) * 0.5) : (c + j));\nreturn vec3((h * h), max(m, -(h)), l);\n}\n",
@@ -277,8 +284,8 @@ pub mod aerial_lut_scan {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 25, 109],
-            fragment: &[0, 25, 30, 31, 28, 29, 36, 17, 23, 39, 18, 51, 49, 117],
+            vertex: &[0, 26, 111],
+            fragment: &[0, 26, 31, 32, 29, 30, 37, 18, 24, 41, 19, 53, 51, 120],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs"],
         },
@@ -321,8 +328,8 @@ pub mod aerial_lut_slices {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 25, 109],
-            fragment: &[0, 25, 31, 28, 29, 30, 36, 4, 23, 39, 40, 18, 59, 81, 58, 76, 92, 157, 167, 168, 75, 98, 148, 158, 100, 64, 70, 82, 181, 77, 129, 106, 66, 62, 179, 146, 60, 166, 139, 141, 93, 140, 170, 173, 84, 180, 183, 160, 154, 51, 152, 122],
+            vertex: &[0, 26, 111],
+            fragment: &[0, 26, 32, 29, 30, 31, 37, 4, 24, 41, 42, 19, 61, 83, 60, 78, 94, 161, 171, 172, 77, 100, 151, 162, 102, 66, 72, 84, 187, 79, 132, 108, 68, 64, 185, 149, 62, 170, 142, 144, 95, 143, 174, 177, 86, 186, 189, 164, 158, 53, 155, 125],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs", "_group_0_binding_2_fs"],
         },
@@ -358,8 +365,8 @@ pub mod aerial_march {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 25, 109],
-            fragment: &[0, 25, 31, 28, 29, 7, 19, 39, 40, 18, 149, 71, 186, 155, 151, 65, 59, 81, 58, 76, 92, 157, 167, 168, 104, 177, 75, 55, 56, 148, 158, 100, 64, 70, 82, 181, 77, 147, 129, 106, 152, 95, 67, 130, 169, 170, 159, 127],
+            vertex: &[0, 26, 111],
+            fragment: &[0, 26, 32, 29, 30, 8, 20, 41, 42, 19, 152, 73, 192, 159, 154, 67, 61, 83, 60, 78, 94, 161, 171, 172, 106, 183, 77, 57, 58, 151, 162, 102, 66, 72, 84, 187, 79, 150, 132, 108, 155, 97, 69, 133, 173, 174, 163, 130],
             blocks: ["", "Frame_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs", "_group_0_binding_2_fs"],
         },
@@ -403,8 +410,8 @@ pub mod aerial_march_eclipse {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 25, 109],
-            fragment: &[0, 25, 31, 28, 29, 30, 32, 35, 8, 41, 23, 39, 40, 42, 43, 18, 149, 71, 186, 155, 151, 65, 59, 81, 58, 76, 92, 157, 167, 168, 104, 177, 75, 55, 56, 148, 158, 100, 64, 70, 82, 181, 77, 147, 129, 106, 66, 62, 179, 146, 60, 166, 139, 141, 93, 140, 133, 91, 150, 156, 187, 136, 134, 137, 172, 138, 175, 84, 152, 95, 67, 130, 131, 169, 159, 57, 79, 126],
+            vertex: &[0, 26, 111],
+            fragment: &[0, 26, 32, 29, 30, 31, 33, 36, 9, 43, 24, 41, 42, 44, 45, 19, 152, 73, 192, 159, 154, 67, 61, 83, 60, 78, 94, 161, 171, 172, 106, 183, 77, 57, 58, 151, 162, 102, 66, 72, 84, 187, 79, 150, 132, 108, 68, 64, 185, 149, 62, 170, 142, 144, 95, 143, 136, 93, 153, 160, 193, 139, 137, 140, 176, 141, 179, 86, 155, 97, 69, 133, 134, 173, 163, 59, 81, 129],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs", "_group_0_binding_2_fs", "_group_0_binding_3_fs", "_group_0_binding_4_fs", "_group_0_binding_5_fs"],
         },
@@ -451,10 +458,39 @@ pub mod aerial_perspective {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 25, 109],
-            fragment: &[0, 25, 31, 28, 29, 30, 36, 9, 23, 39, 40, 41, 42, 43, 44, 18, 149, 71, 186, 155, 151, 65, 66, 62, 59, 81, 58, 76, 92, 105, 177, 75, 55, 68, 61, 189, 185, 161, 69, 64, 82, 77, 129, 47, 46, 50, 163, 164, 162, 48, 179, 146, 95, 67, 130, 131, 53, 188, 125],
+            vertex: &[0, 26, 111],
+            fragment: &[0, 26, 32, 29, 30, 31, 37, 10, 24, 41, 42, 43, 44, 45, 46, 19, 152, 73, 192, 159, 154, 67, 68, 64, 61, 83, 60, 78, 94, 107, 183, 77, 57, 70, 63, 195, 191, 165, 71, 66, 84, 79, 132, 49, 48, 52, 167, 168, 166, 50, 185, 149, 97, 69, 133, 134, 55, 194, 128],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs", "_group_0_binding_2_fs", "_group_0_binding_3_fs", "_group_0_binding_4_fs", "_group_0_binding_5_fs", "_group_0_binding_6_fs"],
+        },
+    };
+}
+
+/// Airglow: a thin layer of air that shines by itself, alike in all directions. A ray sees the emission integrated along
+/// its way. For a layer without thickness seen from the ground that is van Rhijn's factor (1921),
+/// 1 / sqrt(1 - (R sin z / (R + h))^2); from orbit the limb of the layer is some thirty times as bright as its zenith.
+/// Out: radiance that is added to what is there.
+pub mod airglow {
+    use super::*;
+
+    /// 
+    pub const BEFORE: u32 = 1 << 0;
+    /// The row of the table.
+    pub static INFO: ProgramInfo = ProgramInfo {
+        name: "airglow",
+        uniform_size: 256,
+        textures: &[TextureSlot { name: "scene_depth", binding: 1, filtered: false }],
+        constants: &["BEFORE"],
+        vertices: Vertices::Triangle,
+        #[cfg(any(feature = "wgpu", feature = "translate"))]
+        wgsl: &[text::LIB_FULLSCREEN, text::LIB_FRAME, text::LIB_VIEW, text::LIB_GEOMETRY, text::PASS_AIRGLOW],
+        #[cfg(feature = "webgl")]
+        glsl: crate::gpu::Glsl {
+            parts: PARTS,
+            vertex: &[0, 26, 111],
+            fragment: &[0, 26, 32, 29, 30, 38, 7, 24, 41, 19, 152, 73, 61, 83, 94, 107, 157, 181, 180, 115],
+            blocks: ["", "Uniforms_block_0Fragment"],
+            samplers: &["_group_0_binding_1_fs"],
         },
     };
 }
@@ -475,8 +511,8 @@ pub mod copy {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 25, 109],
-            fragment: &[0, 25, 39, 18, 124],
+            vertex: &[0, 26, 111],
+            fragment: &[0, 26, 41, 19, 127],
             blocks: ["", ""],
             samplers: &["_group_0_binding_1_fs"],
         },
@@ -514,8 +550,8 @@ pub mod moon_disk {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 25, 31, 28, 29, 37, 10, 24, 108],
-            fragment: &[0, 25, 31, 28, 29, 37, 10, 23, 18, 149, 59, 81, 58, 76, 92, 104, 177, 75, 54, 100, 64, 70, 82, 181, 147, 74, 73, 107, 135, 111],
+            vertex: &[0, 26, 32, 29, 30, 39, 11, 25, 110],
+            fragment: &[0, 26, 32, 29, 30, 39, 11, 24, 19, 152, 61, 83, 60, 78, 94, 106, 183, 77, 56, 102, 66, 72, 84, 187, 150, 76, 75, 109, 138, 113],
             blocks: ["Uniforms_block_0Vertex", "Uniforms_block_0Fragment"],
             samplers: &[],
         },
@@ -556,8 +592,8 @@ pub mod multi_scattering_gather {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 25, 109],
-            fragment: &[0, 25, 31, 30, 38, 2, 23, 39, 40, 18, 59, 81, 58, 76, 92, 157, 167, 75, 98, 148, 158, 100, 70, 82, 181, 77, 129, 106, 66, 62, 179, 146, 60, 184, 166, 139, 182, 141, 93, 140, 88, 170, 173, 83, 152, 95, 85, 143, 90, 120],
+            vertex: &[0, 26, 111],
+            fragment: &[0, 26, 32, 31, 40, 2, 24, 41, 42, 19, 61, 83, 60, 78, 94, 161, 171, 77, 100, 151, 162, 102, 72, 84, 187, 79, 132, 108, 68, 64, 185, 149, 62, 190, 170, 142, 188, 144, 95, 143, 90, 174, 177, 85, 155, 97, 87, 146, 92, 123],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs", "_group_0_binding_2_fs"],
         },
@@ -589,8 +625,8 @@ pub mod multi_scattering_lut {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 25, 109],
-            fragment: &[0, 25, 31, 30, 38, 5, 23, 39, 18, 184, 93, 81, 85, 144, 132, 115],
+            vertex: &[0, 26, 111],
+            fragment: &[0, 26, 32, 31, 40, 5, 24, 41, 19, 190, 95, 83, 87, 147, 135, 118],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs"],
         },
@@ -624,8 +660,8 @@ pub mod sky_march {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 25, 109],
-            fragment: &[0, 25, 31, 28, 29, 12, 19, 18, 149, 186, 59, 81, 58, 76, 92, 157, 167, 168, 104, 177, 75, 55, 56, 148, 97, 158, 100, 64, 70, 82, 181, 77, 147, 129, 106, 152, 95, 67, 130, 169, 170, 159, 114],
+            vertex: &[0, 26, 111],
+            fragment: &[0, 26, 32, 29, 30, 13, 20, 19, 152, 192, 61, 83, 60, 78, 94, 161, 171, 172, 106, 183, 77, 57, 58, 151, 99, 162, 102, 66, 72, 84, 187, 79, 150, 132, 108, 155, 97, 69, 133, 173, 174, 163, 117],
             blocks: ["", "Frame_block_0Fragment"],
             samplers: &[],
         },
@@ -666,8 +702,8 @@ pub mod sky_march_eclipse {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 25, 109],
-            fragment: &[0, 25, 31, 28, 29, 30, 32, 35, 14, 39, 23, 40, 41, 18, 149, 186, 59, 81, 58, 76, 92, 157, 167, 168, 104, 177, 75, 55, 56, 148, 97, 158, 100, 64, 70, 82, 181, 77, 147, 129, 106, 66, 62, 179, 146, 60, 166, 139, 141, 93, 140, 133, 91, 150, 156, 187, 136, 134, 137, 171, 138, 174, 84, 152, 95, 67, 130, 131, 169, 159, 57, 79, 113],
+            vertex: &[0, 26, 111],
+            fragment: &[0, 26, 32, 29, 30, 31, 33, 36, 15, 41, 24, 42, 43, 19, 152, 192, 61, 83, 60, 78, 94, 161, 171, 172, 106, 183, 77, 57, 58, 151, 99, 162, 102, 66, 72, 84, 187, 79, 150, 132, 108, 68, 64, 185, 149, 62, 170, 142, 144, 95, 143, 136, 93, 153, 160, 193, 139, 137, 140, 175, 141, 178, 86, 155, 97, 69, 133, 134, 173, 163, 59, 81, 116],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs", "_group_0_binding_2_fs", "_group_0_binding_3_fs"],
         },
@@ -697,8 +733,8 @@ pub mod sky_view {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 25, 109],
-            fragment: &[0, 25, 31, 28, 29, 30, 36, 15, 23, 39, 40, 18, 149, 81, 92, 105, 177, 68, 61, 189, 185, 161, 69, 95, 67, 130, 131, 121],
+            vertex: &[0, 26, 111],
+            fragment: &[0, 26, 32, 29, 30, 31, 37, 16, 24, 41, 42, 19, 152, 83, 94, 107, 183, 70, 63, 195, 191, 165, 71, 97, 69, 133, 134, 124],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs", "_group_0_binding_2_fs"],
         },
@@ -741,8 +777,8 @@ pub mod sky_view_lut {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 25, 109],
-            fragment: &[0, 25, 31, 28, 29, 30, 36, 3, 23, 39, 40, 18, 59, 81, 58, 76, 92, 157, 167, 168, 75, 98, 148, 158, 100, 64, 70, 82, 181, 77, 129, 106, 66, 62, 179, 146, 60, 166, 139, 141, 93, 140, 170, 173, 84, 180, 183, 160, 154, 80, 152, 123],
+            vertex: &[0, 26, 111],
+            fragment: &[0, 26, 32, 29, 30, 31, 37, 3, 24, 41, 42, 19, 61, 83, 60, 78, 94, 161, 171, 172, 77, 100, 151, 162, 102, 66, 72, 84, 187, 79, 132, 108, 68, 64, 185, 149, 62, 170, 142, 144, 95, 143, 174, 177, 86, 186, 189, 164, 158, 82, 155, 126],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs", "_group_0_binding_2_fs"],
         },
@@ -784,8 +820,8 @@ pub mod sun_disk {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 25, 31, 28, 29, 37, 10, 24, 108],
-            fragment: &[0, 25, 31, 28, 29, 37, 11, 23, 18, 149, 59, 81, 58, 76, 92, 104, 177, 75, 54, 100, 64, 70, 82, 181, 147, 74, 153, 73, 102, 101, 112],
+            vertex: &[0, 26, 32, 29, 30, 39, 11, 25, 110],
+            fragment: &[0, 26, 32, 29, 30, 39, 12, 24, 19, 152, 61, 83, 60, 78, 94, 106, 183, 77, 56, 102, 66, 72, 84, 187, 150, 76, 156, 75, 104, 103, 114],
             blocks: ["Uniforms_block_0Vertex", "Uniforms_block_0Fragment"],
             samplers: &[],
         },
@@ -829,8 +865,8 @@ pub mod terrain {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 25, 31, 28, 29, 30, 32, 33, 13, 21, 27, 59, 81, 58, 76, 100, 64, 70, 82, 181, 147, 169, 99, 145, 94, 86, 89, 63, 110],
-            fragment: &[0, 25, 31, 28, 29, 30, 32, 33, 13, 20, 39, 40, 26, 72, 66, 62, 166, 139, 88, 150, 91, 156, 187, 133, 136, 134, 137, 138, 87, 119],
+            vertex: &[0, 26, 32, 29, 30, 31, 33, 34, 14, 22, 28, 61, 83, 60, 78, 102, 66, 72, 84, 187, 150, 173, 101, 148, 96, 88, 91, 65, 112],
+            fragment: &[0, 26, 32, 29, 30, 31, 33, 34, 14, 21, 41, 42, 27, 74, 68, 64, 170, 142, 90, 153, 93, 160, 193, 136, 139, 137, 140, 141, 89, 122],
             blocks: ["Terrain_block_0Vertex", "Terrain_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs", "_group_0_binding_2_fs"],
         },
@@ -860,8 +896,8 @@ pub mod tone_map {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 25, 109],
-            fragment: &[0, 25, 34, 1, 22, 39, 18, 45, 52, 142, 176, 165, 78, 118],
+            vertex: &[0, 26, 111],
+            fragment: &[0, 26, 35, 1, 23, 41, 19, 47, 54, 145, 182, 169, 80, 121],
             blocks: ["", "Tone_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs"],
         },
@@ -891,8 +927,8 @@ pub mod transmittance_lut {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 25, 109],
-            fragment: &[0, 25, 31, 30, 38, 16, 23, 18, 59, 81, 58, 178, 100, 70, 181, 147, 116],
+            vertex: &[0, 26, 111],
+            fragment: &[0, 26, 32, 31, 40, 17, 24, 19, 61, 83, 60, 184, 102, 72, 187, 150, 119],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &[],
         },
@@ -916,8 +952,8 @@ pub mod upsample {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 25, 109],
-            fragment: &[0, 25, 31, 28, 29, 6, 19, 39, 18, 149, 81, 92, 103, 96, 128],
+            vertex: &[0, 26, 111],
+            fragment: &[0, 26, 32, 29, 30, 6, 20, 41, 19, 152, 83, 94, 105, 98, 131],
             blocks: ["", "Frame_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs"],
         },

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
-use welkin::{Bound, Look, Mode, SkySettings, ToneMap};
+use welkin::{Airglow, Bound, Look, Mode, SkySettings, ToneMap};
 
 /// Options of what is drawn.
 #[derive(Args, Debug)]
@@ -12,6 +12,12 @@ pub struct LookArgs {
     /// Draw the sun's disk darker towards its edge
     #[arg(long, help_heading = super::scene::SUN)]
     limb_darkening: bool,
+
+    /// Draw the night sky's own light: a layer at 90 km that shines as brightly as a natural night sky
+    ///
+    /// It shows in exposures of some 1e5 and more, brightest at the limb as seen from orbit.
+    #[arg(long)]
+    airglow: bool,
 
     /// Which passes draw the atmosphere, and how unless a quality is asked for
     ///
@@ -52,8 +58,12 @@ impl LookArgs {
     /// The settings of a sky that is drawn as well as `quality` says and looks as these options say; `moon`
     /// says whether the scene has a moon, `output` where the picture is written.
     pub fn sky(&self, quality: SkySettings, moon: bool, exposure: f32, output: &Path) -> SkySettings {
-        let look =
-            Look { composition: self.mode.composition(), limb_darkening: self.limb_darkening || moon, ..quality.look };
+        let look = Look {
+            composition: self.mode.composition(),
+            limb_darkening: self.limb_darkening || moon,
+            airglow: self.airglow.then_some(Airglow::EARTH),
+            ..quality.look
+        };
         SkySettings { look, bound: self.bound(exposure, output), ..quality }
     }
 
