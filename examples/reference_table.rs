@@ -75,7 +75,8 @@ fn compare(name: &str, albedo: f64, orders: &Orders) -> welkin::Result<()> {
             let light = orders.radiance(&query, Tolerance::PICTURE)?;
             all += start.elapsed().as_secs_f64();
             rays += 1;
-            let sun = ["sun_zenith_deg", "sun_zenith_at_tangent_point_deg"].iter().find(|c| table.has(c)).unwrap();
+            let sun =
+                ["sun_zenith_deg", "sun_zenith_at_tangent_point_deg"].iter().find(|c| table.has(c)).unwrap();
             let sun = table.number(row, sun) as u32;
             let c = table.channel(row);
             lines.entry((file.clone(), sun, c)).or_default().add(
@@ -109,6 +110,10 @@ fn compare(name: &str, albedo: f64, orders: &Orders) -> welkin::Result<()> {
         );
     }
     let per_ray = 1e6 / f64::from(rays);
-    println!("{:.0} µs a ray for single scattering, {:.0} µs for all orders", single * per_ray, all * per_ray);
+    println!(
+        "{:.0} µs a ray for single scattering, {:.0} µs for all orders",
+        single * per_ray,
+        all * per_ray
+    );
     Ok(())
 }

@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-/// What went wrong. Nothing in this crate panics on bad input, and nothing is created or changed when a call returns
-/// an error.
+/// What went wrong. Nothing in this crate panics on bad input, and nothing is created or changed when a call
+/// returns an error.
 ///
 /// It is one pointer, so that handing it on costs next to no code; [`Error::kind`] tells what it points to.
 #[derive(Clone, PartialEq)]
@@ -132,7 +132,11 @@ fn check_range(field: &dyn fmt::Display, value: f64, lo: f64, hi: f64, unit: &st
 
 /// A number as people write it: 0.3, 6360000, 1e15.
 pub fn short(v: f64) -> String {
-    if v == 0.0 || !v.is_finite() || (1e-3..1e7).contains(&v.abs()) { text::decimal(v) } else { text::exponential(v) }
+    if v == 0.0 || !v.is_finite() || (1e-3..1e7).contains(&v.abs()) {
+        text::decimal(v)
+    } else {
+        text::exponential(v)
+    }
 }
 
 /// A number as `{}` writes it, by [`text::decimal`].
@@ -156,8 +160,9 @@ impl fmt::Display for Vector {
     }
 }
 
-/// A text in quotation marks, with quotation marks, backslashes and control characters escaped. It does what `{:?}`
-/// does for a text, without the tables of all printable characters, which are 4 kB in a browser's module.
+/// A text in quotation marks, with quotation marks, backslashes and control characters escaped. It does what
+/// `{:?}` does for a text, without the tables of all printable characters, which are 4 kB in a browser's
+/// module.
 #[derive(Clone, Copy, Debug)]
 pub struct Quoted<'a>(pub &'a str);
 
@@ -175,8 +180,8 @@ impl fmt::Display for Quoted<'_> {
     }
 }
 
-/// Floating-point numbers as texts. Rust's own conversion is 8 kB of a browser's module, gzipped, and every browser has
-/// one that gives the same digits: the fewest that name the number.
+/// Floating-point numbers as texts. Rust's own conversion is 8 kB of a browser's module, gzipped, and every
+/// browser has one that gives the same digits: the fewest that name the number.
 #[cfg(not(all(target_arch = "wasm32", any(feature = "wgpu", feature = "webgl"))))]
 mod text {
     /// The digits of a number without an exponent.
@@ -233,9 +238,23 @@ mod tests {
 
     #[test]
     fn numbers_vectors_and_texts_read_as_rust_writes_them() {
-        for v in [0.0, -0.0, 0.3, 6_360_000.0, 1e15, -1.5e-7, 0.1 + 0.2, f64::MIN_POSITIVE, f64::INFINITY, f64::NAN] {
+        for v in [
+            0.0,
+            -0.0,
+            0.3,
+            6_360_000.0,
+            1e15,
+            -1.5e-7,
+            0.1 + 0.2,
+            f64::MIN_POSITIVE,
+            f64::INFINITY,
+            f64::NAN,
+        ] {
             assert_eq!(Decimal(v).to_string(), v.to_string());
-            assert_eq!(Vector(glam::DVec3::new(v, 1.0, -2.5)).to_string(), glam::DVec3::new(v, 1.0, -2.5).to_string());
+            assert_eq!(
+                Vector(glam::DVec3::new(v, 1.0, -2.5)).to_string(),
+                glam::DVec3::new(v, 1.0, -2.5).to_string()
+            );
         }
         for (v, text) in [(0.3, "0.3"), (6_360_000.0, "6360000"), (1e15, "1e15"), (-1.5e-7, "-1.5e-7")] {
             assert_eq!(short(v), text);

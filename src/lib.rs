@@ -28,8 +28,9 @@
 //!
 //! # In your own frame
 //!
-//! [`SkyRenderer::frame`] gives the passes of a frame as data. Run its background first (depth ALWAYS, no depth write),
-//! then draw your scene with its depth, then run its aerial passes, which read both and write to a third texture.
+//! [`SkyRenderer::frame`] gives the passes of a frame as data. Run its background first (depth ALWAYS, no
+//! depth write), then draw your scene with its depth, then run its aerial passes, which read both and write
+//! to a third texture.
 //!
 //! With wgpu, on your device and in your encoder:
 //!
@@ -68,7 +69,8 @@
 //! # Units
 //!
 //! Metres, radians, f64, any right-handed frame of reference. The GPU sees kilometres in f32, relative to
-//! the camera (see [`model::scene`]). Radiance is in the unit of [`AtmosphereParams::sun_intensity`] per steradian.
+//! the camera (see [`model::scene`]). Radiance is in the unit of [`AtmosphereParams::sun_intensity`] per
+//! steradian.
 //!
 //! # What it is not
 //!

@@ -1,5 +1,5 @@
-//! Airglow: as bright as it is stated at the zenith, brighter towards the horizon and at the limb as geometry says, behind
-//! the air and before the planet; and nothing of it where it is off.
+//! Airglow: as bright as it is stated at the zenith, brighter towards the horizon and at the limb as geometry
+//! says, behind the air and before the planet; and nothing of it where it is off.
 
 use welkin::gpu::Backend;
 use welkin::reference::single::{RayQuery, Tolerance, transmittance};
@@ -20,7 +20,8 @@ fn glowing(airglow: Airglow, bound: Option<Bound>) -> SkySettings {
     SkySettings { look: Look { airglow: Some(airglow), ..sky.look }, bound, ..sky }
 }
 
-/// The emission along a ray (1/sr, per unit of the sun's irradiance) in f64: before its perigee, and behind it.
+/// The emission along a ray (1/sr, per unit of the sun's irradiance) in f64: before its perigee, and behind
+/// it.
 fn emission(glow: &Airglow, radius: f64, query: &RayQuery, ground: bool) -> [f64; 2] {
     let r = radius + query.altitude;
     let mu = query.direction.z;
@@ -32,10 +33,12 @@ fn emission(glow: &Airglow, radius: f64, query: &RayQuery, ground: bool) -> [f64
     // Distance from the perigee, by the trapezoidal rule in even steps of altitude: fine enough for 1e-4.
     let side = |from: f64| {
         let reach = |h: f64| ((radius + h).powi(2) - p * p).max(0.0).sqrt();
-        let (first, last) = (reach(glow.altitude - glow.half_width).max(from), reach(glow.altitude + glow.half_width));
+        let (first, last) =
+            (reach(glow.altitude - glow.half_width).max(from), reach(glow.altitude + glow.half_width));
         let steps = 20_000;
         let ds = (last - first).max(0.0) / f64::from(steps);
-        (0..steps).map(|i| at(first + (f64::from(i) + 0.5) * ds) * ds).sum::<f64>() / glow.half_width * glow.zenith[0]
+        (0..steps).map(|i| at(first + (f64::from(i) + 0.5) * ds) * ds).sum::<f64>() / glow.half_width
+            * glow.zenith[0]
     };
     let camera = r * mu;
     let before = if camera < 0.0 { (side(0.0) - side(-camera)).max(0.0) } else { 0.0 };
@@ -59,7 +62,8 @@ fn draw(b: &mut dyn Backend, scene: &Scene, settings: SkySettings) -> Vec<f32> {
     pixels
 }
 
-/// Without air to speak of it is the integral of the emission: from the ground to the horizon, from within the layer and from orbit.
+/// Without air to speak of it is the integral of the emission: from the ground to the horizon, from within
+/// the layer and from orbit.
 #[test]
 fn it_is_the_emission_along_the_ray() {
     let thin = Airglow { half_width: 300.0, ..Airglow::EARTH };
@@ -89,7 +93,8 @@ fn it_is_the_emission_along_the_ray() {
     });
 }
 
-/// At the zenith of a ground observer it is what it says, dimmed by the air; towards the horizon van Rhijn's factor more.
+/// At the zenith of a ground observer it is what it says, dimmed by the air; towards the horizon van Rhijn's
+/// factor more.
 #[test]
 fn the_ground_sees_it_through_the_air() {
     let params = AtmosphereParams::earth();
@@ -121,7 +126,14 @@ fn orbit_sees_a_bright_limb() {
     on_both(|b| {
         for (tangent, least) in [(87e3, 50.0), (30e3, 10.0), (101e3, 0.0)] {
             let pitch = -((radius + tangent) / (radius + altitude)).acos().to_degrees();
-            let view = View { params: params.clone(), altitude, pitch, fov: 0.01, sun_elevation: -80.0, ..View::default() };
+            let view = View {
+                params: params.clone(),
+                altitude,
+                pitch,
+                fov: 0.01,
+                sun_elevation: -80.0,
+                ..View::default()
+            };
             let scene = view.scene();
             let [before, behind] = emission(&Airglow::EARTH, radius, &query(&scene, SIZE, 27), false);
             let want = (before + behind) / Airglow::EARTH.zenith[0];
@@ -130,7 +142,14 @@ fn orbit_sees_a_bright_limb() {
             println!("{}: {got:.2} zeniths at a tangent of {tangent} m, {want:.2} in f64", b.info().backend);
             assert!((got - want).abs() < 0.005 * want.max(1.0) && want >= least);
         }
-        let nadir = View { params: params.clone(), altitude, pitch: -90.0, fov: 0.01, sun_elevation: -80.0, ..View::default() };
+        let nadir = View {
+            params: params.clone(),
+            altitude,
+            pitch: -90.0,
+            fov: 0.01,
+            sun_elevation: -80.0,
+            ..View::default()
+        };
         let veil = f64::from(draw(b, &nadir.scene(), glowing(Airglow::EARTH, None))[4 * 27]) / 1e6;
         assert!((veil / Airglow::EARTH.zenith[0] - 1.0).abs() < 0.01, "{veil:e}");
     });
@@ -146,7 +165,11 @@ fn nothing_of_it_is_there_where_it_is_off() {
     };
     let ground = View { pitch: 20.0, sun_elevation: -60.0, ..View::default() };
     assert_eq!(names(&ground, SkySettings::default()), (false, 0));
-    assert_eq!(names(&ground, glowing(Airglow::EARTH, Some(Bound::eight_bit(1.0)))), (false, 0), "too dark to be seen");
+    assert_eq!(
+        names(&ground, glowing(Airglow::EARTH, Some(Bound::eight_bit(1.0)))),
+        (false, 0),
+        "too dark to be seen"
+    );
     assert_eq!(names(&ground, glowing(Airglow::EARTH, Some(Bound::eight_bit(1e5)))), (true, 1));
     let orbit = View { altitude: 4e5, pitch: -20.0, ..ground };
     assert_eq!(names(&orbit, glowing(Airglow::EARTH, Some(Bound::eight_bit(1e5)))), (true, 2));

@@ -3,7 +3,10 @@
 use welkin::gpu::{Backend, Target};
 use welkin::{Composition, DepthConvention, LutSettings, Mode, Scene, SkyRenderer};
 
-use crate::harness::{View, aerial_passes, assert_physical, frame_textures, free, luts, march, on_both, shell_passes, sky, composed, without_disk};
+use crate::harness::{
+    View, aerial_passes, assert_physical, composed, frame_textures, free, luts, march, on_both, shell_passes,
+    sky, without_disk,
+};
 
 const SIDE: u32 = 8;
 const TEXELS: usize = 64;

@@ -112,8 +112,14 @@ fn a_lost_device_is_an_error_and_a_new_one_works() {
         sky.draw(&mut backend, &scene(), &settings, [4, 4]).map(|_| ())
     });
     println!("{lost:?}");
-    assert!(matches!(lost.as_ref().map_err(Error::kind), Err(ErrorKind::Lost { .. } | ErrorKind::Driver { .. })), "{lost:?}");
-    assert!(matches!(backend.run(&[]).map_err(Error::into_kind), Err(ErrorKind::Lost { .. })), "the loss is not remembered");
+    assert!(
+        matches!(lost.as_ref().map_err(Error::kind), Err(ErrorKind::Lost { .. } | ErrorKind::Driver { .. })),
+        "{lost:?}"
+    );
+    assert!(
+        matches!(backend.run(&[]).map_err(Error::into_kind), Err(ErrorKind::Lost { .. })),
+        "the loss is not remembered"
+    );
     assert_eq!(own(&mut WgpuBackend::headless().unwrap()), want);
 
     let mut headless = Headless::new().unwrap();

@@ -10,9 +10,11 @@ use welkin::reference::multiple::Settings as Solve;
 use welkin::reference::path::{Settings, path_trace};
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering, transmittance};
 use welkin::render::cpu_picture::render;
-use welkin::{AtmosphereParams, Bound, Composition, Frame, Error, Quality, PictureSettings, Scene, SkySettings, Look};
+use welkin::{
+    AtmosphereParams, Bound, Composition, Error, Frame, Look, PictureSettings, Quality, Scene, SkySettings,
+};
 
-use crate::harness::{View, background, mean, on_both, orders, query, composed};
+use crate::harness::{View, background, composed, mean, on_both, orders, query};
 
 /// Of the real one, metres.
 pub const DISTANCE: f64 = 3.6e8;
@@ -376,8 +378,9 @@ fn without_a_moon_there_is_nothing_of_it() {
     let view = at_the_sun(1.0);
     let mut scene = view.scene();
     let plan = |scene: &Scene| Frame::new(scene, &SkySettings::default(), [64, 64]).unwrap();
-    let labels =
-        |scene: &Scene| plan(scene).planned_passes().iter().map(|p| p.program.map(|p| p.name())).collect::<Vec<_>>();
+    let labels = |scene: &Scene| {
+        plan(scene).planned_passes().iter().map(|p| p.program.map(|p| p.name())).collect::<Vec<_>>()
+    };
     assert!(labels(&scene).iter().flatten().all(|name| !name.to_lowercase().contains("moon")));
     let towards =
         |direction: DVec3| Some(Moon::new(scene.camera.position + direction * DISTANCE, MOON_RADIUS));
@@ -389,7 +392,11 @@ fn without_a_moon_there_is_nothing_of_it() {
         scene.moon = moon;
         let names: Vec<_> = labels(&scene).into_iter().flatten().collect();
         assert_eq!(names.iter().any(|n| n.starts_with("moon_disk")), drawn, "{names:?}");
-        assert_eq!(names.iter().any(|n| n.starts_with("sun_disk") && n.contains("+MOON")), hides, "{names:?}");
+        assert_eq!(
+            names.iter().any(|n| n.starts_with("sun_disk") && n.contains("+MOON")),
+            hides,
+            "{names:?}"
+        );
         // All of the sun behind the moon: no pass for it.
         assert_eq!(names.iter().any(|n| n.starts_with("sun_disk")), moon != total, "{names:?}");
     }

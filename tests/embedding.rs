@@ -9,10 +9,13 @@ use welkin::gpu::webgl::WebGlBackend;
 use welkin::gpu::wgpu::WgpuBackend;
 use welkin::gpu::{Backend, Format, Pass, Precision, RowOrder, Target, TextureDesc, TextureId};
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
-use welkin::{Quality, Mode, PictureRenderer, PictureSettings, Scene, SkyRenderer, SkySettings};
+use welkin::{Mode, PictureRenderer, PictureSettings, Quality, Scene, SkyRenderer, SkySettings};
 
 use crate::harness::world::BEHIND;
-use crate::harness::{TINY, View, aerial_passes, assert_physical, background_passes, cleared, copy_pass, draw, earth, free, picture_passes, query, rgb, shell_passes, texture, without_disk};
+use crate::harness::{
+    TINY, View, aerial_passes, assert_physical, background_passes, cleared, copy_pass, draw, earth, free,
+    picture_passes, query, rgb, shell_passes, texture, without_disk,
+};
 
 const SIZE: u32 = 32;
 

@@ -5,9 +5,9 @@
 
 use welkin::gpu::{Backend, Format};
 use welkin::render::picture::scale;
-use welkin::{AtmosphereParams, Composition, Quality, PictureRenderer, PictureSettings, Scene, SkySettings};
+use welkin::{AtmosphereParams, Composition, PictureRenderer, PictureSettings, Quality, Scene, SkySettings};
 
-use crate::harness::{View, on_both, composed, with_disk};
+use crate::harness::{View, composed, on_both, with_disk};
 
 /// Half floats: the largest, the step below 6e-5, and the largest relative rounding above.
 const LARGEST: f32 = 65504.0;

@@ -1,7 +1,9 @@
 //! Nothing is left behind: textures that no frame needs any more go, and what is in use stays as it is.
 
 use welkin::gpu::{Backend, Target};
-use welkin::{AtmosphereParams, Composition, LutSettings, PictureRenderer, PictureSettings, SkyRenderer, SkySettings};
+use welkin::{
+    AtmosphereParams, Composition, LutSettings, PictureRenderer, PictureSettings, SkyRenderer, SkySettings,
+};
 
 use crate::embedding::scene;
 use crate::harness::world::World;

@@ -3,13 +3,16 @@
 
 use glam::{DVec3, Vec3};
 use welkin::gpu::{Backend, Format, Target};
-use welkin::reference::multiple::Settings;
-use welkin::reference::single::{RayQuery, Tolerance};
 use welkin::model::lighting::{lighting_context_at_altitude, modulate_ambient_by_sun};
 use welkin::model::sunlight::sunlight;
+use welkin::reference::multiple::Settings;
+use welkin::reference::single::{RayQuery, Tolerance};
 use welkin::render::sky_light::SkyHarmonics;
 use welkin::shaders::{LIGHTING_WGSL, translate};
-use welkin::{AtmosphereParams, Error, LutSettings, Quality, PictureRenderer, PictureSettings, SkyRenderer, SkySettings, TerrainStyle, ErrorKind, AtmosphereConfig, LightingContext, LightingContextUniform, SkyLight};
+use welkin::{
+    AtmosphereConfig, AtmosphereParams, Error, ErrorKind, LightingContext, LightingContextUniform,
+    LutSettings, PictureRenderer, PictureSettings, Quality, SkyLight, SkyRenderer, SkySettings, TerrainStyle,
+};
 
 use crate::harness::tables::{Differences, Table, medium};
 use crate::harness::{View, background_passes, draw, on_both, orders, rgb, target};

@@ -6,9 +6,14 @@
 use std::collections::BTreeMap;
 
 use welkin::gpu::{Backend, Target};
-use welkin::{AtmosphereParams, Bound, Composition, Frame, LutSettings, Quality, MiePhase, SkyRenderer, SkySettings, Look};
+use welkin::{
+    AtmosphereParams, Bound, Composition, Frame, Look, LutSettings, MiePhase, Quality, SkyRenderer,
+    SkySettings,
+};
 
-use crate::harness::{View, airless, asked_for, clear_pass, frame_textures, free, march, on_both, frame_passes};
+use crate::harness::{
+    View, airless, asked_for, clear_pass, frame_passes, frame_textures, free, march, on_both,
+};
 
 const SIZE: [u32; 2] = [12, 9];
 
@@ -198,8 +203,7 @@ fn random(count: usize) -> Vec<Case> {
             let bound =
                 [Bound::LINEAR, Bound::eight_bit(1.0), Bound::eight_bit(0.01), Bound::EXACT][i / 7 % 4];
             let foreground = i % 5 > 0;
-            let sky =
-                SkySettings {
+            let sky = SkySettings {
                 look: Look { composition, foreground, ..Look::default() },
                 quality: method,
                 bound: Some(bound),
@@ -280,7 +284,10 @@ fn scenes_call_for_what_they_should() {
     // Straight down there is no sky; straight up, without a scene, there is nothing before it.
     let down = plan(View { pitch: -90.0, ..ground.clone() }, sky);
     assert_eq!(why(&down, "background sky"), "the planet fills the picture");
-    let up = plan(View { pitch: 60.0, ..ground.clone() }, SkySettings { look: Look { foreground: false, ..sky.look }, ..sky });
+    let up = plan(
+        View { pitch: 60.0, ..ground.clone() },
+        SkySettings { look: Look { foreground: false, ..sky.look }, ..sky },
+    );
     assert_eq!(why(&up, "aerial perspective"), "nothing lies before the sky");
     assert!(!on(&up).contains(&"aerial LUT"));
     // The sun behind the planet.
@@ -378,8 +385,11 @@ fn nothing_is_made_for_what_is_off() {
             b.run(&passes).unwrap();
             let live = b.live();
             // The passes, and how often each; the order within the tables is the renderer's.
-            let mut wanted: Vec<&str> =
-                plan.planned_passes().iter().flat_map(|p| std::iter::repeat_n(p.label, p.times as usize)).collect();
+            let mut wanted: Vec<&str> = plan
+                .planned_passes()
+                .iter()
+                .flat_map(|p| std::iter::repeat_n(p.label, p.times as usize))
+                .collect();
             let mut drawn: Vec<&str> = passes.iter().map(|p| p.label).collect();
             wanted.sort_unstable();
             drawn.sort_unstable();
@@ -444,7 +454,8 @@ fn pipelines_are_made_ahead() {
     let terrain = [None, Some(welkin::TerrainStyle::earth())];
     for (i, method) in [march(32, 8), tables()].into_iter().enumerate() {
         on_both(|b| {
-            let sky = SkySettings { quality: method, bound: Some(Bound::eight_bit(1.0)), ..SkySettings::default() };
+            let sky =
+                SkySettings { quality: method, bound: Some(Bound::eight_bit(1.0)), ..SkySettings::default() };
             let settings = welkin::PictureSettings { sky, terrain: terrain[i], ..Default::default() };
             let views: Vec<_> = flight(method).into_iter().map(|case| case.view.scene()).collect();
             let before = b.live();

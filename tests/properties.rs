@@ -1,4 +1,5 @@
-//! Whatever numbers come in: checks answer and never panic, and what they accept becomes finite uniform blocks.
+//! Whatever numbers come in: checks answer and never panic, and what they accept becomes finite uniform
+//! blocks.
 #![cfg(feature = "probe")]
 
 use std::cell::Cell;
@@ -8,7 +9,7 @@ use proptest::num::f64::{ANY, NORMAL};
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 use welkin::frame::luts::LutsUniform;
-use welkin::frame::uniforms::{FrameUniform};
+use welkin::frame::uniforms::FrameUniform;
 use welkin::gpu::RowOrder;
 use welkin::model::scene::Tangents;
 use welkin::{AtmosphereParams, Camera, DepthConvention, Error, ErrorKind, LutSettings, MiePhase, Scene};
@@ -38,7 +39,8 @@ fn vector(scale: f64) -> impl Strategy<Value = DVec3> {
 fn air() -> impl Strategy<Value = AtmosphereParams> {
     let body = (near(1e2, 1e9), near(1e-6, 4.0), three(0.0, 1.0), near(0.1, 1e7));
     let aerosol = (three(0.0, 1.0), three(0.0, 1.0), near(0.1, 1e7), three(-0.999, 0.999), any::<bool>());
-    let rest = (three(0.0, 1.0), near(0.0, 1e7), near(1.0, 1e7), three(0.0, 1.0), near(0.0, 1e6), near(1e-5, 0.5));
+    let rest =
+        (three(0.0, 1.0), near(0.0, 1e7), near(1.0, 1e7), three(0.0, 1.0), near(0.0, 1e6), near(1e-5, 0.5));
     (body, aerosol, rest).prop_map(|(body, aerosol, rest)| AtmosphereParams {
         planet_radius: body.0,
         atmosphere_radius: body.0 * (1.0 + body.1),
@@ -73,7 +75,13 @@ fn depth() -> impl Strategy<Value = DepthConvention> {
 
 fn scenes() -> impl Strategy<Value = Scene> {
     let tangent = || prop_oneof![8 => -2.0..2.0f64, 1 => Just(1e4), 1 => Just(-1e4), 1 => ANY];
-    let camera = (vector(1.0), near(0.4, 1e12), vector(1.0), vector(1.0), [tangent(), tangent(), tangent(), tangent()]);
+    let camera = (
+        vector(1.0),
+        near(0.4, 1e12),
+        vector(1.0),
+        vector(1.0),
+        [tangent(), tangent(), tangent(), tangent()],
+    );
     (air(), camera, vector(1e12), vector(1.0), near(1e-150, 1e150), depth()).prop_map(
         |(atmosphere, (up, radii, forward, head, t), planet_center, sun, length, depth)| {
             let turned = |a: f64, b: f64| if a < b { (a, b) } else { (b, a) };
@@ -152,7 +160,10 @@ fn what_is_accepted_becomes_finite_blocks() {
         prop_assert!(tables.mie_extinction.iter().all(|e| *e >= 0.0), "{tables:?}");
         prop_assert!(tables.mie_moment0.iter().all(|m| (0.0..=1.000_001).contains(m)), "{tables:?}");
         prop_assert!(tables.mie_asymmetry.iter().all(|g| (-1.0..=1.0).contains(g)), "{tables:?}");
-        prop_assert!(tables.sun_span > 0.0 && tables.sun_width > 0.0 && tables.altitude_growth > 0.0, "{tables:?}");
+        prop_assert!(
+            tables.sun_span > 0.0 && tables.sun_width > 0.0 && tables.altitude_growth > 0.0,
+            "{tables:?}"
+        );
         Ok(())
     };
     TestRunner::new(config).run(&inputs, blocks).unwrap();

@@ -7,7 +7,10 @@ use welkin::gpu::Program;
 use welkin::gpu::{Backend, Format, Inputs, Pass, Target, TextureDesc};
 use welkin::settings::front::ParetoFront;
 use welkin::shaders::copy;
-use welkin::{AtmosphereParams, DepthConvention, Error, PictureRenderer, PictureSettings, Quality, Scene, SkySettings, ToneMap};
+use welkin::{
+    AtmosphereParams, DepthConvention, Error, PictureRenderer, PictureSettings, Quality, Scene, SkySettings,
+    ToneMap,
+};
 
 use crate::harness::{View, march, on_both};
 

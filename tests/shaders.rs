@@ -6,7 +6,7 @@ use std::path::Path;
 use welkin::frame::airglow::AirglowUniform;
 use welkin::frame::disks::DiskUniform;
 use welkin::frame::eclipse::{EclipseUniform, ShadowUniform};
-use welkin::frame::luts::{FrameLuts, MediumLuts, LutsUniform};
+use welkin::frame::luts::{FrameLuts, LutsUniform, MediumLuts};
 use welkin::frame::terrain::TerrainUniform;
 use welkin::frame::tone_map::ToneUniform;
 use welkin::frame::uniforms::{DepthUniform, FrameUniform, MediumUniform};
@@ -102,12 +102,15 @@ fn no_shipped_shader_holds_a_struct_value() {
     // The same texts with a function that takes one of their blocks' structs fail.
     let mut seen = 0;
     for (name, text) in texts() {
-        let Some(struct_name) = text.lines().find_map(|l| l.strip_prefix("struct ")?.strip_suffix(" {")) else {
+        let Some(struct_name) = text.lines().find_map(|l| l.strip_prefix("struct ")?.strip_suffix(" {"))
+        else {
             continue;
         };
-        let bad = text.replace("void main() {", &format!("float f({struct_name} s) {{ return 1.0; }}\nvoid main() {{"));
+        let bad = text
+            .replace("void main() {", &format!("float f({struct_name} s) {{ return 1.0; }}\nvoid main() {{"));
         let line = 1 + bad.lines().position(|l| l.starts_with("float f(")).unwrap();
-        let found: Vec<_> = struct_values_of([(name, bad.as_str())]).map(|(_, found)| found.to_string()).collect();
+        let found: Vec<_> =
+            struct_values_of([(name, bad.as_str())]).map(|(_, found)| found.to_string()).collect();
         assert_eq!(found, [format!("line {line}: s is of struct {struct_name}")], "{name}");
         seen += 1;
     }
@@ -121,7 +124,8 @@ fn own_name(field: &str) -> &str {
 
 /// A struct's fields in Rust, nested ones flattened as naga's are.
 fn rust_layout(name: &str) -> (Vec<(String, u32)>, u32) {
-    let own = |fields: Vec<(&str, u32)>| fields.into_iter().map(|(n, o)| (n.to_owned(), o)).collect::<Vec<_>>();
+    let own =
+        |fields: Vec<(&str, u32)>| fields.into_iter().map(|(n, o)| (n.to_owned(), o)).collect::<Vec<_>>();
     let nest = |fields: Vec<(String, u32)>, field: &str, inner: Vec<(String, u32)>| {
         let mut out = Vec::new();
         for (n, offset) in fields {
@@ -194,7 +198,9 @@ fn uniform_blocks_have_the_layout_that_naga_gives_them() {
     let mut checked = 0;
     for program in programs() {
         for name in ["Frame", "Luts", "MoonShadow", "Terrain", "Tone"] {
-            let Some((mut members, size)) = translate::struct_layout(program, name).unwrap() else { continue };
+            let Some((mut members, size)) = translate::struct_layout(program, name).unwrap() else {
+                continue;
+            };
             let (mut ours, our_size) = rust_layout(name);
             // Padding is one array in Rust and three scalars in WGSL.
             members.retain(|(n, _)| !own_name(n).starts_with("pad"));

@@ -1,12 +1,19 @@
 //! What is drawn: the same bodies on both backends, judged by physics and by the f64 reference.
 
 use glam::{DQuat, DVec2, DVec3};
+use welkin::frame::background_weight;
 use welkin::gpu::{Backend, Format, Pass, RowOrder, Target, TextureDesc};
 use welkin::reference::single::{Sun, Tolerance, single_scattering, transmittance};
-use welkin::frame::background_weight;
-use welkin::{AtmosphereParams, Bound, Composition, LutSettings, Quality, MiePhase, PictureRenderer, PictureSettings, Scene, SkyRenderer, SkySettings, Look};
+use welkin::{
+    AtmosphereParams, Bound, Composition, Look, LutSettings, MiePhase, PictureRenderer, PictureSettings,
+    Quality, Scene, SkyRenderer, SkySettings,
+};
 
-use crate::harness::{View, aerial_passes, airless, assert_physical, background, background_by, background_passes, cleared, copy_pass, draw, draw_both, frame_textures, free, march, mean, on_both, over_black, picture, picture_passes, query, rays, rgb, texture, composed, with_disk, without_disk};
+use crate::harness::{
+    View, aerial_passes, airless, assert_physical, background, background_by, background_passes, cleared,
+    composed, copy_pass, draw, draw_both, frame_textures, free, march, mean, on_both, over_black, picture,
+    picture_passes, query, rays, rgb, texture, with_disk, without_disk,
+};
 
 const FINE: SkySettings = SkySettings {
     look: Look {
@@ -401,7 +408,8 @@ fn what_is_off_is_not_there() {
         let mut off = SkyRenderer::new(SkySettings {
             look: Look { enabled: false, ..Look::default() },
             ..SkySettings::default()
-        }).unwrap();
+        })
+        .unwrap();
         assert!(background_passes(b, &mut off, &view.scene(), Target::color(target)).is_empty());
         let empty = View { params: airless(view.params.clone()), ..view.clone() }.scene();
         let mut sky = SkyRenderer::new(without_disk(SkySettings::default())).unwrap();
@@ -510,8 +518,7 @@ fn sun_is_drawn_where_it_is_in_either_row_order() {
 fn sun_is_dimmed_by_the_air_as_in_the_reference() {
     // So dim that disk and sky simply add up.
     let params = AtmosphereParams { sun_intensity: 1e-3, ..AtmosphereParams::earth() };
-    let settings =
-        |on| with_disk(on, composed(Composition::SkyDome, SkySettings::default()));
+    let settings = |on| with_disk(on, composed(Composition::SkyDome, SkySettings::default()));
     let mut worst = 0.0_f64;
     on_both(|b| {
         let mut renderers = [true, false].map(|on| SkyRenderer::new(settings(on)).unwrap());

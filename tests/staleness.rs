@@ -181,7 +181,9 @@ fn lost_textures_are_made_again() {
     on_both(|b| {
         let world = World::new();
         let want = world.draw_fresh(b);
-        for label in ["transmittance_lut", "gathered_radiance", "multi_scattering_lut", "sky_view_lut", "aerial_lut"] {
+        for label in
+            ["transmittance_lut", "gathered_radiance", "multi_scattering_lut", "sky_view_lut", "aerial_lut"]
+        {
             let mut sky = SkyRenderer::default();
             let (passes, _) = world.run(b, &mut sky);
             let label_of = |id: TextureId| b.texture(id).map(|d| d.label);

@@ -46,7 +46,8 @@ impl Cache {
         settings: Settings,
         progress: &dyn Fn(f32),
     ) -> welkin::Result<Orders> {
-        let path = self.folder.as_ref().map(|f| f.join(format!("orders-{:032x}", Orders::key(params, &settings))));
+        let path =
+            self.folder.as_ref().map(|f| f.join(format!("orders-{:032x}", Orders::key(params, &settings))));
         if let Some(path) = &path {
             match restore(path, params, settings) {
                 Ok(Some(orders)) => {
@@ -145,7 +146,9 @@ mod tests {
         assert_eq!(ask(&folder, &earth, SETTINGS), (true, fresh.clone(), vec![]));
         let dark = AtmosphereParams { ground_albedo: [0.1; 3], ..earth.clone() };
         let finer = Settings { zeniths: 5, ..SETTINGS };
-        for (params, settings) in [(&dark, SETTINGS), (&earth, finer), (&AtmosphereParams::rayleigh(), SETTINGS)] {
+        for (params, settings) in
+            [(&dark, SETTINGS), (&earth, finer), (&AtmosphereParams::rayleigh(), SETTINGS)]
+        {
             let (reused, other, notes) = ask(&folder, params, settings);
             assert_eq!((reused, notes), (false, vec![]));
             assert!(other != fresh);
@@ -179,7 +182,10 @@ mod tests {
             fs::write(&file, bytes).unwrap();
             let (reused, again, notes) = ask(&folder, &earth, SETTINGS);
             assert!(!reused && again == fresh, "{why}");
-            assert!(notes.len() == 1 && notes[0].contains(why) && notes[0].contains("solved again"), "{notes:?}");
+            assert!(
+                notes.len() == 1 && notes[0].contains(why) && notes[0].contains("solved again"),
+                "{notes:?}"
+            );
             assert_eq!(ask(&folder, &earth, SETTINGS), (true, fresh.clone(), vec![]), "not mended: {why}");
         }
         // A folder in the file's place: neither read nor replaced.

@@ -42,7 +42,15 @@ impl Canvas {
     }
 
     /// Writes one line of text from `x` to at most `right`; returns where it ended.
-    pub fn text(&mut self, text: &str, font: &MonoFont<'_>, color: Rgb888, x: u32, y: u32, right: u32) -> u32 {
+    pub fn text(
+        &mut self,
+        text: &str,
+        font: &MonoFont<'_>,
+        color: Rgb888,
+        x: u32,
+        y: u32,
+        right: u32,
+    ) -> u32 {
         let text = shortened(text, fitting(font, x, right));
         let style = MonoTextStyle::new(font, color);
         let at = Point::new(x as i32, y as i32);

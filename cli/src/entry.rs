@@ -16,7 +16,10 @@ const USAGE: u8 = 2;
 const INTERNAL: u8 = 70;
 
 /// Parses the command line of `program` and carries it out; `command` returns its name and its result.
-pub fn run<C: Parser>(program: &str, command: impl FnOnce(C) -> (&'static str, anyhow::Result<()>)) -> ExitCode {
+pub fn run<C: Parser>(
+    program: &str,
+    command: impl FnOnce(C) -> (&'static str, anyhow::Result<()>),
+) -> ExitCode {
     // A fault in here or in a graphics driver's binding ends in one line, not in a backtrace.
     std::panic::set_hook(Box::new(|info| {
         complain(&format!("internal error, please report it: {info}"));

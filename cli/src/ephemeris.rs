@@ -243,7 +243,10 @@ mod tests {
             let spa = crate::sun::position(at(time), place, 0.0).unwrap();
             // SPA promises 3e-4°; ΔT may differ by 5 s, 6e-5°.
             assert!((elevation - spa.elevation).abs() < 4e-4, "{time}: {elevation} {spa:?}");
-            assert!(((azimuth - spa.azimuth) * elevation.to_radians().cos()).abs() < 4e-4, "{time}: {azimuth} {spa:?}");
+            assert!(
+                ((azimuth - spa.azimuth) * elevation.to_radians().cos()).abs() < 4e-4,
+                "{time}: {azimuth} {spa:?}"
+            );
         }
     }
 
@@ -270,7 +273,8 @@ mod tests {
     fn published(date: &str) -> Besselian {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/data/besselian.csv");
         let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_path(path).unwrap();
-        let rows: Vec<csv::StringRecord> = reader.records().map(|r| r.unwrap()).filter(|r| &r[0] == date).collect();
+        let rows: Vec<csv::StringRecord> =
+            reader.records().map(|r| r.unwrap()).filter(|r| &r[0] == date).collect();
         let row = |name: &str| -> [f64; 4] {
             let row = rows.iter().find(|r| &r[1] == name).unwrap();
             std::array::from_fn(|i| row[2 + i].parse().unwrap())
@@ -287,7 +291,8 @@ mod tests {
         /// (Explanatory Supplement to the Astronomical Almanac, 3rd ed. 2013, section 11.3).
         fn at(&self, place: Place, time: f64) -> [f64; 3] {
             let hours = (time - self.begin) / 3600.0;
-            let [x, y, d, l1, l2, mu] = self.rows.map(|[a, b, c, d]| a + hours * (b + hours * (c + hours * d)));
+            let [x, y, d, l1, l2, mu] =
+                self.rows.map(|[a, b, c, d]| a + hours * (b + hours * (c + hours * d)));
             let (lat, flattening) = (place.latitude.to_radians(), 1.0 / 298.257);
             let u = ((1.0 - flattening) * lat.tan()).atan();
             let (rho_sin, rho_cos) = ((1.0 - flattening) * u.sin(), u.cos());
@@ -327,7 +332,8 @@ mod tests {
             println!("{date} {latitude} {longitude}: magnitude {magnitude:.4}, by the elements {theirs:.4}");
             assert_eq!(ours.central.is_some(), central, "{date} {latitude} {longitude}");
             assert!((magnitude - theirs).abs() < 6e-4, "{date} {latitude} {longitude}: {magnitude} {theirs}");
-            let later = elements.at(place, greatest + 3.0)[0] + elements.at(place, greatest - 3.0)[0] - 2.0 * m;
+            let later =
+                elements.at(place, greatest + 3.0)[0] + elements.at(place, greatest - 3.0)[0] - 2.0 * m;
             let slope = elements.at(place, greatest + 3.0)[0] - elements.at(place, greatest - 3.0)[0];
             // Near the path's middle the distance has a kink there.
             let off = if later > 1e-9 && m > 2e-3 { 3.0 * slope / (2.0 * later) } else { 0.0 };
@@ -365,9 +371,11 @@ mod tests {
             assert!((ours.bodies.magnitude() - magnitude).abs() < 6e-4, "{}", ours.bodies.magnitude());
             assert!((end - begin - duration).abs() < 1.5, "{}", end - begin);
         }
-        let none = eclipse(at("2024-04-01T18:00:00Z"), Place { latitude: 25.3, longitude: -104.1 }, 0.0).unwrap();
+        let none =
+            eclipse(at("2024-04-01T18:00:00Z"), Place { latitude: 25.3, longitude: -104.1 }, 0.0).unwrap();
         assert!(none.is_none());
-        let far = eclipse(at("2024-04-08T18:00:00Z"), Place { latitude: -60.0, longitude: -104.1 }, 0.0).unwrap();
+        let far =
+            eclipse(at("2024-04-08T18:00:00Z"), Place { latitude: -60.0, longitude: -104.1 }, 0.0).unwrap();
         assert!(far.is_none());
     }
 }

@@ -104,7 +104,8 @@ impl Gpu {
         let (width, height) = (request.width, request.height);
         let settings = request.settings();
         let Some((backend, renderer)) = self.parts()? else {
-            let p = welkin::render::cpu_picture::render(&request.scene, &settings, [width, height], progress)?;
+            let p =
+                welkin::render::cpu_picture::render(&request.scene, &settings, [width, height], progress)?;
             return Ok(Picture { width, height, hdr: p.radiance, display: p.display });
         };
         check_samples(backend.info(), &request.sky.quality)?;
@@ -118,7 +119,12 @@ impl Gpu {
             width,
             height,
             hdr: hdr.as_chunks().0.iter().map(|p: &[f32; 4]| unscaled(*p, drawn.scale)).collect(),
-            display: display.as_chunks().0.iter().map(|p: &[f32; 4]| p.map(|v| (v * 255.0).round() as u8)).collect(),
+            display: display
+                .as_chunks()
+                .0
+                .iter()
+                .map(|p: &[f32; 4]| p.map(|v| (v * 255.0).round() as u8))
+                .collect(),
         })
     }
 }

@@ -18,7 +18,8 @@ fn files(folder: &Path, inside: &Path, all: &mut Vec<(PathBuf, String)>) {
 
 /// The module that a file holds: `args/scene.rs` is `args::scene`, `lab/mod.rs` is `lab`, `lib.rs` the crate.
 fn module(file: &Path) -> String {
-    let mut parts: Vec<_> = file.with_extension("").iter().map(|p| p.to_string_lossy().into_owned()).collect();
+    let mut parts: Vec<_> =
+        file.with_extension("").iter().map(|p| p.to_string_lossy().into_owned()).collect();
     if matches!(parts.last().map(String::as_str), Some("mod" | "lib")) {
         parts.pop();
     }
@@ -48,7 +49,8 @@ fn paths(text: &str, prefix: &str) -> Vec<String> {
     }
     let mut all = Vec::new();
     for (at, _) in text.match_indices(prefix) {
-        let word = text[..at].chars().next_back().is_some_and(|c| c.is_alphanumeric() || c == '_' || c == ':');
+        let word =
+            text[..at].chars().next_back().is_some_and(|c| c.is_alphanumeric() || c == '_' || c == ':');
         if !word {
             path(&text[at + prefix.len()..], "", &mut all);
         }
@@ -80,11 +82,13 @@ fn imports(files: &[(PathBuf, String)]) -> BTreeMap<String, BTreeSet<String>> {
         let absolute = paths(&text, "crate::").into_iter().map(|path| owner(&path));
         let relative = paths(&text, "super::").into_iter().map(|path| owner(&below(path)));
         // A module names its own children without any of the two.
-        let children = modules.iter().filter(|m| m.rsplit_once("::").map_or("", |(parent, _)| parent) == module);
+        let children =
+            modules.iter().filter(|m| m.rsplit_once("::").map_or("", |(parent, _)| parent) == module);
         let children = children.filter_map(|child| child.rsplit("::").next()).filter(|name| !name.is_empty());
         let own = |path: &str| if module.is_empty() { path.to_owned() } else { format!("{module}::{path}") };
-        let children = children
-            .flat_map(|name| paths(&text, &format!("{name}::")).into_iter().map(move |p| format!("{name}::{p}")));
+        let children = children.flat_map(|name| {
+            paths(&text, &format!("{name}::")).into_iter().map(move |p| format!("{name}::{p}"))
+        });
         let children: Vec<_> = children.map(|path| owner(&own(&path))).collect();
         let named = absolute.chain(relative).chain(children).filter(|other| *other != module).collect();
         (module, named)
@@ -136,7 +140,9 @@ fn no_file_imports_itself_by_way_of_others() {
 #[test]
 fn circles_are_found_through_groups_and_parents() {
     let file = |name: &str, text: &str| (PathBuf::from(name), text.to_owned());
-    let named = |files: &[(PathBuf, String)], module: &str| imports(files)[module].iter().cloned().collect::<Vec<_>>();
+    let named = |files: &[(PathBuf, String)], module: &str| {
+        imports(files)[module].iter().cloned().collect::<Vec<_>>()
+    };
     let files = [
         file("lib.rs", "mod a; mod b;"),
         file("a/mod.rs", "pub mod c; use d::E;"),

@@ -140,7 +140,12 @@ impl Output {
     pub fn write_png(&self, width: u32, height: u32, display: &[[u8; 4]]) -> anyhow::Result<()> {
         let bytes: Vec<u8> = display.iter().flat_map(|p| [p[0], p[1], p[2]]).collect();
         self.file.write(|file| {
-            image::codecs::png::PngEncoder::new(file).write_image(&bytes, width, height, ExtendedColorType::Rgb8)?;
+            image::codecs::png::PngEncoder::new(file).write_image(
+                &bytes,
+                width,
+                height,
+                ExtendedColorType::Rgb8,
+            )?;
             Ok(())
         })
     }

@@ -35,7 +35,8 @@ impl QualityChoice {
             }
             QualityArg::Named(quality) => (quality, None),
             QualityArg::WithinError(error) => {
-                let quality = Quality::within_error(error).map_err(|e| refuse("--within-error <ERROR>", e))?;
+                let quality =
+                    Quality::within_error(error).map_err(|e| refuse("--within-error <ERROR>", e))?;
                 (quality, Some(by_error(&quality, error)))
             }
             QualityArg::WithinBudget(budget) => {

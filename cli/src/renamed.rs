@@ -15,7 +15,9 @@ pub fn command(program: &str, name: &str) -> Option<String> {
              cargo run --release -p welkin-cli --features lab --bin welkin-lab -- {name}"
         ))
     } else if program == "welkin-lab" && WELKIN.contains(&name) {
-        Some(format!("'{name}' is a command of 'welkin'; in the repository run\n  cargo run --release -- {name}"))
+        Some(format!(
+            "'{name}' is a command of 'welkin'; in the repository run\n  cargo run --release -- {name}"
+        ))
     } else {
         None
     }

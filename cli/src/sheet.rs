@@ -101,8 +101,9 @@ pub fn largest_difference(a: &Picture, b: &Picture) -> u8 {
 pub fn difference(a: &Picture, b: &Picture) -> Picture {
     let magnified = |a: u8, b: u8| (128 + MAGNIFY * (i32::from(a) - i32::from(b))).clamp(0, 255) as u8;
     let pixels = a.display.iter().zip(&b.display);
-    let display =
-        pixels.map(|(a, b)| [magnified(a[0], b[0]), magnified(a[1], b[1]), magnified(a[2], b[2]), 255]).collect();
+    let display = pixels
+        .map(|(a, b)| [magnified(a[0], b[0]), magnified(a[1], b[1]), magnified(a[2], b[2]), 255])
+        .collect();
     Picture { width: a.width, height: a.height, hdr: Vec::new(), display }
 }
 
@@ -155,7 +156,8 @@ mod tests {
             }
             // Nothing but background where the panels that are missing would be.
             let composed = (width, height, pixels);
-            let [left, top] = [GAP + u32::from(compared) * (PANEL_WIDTH + GAP), 50 + 2 * 295 + HEADING_HEIGHT];
+            let [left, top] =
+                [GAP + u32::from(compared) * (PANEL_WIDTH + GAP), 50 + 2 * 295 + HEADING_HEIGHT];
             let within = |[x, y]: [u32; 2]| x >= left && (top..height - FOOT_HEIGHT).contains(&y);
             assert_eq!(drawn(&composed).filter(|at| within(*at)).count(), 0, "{compared} compared");
         }
@@ -163,8 +165,7 @@ mod tests {
 
     #[test]
     fn long_texts_stay_on_the_sheet() {
-        let adapter =
-            "webgl2: NVIDIA GeForce RTX 4090 Laptop GPU/PCIe/SSE2, driver 570.133.20, OpenGL ES 3.2, no timer ";
+        let adapter = "webgl2: NVIDIA GeForce RTX 4090 Laptop GPU/PCIe/SSE2, driver 570.133.20, OpenGL ES 3.2, no timer ";
         for (title, subtitle) in [
             ("welkin 0.1.0".to_owned(), adapter.repeat(9)),
             ("t".repeat(500), "s".repeat(500)),
@@ -172,7 +173,8 @@ mod tests {
         ] {
             let long = || Panel { title: "x".repeat(400), caption: "雲".repeat(400), ..panel(color(1)) };
             let comparison = (0..9).map(|_| long()).collect();
-            let composed = Sheet { title, subtitle, comparison, foot: adapter.repeat(9), ..sheet(0) }.compose();
+            let composed =
+                Sheet { title, subtitle, comparison, foot: adapter.repeat(9), ..sheet(0) }.compose();
             let right = WIDTH - GAP;
             let heading = drawn(&composed).filter(|[_, y]| *y < TITLE_HEIGHT);
             assert!(heading.map(|[x, y]| x.max(y)).max().is_some_and(|x| x < right));

@@ -16,7 +16,10 @@ fn plans_are_printed() {
     let plan: serde_json::Value = serde_json::from_slice(&out.stdout).unwrap();
     let effects = plan["effects"].as_array().unwrap();
     let on = |name: &str| effects.iter().find(|e| e["name"] == name).unwrap()["on"].as_bool().unwrap();
-    assert!(on("rayleigh") && on("background sky") && !on("sunlight") && !on("multiple scattering"), "{effects:?}");
+    assert!(
+        on("rayleigh") && on("background sky") && !on("sunlight") && !on("multiple scattering"),
+        "{effects:?}"
+    );
     assert!(effects.iter().all(|e| !e["reason"].as_str().unwrap().is_empty()));
     let passes = plan["passes"].as_array().unwrap();
     assert!(passes.iter().any(|p| p["program"] == "lut_sky-rayleigh-mie-ozone-bare"), "{passes:?}");
@@ -24,7 +27,9 @@ fn plans_are_printed() {
     // Linear radiance has another bound than a picture of 8 bits.
     let bound = |file| {
         let out = welkin(&folder, &["plan", "-o", file, "--json"]);
-        serde_json::from_slice::<serde_json::Value>(&out.stdout).unwrap()["bound"]["absolute"].as_f64().unwrap()
+        serde_json::from_slice::<serde_json::Value>(&out.stdout).unwrap()["bound"]["absolute"]
+            .as_f64()
+            .unwrap()
     };
     assert!(bound("a.exr") < 0.01 * bound("a.png"));
     assert_eq!(files(&folder), [""; 0], "something was written");

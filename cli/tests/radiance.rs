@@ -41,8 +41,9 @@ fn cases(file: &str) -> Vec<Case> {
     for row in csv::Reader::from_path(path).unwrap().deserialize() {
         let row: BTreeMap<String, String> = row.unwrap();
         let number = |name: &str| row[name].parse::<f64>().unwrap();
-        let medium =
-            row.get("atmosphere").map_or(if file.contains("earth") { "earth" } else { "rayleigh" }, String::as_str);
+        let medium = row
+            .get("atmosphere")
+            .map_or(if file.contains("earth") { "earth" } else { "rayleigh" }, String::as_str);
         let azimuth = number("azimuth_from_sun_deg");
         let [altitude, sun, view, azimuth] = if row.contains_key("tangent_altitude_km") {
             from_tangent_point(
@@ -78,13 +79,20 @@ fn from_tangent_point(observer: f64, tangent: f64, sun_zenith: f64, azimuth: f64
     let ahead = DVec3::new(tangent, 0.0, back) / radius;
     let angle = |across: f64, along: f64| across.atan2(along).to_degrees();
     let flat = sun - zenith * sun.dot(zenith);
-    [1e3 * observer, angle(flat.length(), sun.dot(zenith)), angle(tangent, -back), angle(flat.y.abs(), flat.dot(ahead))]
+    [
+        1e3 * observer,
+        angle(flat.length(), sun.dot(zenith)),
+        angle(tangent, -back),
+        angle(flat.y.abs(), flat.dot(ahead)),
+    ]
 }
 
 /// Runs the command; the answers in the order of the cases.
 fn answers(folder: &Path, cases: &[Case], args: &[&str]) -> Vec<[f64; 3]> {
-    let table: String =
-        std::iter::once(HEADER).chain(cases.iter().map(|c| c.row.as_str())).map(|l| format!("{l}\n")).collect();
+    let table: String = std::iter::once(HEADER)
+        .chain(cases.iter().map(|c| c.row.as_str()))
+        .map(|l| format!("{l}\n"))
+        .collect();
     std::fs::write(folder.join("cases.csv"), table).unwrap();
     let out = radiance(folder, &[&["--cases", "cases.csv", "--output", "out.csv"], args].concat());
     assert!(out.status.success(), "{args:?}: {}", text(&out.stderr));
@@ -238,7 +246,8 @@ fn columns_come_in_any_order_and_others_are_copied() {
     let table = "note,view_zenith_deg,medium,sun_zenith_deg,azimuth_from_sun_deg,albedo,altitude_m,id\n\
                  \"up, left\",30,earth,60,90,0.3,0,007\n,30,earth,60,90,0.9,0, x\n";
     std::fs::write(folder.join("in.csv"), table).unwrap();
-    let out = radiance(&folder, &["--cases", "in.csv", "--method", "reference-single", "--output", "out.csv"]);
+    let out =
+        radiance(&folder, &["--cases", "in.csv", "--method", "reference-single", "--output", "out.csv"]);
     assert!(out.status.success(), "{}", text(&out.stderr));
     let written = std::fs::read_to_string(folder.join("out.csv")).unwrap();
     let lines: Vec<_> = written.lines().collect();
@@ -297,15 +306,35 @@ fn a_bad_header_or_request_is_rejected() {
     let single = &["--method", "reference-single"];
     let table = format!("{HEADER}\n{GOOD}\n");
     rejected("nothing", b"", single, &["line 1", "no column 'medium'"]);
-    rejected("missing", table.replace("albedo", "whiteness").as_bytes(), single, &["line 1", "no column 'albedo'"]);
-    rejected("twice", format!("{HEADER},albedo\n{GOOD},0\n").as_bytes(), single, &["column 'albedo' is there twice"]);
+    rejected(
+        "missing",
+        table.replace("albedo", "whiteness").as_bytes(),
+        single,
+        &["line 1", "no column 'albedo'"],
+    );
+    rejected(
+        "twice",
+        format!("{HEADER},albedo\n{GOOD},0\n").as_bytes(),
+        single,
+        &["column 'albedo' is there twice"],
+    );
     rejected("taken", format!("{HEADER},R\n{GOOD},0\n").as_bytes(), single, &["column 'R'", "rename"]);
     let good = table.as_bytes();
     rejected("method", good, &["--method", "exact"], &["'exact'", "single", "reference-single"]);
     rejected("no-method", good, &[], &["--method"]);
     rejected("samples", good, &["--method", "single", "--samples", "0"], &["--samples", "from 1 to 1024"]);
-    rejected("cpu", good, &["--method", "single", "--backend", "cpu"], &["--backend", "'cpu'", "reference-single"]);
-    rejected("gpu", good, &["--method", "reference", "--backend", "webgl2"], &["--backend", "'webgl2'", "CPU"]);
+    rejected(
+        "cpu",
+        good,
+        &["--method", "single", "--backend", "cpu"],
+        &["--backend", "'cpu'", "reference-single"],
+    );
+    rejected(
+        "gpu",
+        good,
+        &["--method", "reference", "--backend", "webgl2"],
+        &["--backend", "'webgl2'", "CPU"],
+    );
     rejected(
         "no-file",
         good,

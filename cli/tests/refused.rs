@@ -37,8 +37,14 @@ fn wrong_numbers_are_rejected_with_option_value_and_range() {
 
 #[test]
 fn altitude_names_the_range_of_its_planet() {
-    rejected(&["--altitude", "-4000km"], &["--altitude", "'-4000km'", "-3,180 km", "earth", "1,000,000,000 km"]);
-    rejected(&["--planet", "mars", "--altitude", "-2000 km"], &["--altitude", "'-2000 km'", "-1,694.8 km", "mars"]);
+    rejected(
+        &["--altitude", "-4000km"],
+        &["--altitude", "'-4000km'", "-3,180 km", "earth", "1,000,000,000 km"],
+    );
+    rejected(
+        &["--planet", "mars", "--altitude", "-2000 km"],
+        &["--altitude", "'-2000 km'", "-1,694.8 km", "mars"],
+    );
 }
 
 #[test]
@@ -83,7 +89,10 @@ fn what_no_quality_can_do_is_rejected_with_the_best_that_one_can() {
         &["--within-budget", "1ns", "--view", "noon", "--size", "16x16"],
         &["--within-budget", "ms or more", "quality ", "at 16×16 on "],
     );
-    rejected(&["--within-budget", "1s", "--backend", "cpu"], &["--within-budget", "'1000 ms'", "GPU backend", "cpu"]);
+    rejected(
+        &["--within-budget", "1s", "--backend", "cpu"],
+        &["--within-budget", "'1000 ms'", "GPU backend", "cpu"],
+    );
 }
 
 #[test]
@@ -96,8 +105,13 @@ fn the_sun_is_placed_in_one_way() {
     rejected(&["--sun-azimuth", "5", "--time", time], &["--sun-azimuth 5", "--time", "cannot be used with"]);
     rejected(&["--place", "46.5,8"], &["--place", "needs", "--time"]);
     rejected(&["--time", time], &["--time", "needs", "--place"]);
-    rejected(&["--planet", "mars", "--place", "46.5,8", "--time", time], &["--planet", "'mars'", "earth", "--time"]);
-    for bad in ["yesterday", "2024-06-20", "2024-06-20T20:51:00", "2024-02-30T00:00:00Z", "3000-01-01T00:00:00Z"] {
+    rejected(
+        &["--planet", "mars", "--place", "46.5,8", "--time", time],
+        &["--planet", "'mars'", "earth", "--time"],
+    );
+    for bad in
+        ["yesterday", "2024-06-20", "2024-06-20T20:51:00", "2024-02-30T00:00:00Z", "3000-01-01T00:00:00Z"]
+    {
         rejected(&["--place", "46.5,8", "--time", bad], &["--time", bad, "RFC 3339", "2999"]);
     }
 }

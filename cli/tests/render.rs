@@ -33,7 +33,9 @@ fn a_quality_is_chosen_by_name_error_or_budget_and_told() {
 
     let (said, by_budget) = draw(&["--within-budget", "10s"], "budget.exr");
     let want = ParetoFront::committed().within_budget(Duration::MAX).unwrap();
-    for part in [&format!("quality {want}"), "best that takes 10000 ms or less", "measured here at 32×20", "copies"] {
+    for part in
+        [&format!("quality {want}"), "best that takes 10000 ms or less", "measured here at 32×20", "copies"]
+    {
         assert!(said.contains(part), "no {part:?}: {said}");
     }
     assert_eq!(by_budget, draw(&["--quality", want.preset_name().unwrap()], "same.exr").1);
@@ -64,7 +66,8 @@ fn single_pictures_have_their_size_and_are_not_black() {
 fn place_and_time_put_the_sun_where_it_was() {
     let folder = folder("place");
     let draw = |args: &[&str], file: &str| {
-        let common = ["render", "--backend", "cpu", "--size", "16x10", "--no-terrain", "--samples", "4", "-o", file];
+        let common =
+            ["render", "--backend", "cpu", "--size", "16x10", "--no-terrain", "--samples", "4", "-o", file];
         let out = welkin(&folder, &[&common[..], args].concat());
         assert!(out.status.success(), "{}", text(&out.stderr));
         image::open(folder.join(file)).unwrap().into_rgb32f().iter().sum::<f32>()

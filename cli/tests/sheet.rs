@@ -39,8 +39,8 @@ fn contact_sheet_is_the_default() {
     assert!(bright > 1600 * 1000 / 5, "only {bright} pixels are not dark");
 }
 
-/// The place of a backend that the machine lacks is not kept free. (The sheet opens every backend that there is: the
-/// one that draws has to stay in charge of its context.)
+/// The place of a backend that the machine lacks is not kept free. (The sheet opens every backend that there
+/// is: the one that draws has to stay in charge of its context.)
 #[test]
 fn cells_that_cannot_be_drawn_are_left_out() {
     let (cells, said) = sheet(&folder("sheet-lacking"), &[], &[("VK_DRIVER_FILES", "/nonexistent")]);

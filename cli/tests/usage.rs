@@ -63,8 +63,11 @@ fn info_lists_every_backend() {
 #[test]
 fn a_reader_that_leaves_is_no_error() {
     let folder = folder("pipe");
-    for args in [&["info"][..], &["render", "--view", "noon", "--backend", "cpu", "--size", "4x4"], &["--help"]] {
-        let mut child = command(WELKIN, &folder, args).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    for args in
+        [&["info"][..], &["render", "--view", "noon", "--backend", "cpu", "--size", "4x4"], &["--help"]]
+    {
+        let mut child =
+            command(WELKIN, &folder, args).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
         drop(child.stdout.take());
         let out = child.wait_with_output().unwrap();
         let message = text(&out.stderr);
@@ -79,7 +82,11 @@ fn what_has_another_name_now_is_told() {
         &["accuracy", "--quick"],
         &["'welkin accuracy' is now 'welkin-lab accuracy'", "cargo lab accuracy"],
     );
-    rejected(WELKIN, &["film"], &["'welkin film' is now 'welkin-lab film'", "--features lab --bin welkin-lab -- film"]);
+    rejected(
+        WELKIN,
+        &["film"],
+        &["'welkin film' is now 'welkin-lab film'", "--features lab --bin welkin-lab -- film"],
+    );
     rejected(WELKIN, &["radiance", "--out", "r.csv"], &["'--out' is now '--output'"]);
     rejected(WELKIN, &["radiance", "--out=r.csv"], &["'--out' is now '--output'"]);
     // What was never there is told as before.

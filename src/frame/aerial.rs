@@ -68,7 +68,8 @@ impl Effect for PlanetShell {
     }
 }
 
-/// The air between the camera and the scene: it dims the scene and adds the light that is scattered into each ray.
+/// The air between the camera and the scene: it dims the scene and adds the light that is scattered into each
+/// ray.
 pub(crate) struct AerialPerspective;
 
 impl Effect for AerialPerspective {

@@ -1,11 +1,11 @@
-//! Airglow: the night sky's own light. Where a ray leaves the layer behind it, the layer is drawn like the stars, before
-//! the sky, and dimmed by the passes that draw the air. Where a ray from above enters it first, it is laid over
-//! everything else: there is no air to speak of before it.
+//! Airglow: the night sky's own light. Where a ray leaves the layer behind it, the layer is drawn like the
+//! stars, before the sky, and dimmed by the passes that draw the air. Where a ray from above enters it first,
+//! it is laid over everything else: there is no air to speak of before it.
 
-use super::{Frame, aerial};
 use super::effect::{Decision, Effect, Reason};
 use super::graph::{Node, Resource, Stage, reads};
 use super::uniforms::{FrameUniform, block};
+use super::{Frame, aerial};
 use crate::gpu::{Program, Uniform};
 use crate::model::airglow::Airglow;
 use crate::shaders::airglow;
@@ -39,7 +39,8 @@ fn layer(frame: &Frame) -> Result<Airglow, Reason> {
     // The longest way through the layer is along its bottom.
     let (r, w) = (frame.scene.atmosphere.planet_radius + glow.altitude, glow.half_width);
     let longest = 2.0 * (2.0 * w * (2.0 * r)).sqrt() / w;
-    let brightest = glow.zenith.into_iter().fold(0.0, f64::max) * frame.scene.atmosphere.sun_intensity * longest;
+    let brightest =
+        glow.zenith.into_iter().fold(0.0, f64::max) * frame.scene.atmosphere.sun_intensity * longest;
     match frame.settings.bound {
         _ if brightest <= 0.0 => Err(Reason::of("it has no light")),
         Some(bound) if brightest <= bound.absolute => {
@@ -81,7 +82,11 @@ impl Effect for AirglowBefore {
                 let bottom = glow.altitude - glow.half_width;
                 let altitude = frame.visibility.altitude;
                 let above = altitude > bottom;
-                let text = if above { "the camera is above the layer, at" } else { "the camera is below the layer, at" };
+                let text = if above {
+                    "the camera is above the layer, at"
+                } else {
+                    "the camera is below the layer, at"
+                };
                 (above, Reason::number(text, altitude / 1e3, " km"))
             }
         }

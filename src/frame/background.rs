@@ -14,8 +14,8 @@ use crate::shaders::{sky_march, sky_march_eclipse, sky_view, upsample};
 /// Altitudes over which the background pass hands the sky over to the aerial pass, metres.
 pub const HAND_OVER: (f64, f64) = (15_000.0, 50_000.0);
 
-/// Fraction of the sky's light that the background pass draws at a camera altitude (metres): 1 below 15 km, 0 above
-/// 50 km, `1 - smoothstep` between. The aerial pass draws the rest, so their sum does not change.
+/// Fraction of the sky's light that the background pass draws at a camera altitude (metres): 1 below 15 km, 0
+/// above 50 km, `1 - smoothstep` between. The aerial pass draws the rest, so their sum does not change.
 pub fn background_weight(altitude: f64) -> f64 {
     let t = ((altitude - HAND_OVER.0) / (HAND_OVER.1 - HAND_OVER.0)).clamp(0.0, 1.0);
     1.0 - t * t * (3.0 - 2.0 * t)
@@ -64,12 +64,17 @@ impl Effect for BackgroundSky {
         let reduced = frame.is_on(&ReducedResolution);
         let label = "background sky";
         if !reduced {
-            nodes.push(sky(frame, Node::draw(label, Stage::Background, NOTHING, Resource::Background), false));
+            nodes.push(sky(
+                frame,
+                Node::draw(label, Stage::Background, NOTHING, Resource::Background),
+                false,
+            ));
             return;
         }
         let size = reduced_size(frame);
         let extent = Some(Extent { size, texel: Texel::Radiance });
-        let small = Node { extent, clear: Some([0.0; 4]), ..Node::draw(label, Stage::Background, NOTHING, REDUCED) };
+        let small =
+            Node { extent, clear: Some([0.0; 4]), ..Node::draw(label, Stage::Background, NOTHING, REDUCED) };
         nodes.push(sky(frame, small, true));
         let program = Program::new(&upsample::INFO, 0).blended();
         nodes.push(Node {
@@ -109,7 +114,8 @@ fn sky(frame: &Frame, node: Node, reduced: bool) -> Node {
     } else if frame.luts().is_some() {
         let single = frame.has_mie_single();
         let program = Air::ALL.program(&sky_view::INFO, [phase, ("MIE_SINGLE", single), ("BLEND", true)]);
-        let list = reads([("sky_view_lut", Some(SKY_VIEW)), ("mie_single_lut", single.then_some(MIE_SINGLE))]);
+        let list =
+            reads([("sky_view_lut", Some(SKY_VIEW)), ("mie_single_lut", single.then_some(MIE_SINGLE))]);
         if !reduced {
             over_black = Some(Air::ALL.program(&sky_view::INFO, [phase, ("MIE_SINGLE", single)]));
         }

@@ -143,7 +143,8 @@ fn push_disk(frame: &Frame, label: &'static str, program: Program, disk: &SkyDis
     // The frame's up points to the target's first row.
     let flipped = glam::Vec3::from(frame.uniform.ray_up).as_dvec3().dot(view.basis.up) < 0.0;
     let rect = if flipped { [left, -top, right, -bottom] } else { [left, bottom, right, top] };
-    let mut block = DiskUniform { frame: frame.uniform, rectangle: rect.map(|v| v as f32), ..DiskUniform::default() };
+    let mut block =
+        DiskUniform { frame: frame.uniform, rectangle: rect.map(|v| v as f32), ..DiskUniform::default() };
     if let Some(m) = &view.moon {
         let sine = m.radius / m.position.length();
         // 2 sin(a / 2) of sin a, without a difference of cosines.

@@ -1,4 +1,5 @@
-//! The moon's shadow in the air and on the ground: whether it falls on what is seen, and the LUT that passes read of it.
+//! The moon's shadow in the air and on the ground: whether it falls on what is seen, and the LUT that passes
+//! read of it.
 
 use std::f64::consts::PI;
 
@@ -136,9 +137,9 @@ fn misses(view: &ZenithView, p: &AtmosphereParams, center: glam::DVec3, radius: 
     (apart - radius - penumbra(moon, p.sun_angular_radius, behind)).max(0.0)
 }
 
-/// How far around a point the sunlight counts that is scattered there again: mean distance in scale heights of the gas.
-/// Chosen for the Earth by path tracing under a total eclipse, see docs/eclipse.md: much the same for red and blue, so
-/// that it is the air's depth that decides and not how far light goes in it.
+/// How far around a point the sunlight counts that is scattered there again: mean distance in scale heights
+/// of the gas. Chosen for the Earth by path tracing under a total eclipse, see docs/eclipse.md: much the same
+/// for red and blue, so that it is the air's depth that decides and not how far light goes in it.
 const AROUND: f64 = 5.0;
 
 /// What the moon-shadow LUT is made of; it is made again where this changes. Metres and radians.
@@ -171,7 +172,9 @@ impl MoonShadow {
         let Self { behind, moon_radius, sun_angular_radius, length, limb_darkening } = *self;
         let length = if limb_darkening { length } else { -length };
         let mut halves = [0; 10];
-        for (pair, v) in halves.chunks_exact_mut(2).zip([behind, moon_radius, sun_angular_radius, length, 0.0]) {
+        for (pair, v) in
+            halves.chunks_exact_mut(2).zip([behind, moon_radius, sun_angular_radius, length, 0.0])
+        {
             let bits = v.to_bits();
             (pair[0], pair[1]) = (bits as u32, (bits >> 32) as u32);
         }
@@ -191,10 +194,10 @@ impl MoonShadow {
         Disks { sun: self.sun_angular_radius, moon, apart }
     }
 
-    /// Share of sunlight by the distance from the shadow's axis, as a mean over points all around whose distances are
-    /// distributed like `exp(-x / length)`. In a second row what a darker edge of the sun makes of the share: over
-    /// that of a uniform disk, at the positions of
-    /// `moon_distance_to_u` in `lib/moon_shadow.wgsl`. Red, green, blue, unused; per texel.
+    /// Share of sunlight by the distance from the shadow's axis, as a mean over points all around whose
+    /// distances are distributed like `exp(-x / length)`. In a second row what a darker edge of the sun makes
+    /// of the share: over that of a uniform disk, at the positions of `moon_distance_to_u` in
+    /// `lib/moon_shadow.wgsl`. Red, green, blue, unused; per texel.
     pub fn texels(&self) -> [f32; 8 * TEXELS] {
         let step = self.reach() / (TEXELS - 1) as f64;
         // Of the point itself.
@@ -211,7 +214,8 @@ impl MoonShadow {
         // Midpoints of equal weights: in the distance, and around half of a turn.
         const RINGS: usize = 12;
         const TURNS: usize = 8;
-        let rings: [f64; RINGS] = std::array::from_fn(|i| -self.length * (1.0 - (i as f64 + 0.5) / RINGS as f64).ln());
+        let rings: [f64; RINGS] =
+            std::array::from_fn(|i| -self.length * (1.0 - (i as f64 + 0.5) / RINGS as f64).ln());
         let turns: [f64; TURNS] = std::array::from_fn(|i| ((i as f64 + 0.5) / TURNS as f64 * PI).cos());
         let mut texels = [1.0; 8 * TEXELS];
         let (around, limb) = texels.split_at_mut(4 * TEXELS);
@@ -243,7 +247,11 @@ impl MoonShadow {
     fn apart_at(&self, share: f64) -> f64 {
         let Disks { sun, moon, .. } = self.disks(0.0);
         let inner = (sun - moon).abs();
-        if share < 0.25 { 4.0 * share * inner } else { inner + 2.0 * sun.min(moon) * ((share - 0.25) / 0.75).powi(2) }
+        if share < 0.25 {
+            4.0 * share * inner
+        } else {
+            inner + 2.0 * sun.min(moon) * ((share - 0.25) / 0.75).powi(2)
+        }
     }
 }
 

@@ -60,8 +60,8 @@ pub struct EffectReport {
 /// On or off, with the reason.
 pub(crate) type Decision = (bool, Reason);
 
-/// An effect: it decides whether a frame has it, and adds the nodes that draw it. One type in one file; the list of all
-/// is [`EFFECTS`].
+/// An effect: it decides whether a frame has it, and adds the nodes that draw it. One type in one file; the
+/// list of all is [`EFFECTS`].
 pub(crate) trait Effect: Sync {
     /// What it is called, in lower case; no two effects have the same name.
     fn name(&self) -> &'static str;
@@ -104,7 +104,9 @@ mod tests {
 
     #[test]
     fn reasons_are_written_in_three_digits() {
-        for (value, text) in [(0.0, "0"), (1234.5, "1235"), (0.012_345, "0.0123"), (-6.0, "-6"), (12.345, "12.3")] {
+        for (value, text) in
+            [(0.0, "0"), (1234.5, "1235"), (0.012_345, "0.0123"), (-6.0, "-6"), (12.345, "12.3")]
+        {
             assert_eq!(Reason::number("sun at", value, "°").to_string(), format!("sun at {text}°"));
         }
         assert_eq!(Reason::of("switched off").to_string(), "switched off");

@@ -1,15 +1,16 @@
 //! The nodes of a frame, and how they become passes.
 //!
-//! A [`Node`] is data: a program with its constants, its uniform block, what it reads by name and what it writes. The
-//! list of nodes *is* the plan: it is what is printed, what is made ahead and what is drawn. The graph knows who makes
-//! what. A node runs if what it writes is somebody's target, or a LUT that a running node reads and that does not hold
-//! its content yet. The content of a LUT is named by a key: a hash of the bytes of the node's block, of its program and
-//! constants, and of the keys of what it reads. So nothing is stale, and nothing is made twice.
+//! A [`Node`] is data: a program with its constants, its uniform block, what it reads by name and what it
+//! writes. The list of nodes *is* the plan: it is what is printed, what is made ahead and what is drawn. The
+//! graph knows who makes what. A node runs if what it writes is somebody's target, or a LUT that a running
+//! node reads and that does not hold its content yet. The content of a LUT is named by a key: a hash of the
+//! bytes of the node's block, of its program and constants, and of the keys of what it reads. So nothing is
+//! stale, and nothing is made twice.
 
 use crate::error::Result;
 use crate::gpu::{
-    Backend, DepthUse, Format, Inputs, Pass, PoolKey, Program, Target, TEXTURES_MAX, TextureDesc, TextureId, TexturePool,
-    Uniform,
+    Backend, DepthUse, Format, Inputs, Pass, PoolKey, Program, TEXTURES_MAX, Target, TextureDesc, TextureId,
+    TexturePool, Uniform,
 };
 
 /// How often a node's content changes.
@@ -121,8 +122,8 @@ pub struct Extent {
 pub enum Texel {
     /// Four 32-bit floats, read texel by texel.
     Exact,
-    /// Four floats that the sampler interpolates: 32 bits where the device filters them, else 16. Half floats hold fourth
-    /// roots of light to 0.1 % of the light, and fractions and transmittances to 0.03 %.
+    /// Four floats that the sampler interpolates: 32 bits where the device filters them, else 16. Half floats
+    /// hold fourth roots of light to 0.1 % of the light, and fractions and transmittances to 0.03 %.
     Filtered,
     /// Four 16-bit floats of radiance.
     Radiance,
@@ -144,7 +145,8 @@ impl Extent {
     }
 }
 
-/// What a node reads: the program's name of a texture, and the texture; `None` where the constants leave it unread.
+/// What a node reads: the program's name of a texture, and the texture; `None` where the constants leave it
+/// unread.
 pub type Reads = [Option<(&'static str, Option<Resource>)>; TEXTURES_MAX];
 
 /// The reads of a node, from a list of names and textures.
@@ -176,8 +178,8 @@ pub struct Node {
     pub extent: Option<Extent>,
     /// What the target is cleared to first. Targets of the user are cleared as the user says.
     pub clear: Option<[f32; 4]>,
-    /// A program to take instead where its target is to be cleared to opaque black: it writes every pixel, so that
-    /// neither clearing nor blending is needed.
+    /// A program to take instead where its target is to be cleared to opaque black: it writes every pixel, so
+    /// that neither clearing nor blending is needed.
     pub over_black: Option<Program>,
     /// What it does with the target's depth.
     pub depth: DepthUse,
@@ -216,7 +218,20 @@ impl Node {
         let stage = Stage::Background;
         let (reads, clear, over_black, depth) = ([None; TEXTURES_MAX], None, None, DepthUse::Always);
         let extent = Some(extent);
-        Self { label, stage, runs, work, uniform, reads, writes, extent, clear, over_black, depth, fraction: 1.0 }
+        Self {
+            label,
+            stage,
+            runs,
+            work,
+            uniform,
+            reads,
+            writes,
+            extent,
+            clear,
+            over_black,
+            depth,
+            fraction: 1.0,
+        }
     }
 
     /// A node that clears a target of the user's as the user says, and draws nothing.
@@ -224,7 +239,20 @@ impl Node {
         let (runs, extent, clear) = (Runs::PerFrame, None, None);
         let (reads, over_black, depth) = ([None; TEXTURES_MAX], None, DepthUse::Always);
         let (work, uniform) = (Work::Clear, Uniform::NONE);
-        Self { label, stage, runs, work, uniform, reads, writes, extent, clear, over_black, depth, fraction: 1.0 }
+        Self {
+            label,
+            stage,
+            runs,
+            work,
+            uniform,
+            reads,
+            writes,
+            extent,
+            clear,
+            over_black,
+            depth,
+            fraction: 1.0,
+        }
     }
 
     fn textures(&self) -> impl Iterator<Item = Resource> + '_ {
@@ -294,7 +322,8 @@ struct ContentKey(u64);
 impl ContentKey {
     const START: Self = Self(0x9e37_79b9_7f4a_7c15);
 
-    /// Takes in eight bytes: a multiplication by an odd constant and a shift, after Murmur's and xxHash's finishers.
+    /// Takes in eight bytes: a multiplication by an odd constant and a shift, after Murmur's and xxHash's
+    /// finishers.
     fn word(&mut self, word: u64) {
         self.0 = (self.0 ^ word).wrapping_mul(0xff51_afd7_ed55_8ccd);
         self.0 ^= self.0 >> 32;
@@ -318,7 +347,8 @@ impl ContentKey {
 /// Opaque black, as a user may ask for it behind the sky.
 const BLACK: Option<[f32; 4]> = Some([0.0, 0.0, 0.0, 1.0]);
 
-/// Which of a list of nodes run, and what their targets hold afterwards. Its lists are kept from frame to frame.
+/// Which of a list of nodes run, and what their targets hold afterwards. Its lists are kept from frame to
+/// frame.
 #[derive(Debug, Default)]
 pub(crate) struct Graph {
     pub nodes: Vec<Node>,
@@ -331,8 +361,9 @@ pub(crate) struct Graph {
 }
 
 impl Graph {
-    /// Fills the list anew with the nodes of a frame that somebody's target calls for, in the order in which they run: a
-    /// LUT that nobody reads is left out. `given`: which targets there are; `scene`: draws the scene itself, if we do.
+    /// Fills the list anew with the nodes of a frame that somebody's target calls for, in the order in which
+    /// they run: a LUT that nobody reads is left out. `given`: which targets there are; `scene`: draws the
+    /// scene itself, if we do.
     pub fn list(&mut self, frame: &super::Frame, given: impl Fn(Resource) -> bool, scene: Option<Node>) {
         self.nodes.clear();
         frame.push_nodes(&mut self.nodes);
@@ -386,7 +417,8 @@ impl Graph {
         (self.keys.get(at) == Some(&backend.content(id))).then_some(id)
     }
 
-    /// The passes of the nodes whose content is not there yet, appended to `passes`; answers where each stage ends.
+    /// The passes of the nodes whose content is not there yet, appended to `passes`; answers where each stage
+    /// ends.
     pub fn passes(
         &mut self,
         backend: &mut dyn Backend,
@@ -489,8 +521,8 @@ impl Graph {
         }
     }
 
-    /// Chooses the nodes that run: those that draw to somebody's target, and those that make what these read unless it is
-    /// there.
+    /// Chooses the nodes that run: those that draw to somebody's target, and those that make what these read
+    /// unless it is there.
     fn choose(&mut self, backend: &dyn Backend, pool: &mut TexturePool) {
         self.wanted.clear();
         self.runs.clear();
@@ -558,5 +590,14 @@ fn pass(
     }
     let program = node.work.program().map(|p| backend.create_program(p)).transpose()?;
     let content = if matches!(node.writes, Resource::Pool(_)) { content } else { 0 };
-    Ok(Pass { label: node.label, program, inputs, uniform: node.uniform, target, depth: node.depth, content, depth_content: 0 })
+    Ok(Pass {
+        label: node.label,
+        program,
+        inputs,
+        uniform: node.uniform,
+        target,
+        depth: node.depth,
+        content,
+        depth_content: 0,
+    })
 }

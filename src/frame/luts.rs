@@ -7,11 +7,11 @@
 //! | sky view | + altitude of the camera, sun's elevation | light of every ray's whole length (Hillaire 2020, section 5.3) |
 //! | aerial | the same | fractions of that light, and transmittance, along each ray |
 //!
-//! Nothing depends on where the camera looks. In a spherical atmosphere under a parallel sun, light at a point
-//! depends on two numbers; scattering after Rayleigh needs its moments of degree 0 and 2 only, so that
-//! six numbers per colour carry all orders of it exactly. What an aerosol turns by small angles only counts as
-//! not scattered in the multi-scattering LUT (delta-M, Wiscombe 1977, with a smaller fraction), and is seen with its
-//! whole phase function when it comes straight from the sun (TMS, Nakajima & Tanaka 1988).
+//! Nothing depends on where the camera looks. In a spherical atmosphere under a parallel sun, light at a
+//! point depends on two numbers; scattering after Rayleigh needs its moments of degree 0 and 2 only, so that
+//! six numbers per colour carry all orders of it exactly. What an aerosol turns by small angles only counts
+//! as not scattered in the multi-scattering LUT (delta-M, Wiscombe 1977, with a smaller fraction), and is
+//! seen with its whole phase function when it comes straight from the sun (TMS, Nakajima & Tanaka 1988).
 
 use super::Frame;
 use super::effect::{Decision, Effect, Reason};
@@ -25,7 +25,8 @@ use crate::settings::{LutSettings, Quality};
 use crate::shaders::aerial_lut_slices::numbers::AIR_KINDS;
 use crate::shaders::multi_scattering_lut::numbers::{AZIMUTHS, MOMENTS, ZENITHS};
 use crate::shaders::{
-    aerial_lut_scan, aerial_lut_slices, multi_scattering_gather, multi_scattering_lut, sky_view_lut, transmittance_lut,
+    aerial_lut_scan, aerial_lut_slices, multi_scattering_gather, multi_scattering_lut, sky_view_lut,
+    transmittance_lut,
 };
 
 block! {
@@ -125,9 +126,10 @@ fn scattering_depths(p: &AtmosphereParams) -> [f64; 2] {
 
 /// The fraction of the light that an aerosol scatters which counts as going straight on, per channel.
 ///
-/// Delta-M would take the first moment that is left out, g³. A lobe of g = 0.8 is wider than the bright band at the
-/// horizon, though, and light that it turns is lost from there: a much smaller fraction is right in thin haze. The
-/// powers of g are the best for Earth's haze (10) and for Mars' dust (5) against the f64 reference.
+/// Delta-M would take the first moment that is left out, g³. A lobe of g = 0.8 is wider than the bright band
+/// at the horizon, though, and light that it turns is lost from there: a much smaller fraction is right in
+/// thin haze. The powers of g are the best for Earth's haze (10) and for Mars' dust (5) against the f64
+/// reference.
 fn forward_fractions(p: &AtmosphereParams) -> [f64; 3] {
     let [_, depth] = scattering_depths(p);
     let power = 5.0 + 5.0 * (-depth / 0.05).exp();
@@ -135,7 +137,8 @@ fn forward_fractions(p: &AtmosphereParams) -> [f64; 3] {
 }
 
 impl LutsUniform {
-    /// For a medium that [`AtmosphereParams::validate`] accepts; a pass fills in the size and the steps of its table.
+    /// For a medium that [`AtmosphereParams::validate`] accepts; a pass fills in the size and the steps of
+    /// its table.
     pub fn new(p: &AtmosphereParams, settings: &LutSettings) -> Self {
         let moments: [[f64; 4]; 3] = std::array::from_fn(|c| phase_moments(p.mie_phase, p.mie_asymmetry[c]));
         // The fraction that counts as not scattered at all.
@@ -157,7 +160,9 @@ impl LutsUniform {
         let moment = |l: usize| std::array::from_fn(|c| (moments[c][l] - forward[c]) as f32);
         let [sky, aerial] = settings.ground_rows().map(|rows| rows as f32);
         Self {
-            mie_extinction: std::array::from_fn(|c| ((extinction[c] - forward[c] * p.mie_scattering[c]) * 1e3) as f32),
+            mie_extinction: std::array::from_fn(|c| {
+                ((extinction[c] - forward[c] * p.mie_scattering[c]) * 1e3) as f32
+            }),
             altitude_steepness: steepness as f32,
             mie_moment0: moment(0),
             altitude_growth: steepness.exp_m1() as f32,
@@ -165,7 +170,9 @@ impl LutsUniform {
             sun_middle: middle as f32,
             mie_moment2: moment(2),
             sun_width: width as f32,
-            mie_asymmetry: std::array::from_fn(|c| ((moments[c][1] - forward[c]) / (1.0 - forward[c])) as f32),
+            mie_asymmetry: std::array::from_fn(|c| {
+                ((moments[c][1] - forward[c]) / (1.0 - forward[c])) as f32
+            }),
             albedo: p.ground_albedo.map(|a| a as f32),
             sun_first: first as f32,
             sun_span: (last - first) as f32,
@@ -246,7 +253,10 @@ impl Effect for MultiScattering {
         } else if o.single && frame.is_on(&super::eclipse::Eclipse) {
             (true, Reason::of("under the moon's shadow it is most of the light"))
         } else if o.single {
-            (false, Reason::number("changes no pixel by more than the bound: radiance at most", o.multiple, ""))
+            (
+                false,
+                Reason::number("changes no pixel by more than the bound: radiance at most", o.multiple, ""),
+            )
         } else {
             (true, Reason::number("optical depth of scattering", o.scattering_depth, ""))
         }
@@ -266,12 +276,16 @@ impl Effect for MultiScattering {
         let [suns, altitudes] = luts.multi_scattering;
         let directions = [suns * AZIMUTHS, altitudes * ZENITHS];
         let gathered = Extent { size: directions, texel: Texel::Exact };
-        let gather = Work::Draw(Air::ALL.program(&multi_scattering_gather::INFO, [("MULTI_SCATTERING", true)]));
+        let gather =
+            Work::Draw(Air::ALL.program(&multi_scattering_gather::INFO, [("MULTI_SCATTERING", true)]));
         let moments = Work::Draw(Air::ALL.program(&multi_scattering_lut::INFO, []));
         for round in 0..frame.rounds() {
             let light = multi_scattering(round);
             nodes.push(Node {
-                reads: reads([("transmittance_lut", Some(TRANSMITTANCE)), ("multi_scattering_lut", Some(light))]),
+                reads: reads([
+                    ("transmittance_lut", Some(TRANSMITTANCE)),
+                    ("multi_scattering_lut", Some(light)),
+                ]),
                 ..Node::fill(label, Runs::PerMedium, gather, GATHERED, gathered, block)
             });
             nodes.push(Node {
@@ -288,7 +302,10 @@ const LOG_OF_DARKNESS: f32 = -100.0;
 fn medium_block(frame: &Frame, size: [u32; 2], steps: u32) -> Uniform {
     let tables = LutsUniform { size, steps, ..frame.luts_block };
     // LUTs hold light per unit of irradiance.
-    Uniform::new(&MediumLuts { medium: MediumUniform { irradiance: [0.0; 3], ..frame.uniform.medium }, luts: tables })
+    Uniform::new(&MediumLuts {
+        medium: MediumUniform { irradiance: [0.0; 3], ..frame.uniform.medium },
+        luts: tables,
+    })
 }
 
 /// How much of the air a ray passes, for every altitude and direction: read by everything that has LUTs.
@@ -335,7 +352,9 @@ impl Effect for SkyViewLut {
         match (frame.settings.quality, frame.luts()) {
             (Quality::March { .. }, _) => (false, Reason::of("the method marches along each ray")),
             (_, None) => (false, Reason::of("no pass reads it")),
-            (_, Some(_)) if eclipse => (false, Reason::of("the sky is marched: a moon's shadow is not symmetric")),
+            (_, Some(_)) if eclipse => {
+                (false, Reason::of("the sky is marched: a moon's shadow is not symmetric"))
+            }
             (_, Some(_)) if frame.is_lit() => (true, Reason::of("holds the light of every direction")),
             (_, Some(_)) => (true, Reason::of("holds the transmittance of every direction")),
         }
@@ -400,7 +419,8 @@ impl Effect for AerialLut {
         let block = |tables| Uniform::new(&FrameLuts { frame: frame_block, luts: tables });
         let light = frame.multi_scattering();
         let air = frame.omission.air;
-        let slices = Work::Draw(air.program(&aerial_lut_slices::INFO, [("MULTI_SCATTERING", light.is_some())]));
+        let slices =
+            Work::Draw(air.program(&aerial_lut_slices::INFO, [("MULTI_SCATTERING", light.is_some())]));
         nodes.push(Node {
             reads: reads([("transmittance_lut", Some(TRANSMITTANCE)), ("multi_scattering_lut", light)]),
             ..Node::fill(AERIAL_LABEL, Runs::PerAltitude, slices, aerial_after(0), extent, block(own))

@@ -1,5 +1,5 @@
-//! The air itself: which constituents a frame has, and whether sunlight reaches them. These effects draw nothing; they
-//! decide which constants the others are compiled with.
+//! The air itself: which constituents a frame has, and whether sunlight reaches them. These effects draw
+//! nothing; they decide which constants the others are compiled with.
 
 use super::Frame;
 use super::effect::{Decision, Effect, Reason};
@@ -38,8 +38,13 @@ impl Air {
         self.rayleigh || self.mie || self.ozone
     }
 
-    /// A program with the constants of these constituents, and with others of which the program may have some.
-    pub(crate) fn program<const N: usize>(self, info: &'static ProgramInfo, others: [(&str, bool); N]) -> Program {
+    /// A program with the constants of these constituents, and with others of which the program may have
+    /// some.
+    pub(crate) fn program<const N: usize>(
+        self,
+        info: &'static ProgramInfo,
+        others: [(&str, bool); N],
+    ) -> Program {
         let own = [("RAYLEIGH", self.rayleigh), ("MIE", self.mie), ("OZONE", self.ozone)];
         let on = own.iter().chain(&others).filter(|(_, on)| *on);
         Program::new(info, on.fold(0, |bits, (name, _)| bits | info.constant(name)))
@@ -70,8 +75,8 @@ pub(crate) struct Omission {
 }
 
 impl Omission {
-    /// Chooses what is left out, from upper bounds of what each omission changes. `was_on`: of the frame before, by the
-    /// effect's name. sun_disk: whether the sun's disk is in the picture.
+    /// Chooses what is left out, from upper bounds of what each omission changes. `was_on`: of the frame
+    /// before, by the effect's name. sun_disk: whether the sun's disk is in the picture.
     pub fn new(frame: &Frame, sun_disk: bool, was_on: impl Fn(&dyn Effect) -> bool) -> Self {
         let params = &frame.scene.atmosphere;
         let there = Air::of(params);
@@ -87,7 +92,8 @@ impl Omission {
             absent: !there,
             was_on: was_on(effect),
         };
-        let light = |cost: f64, effect: &dyn Effect| Candidate { cost, absent: false, was_on: was_on(effect) };
+        let light =
+            |cost: f64, effect: &dyn Effect| Candidate { cost, absent: false, was_on: was_on(effect) };
         let multiple = bounds.multiple();
         let out = omit(
             [

@@ -1,8 +1,9 @@
 //! One frame: checked and computed once, by one call; everything after reads it.
 //!
-//! [`Frame::new`] checks scene, settings and size, turns the scene into the camera's zenith frame, decides which effects
-//! the picture calls for, and computes the uniform block. What draws it is a list of [`graph::Node`]s, one or more for
-//! each effect that is on. That list is the plan: what is printed, made ahead, timed and drawn.
+//! [`Frame::new`] checks scene, settings and size, turns the scene into the camera's zenith frame, decides
+//! which effects the picture calls for, and computes the uniform block. What draws it is a list of
+//! [`graph::Node`]s, one or more for each effect that is on. That list is the plan: what is printed, made
+//! ahead, timed and drawn.
 //!
 //! ```
 //! use welkin::{Frame, SkySettings};
@@ -28,9 +29,10 @@
 //!
 //! # How much may change
 //!
-//! Some omissions change nothing: what lies outside the picture or behind the planet. The others (a constituent next to
-//! nothing of which is in sight, light at night) change pixels by less than a [`crate::Bound`]: each has an upper bound
-//! of its own, worked out in `omit`, and the cheapest are taken as long as their sum stays within it.
+//! Some omissions change nothing: what lies outside the picture or behind the planet. The others (a
+//! constituent next to nothing of which is in sight, light at night) change pixels by less than a
+//! [`crate::Bound`]: each has an upper bound of its own, worked out in `omit`, and the cheapest are taken as
+//! long as their sum stays within it.
 
 mod aerial;
 pub mod airglow;
@@ -106,14 +108,16 @@ impl Frame {
     /// The frame of a scene in a picture of a size in pixels, rows from the top.
     ///
     /// # Errors
-    /// [`crate::ErrorKind::Invalid`] from [`Scene::validate`] and [`SkySettings::validate`], and for a side of 0.
+    /// [`crate::ErrorKind::Invalid`] from [`Scene::validate`] and [`SkySettings::validate`], and for a side
+    /// of 0.
     pub fn new(scene: &Scene, settings: &SkySettings, size: [u32; 2]) -> Result<Self> {
         settings.validate()?;
         Self::checked(scene, settings, size, RowOrder::TopDown, None)
     }
 
-    /// The frame that follows another: what is on stays on until leaving it out uses up less than half of the bound, so
-    /// that a scene on a threshold does not switch in every frame. Either way it is within the bound.
+    /// The frame that follows another: what is on stays on until leaving it out uses up less than half of the
+    /// bound, so that a scene on a threshold does not switch in every frame. Either way it is within the
+    /// bound.
     ///
     /// # Errors
     /// [`crate::ErrorKind::Invalid`] as for [`Self::new`].
@@ -244,7 +248,10 @@ impl Frame {
 
     pub(crate) fn push_nodes(&self, nodes: &mut Vec<Node>) {
         if self.settings.look.enabled {
-            EFFECTS.iter().filter(|effect| self.is_on(**effect)).for_each(|effect| effect.push_nodes(self, nodes));
+            EFFECTS
+                .iter()
+                .filter(|effect| self.is_on(**effect))
+                .for_each(|effect| effect.push_nodes(self, nodes));
         }
     }
 }

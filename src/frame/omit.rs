@@ -1,4 +1,5 @@
-//! What may be left out of a frame: upper bounds of what the air does to light, and the choice of what costs least of the
+//! What may be left out of a frame: upper bounds of what the air does to light, and the choice of what costs
+//! least of the
 //! [`Bound`].
 
 use std::f64::consts::PI;
@@ -12,8 +13,8 @@ pub(crate) fn cost(change: f64, bound: f64) -> f64 {
     if change <= 0.0 { 0.0 } else { change / bound }
 }
 
-/// Fraction of the bound below which what is on goes off; off goes on again above the whole bound. So a scene on a
-/// threshold does not switch in every frame.
+/// Fraction of the bound below which what is on goes off; off goes on again above the whole bound. So a scene
+/// on a threshold does not switch in every frame.
 const STAYS_ON: f64 = 0.5;
 
 /// Something that may be left out.
@@ -100,11 +101,11 @@ impl<'a> LightBounds<'a> {
 
     /// The part of a bound that leaving a constituent out uses up.
     ///
-    /// Without its extinction, light on the way to the eye and on the way from the sun is brighter by at most the
-    /// exponential of its optical depth along both. The light that it scatters is at most its optical depth
-    /// times its largest phase function times the light that there is; and against the other constituent, at most
-    /// the largest ratio of what both scatter at any altitude in any direction. Light that comes from elsewhere
-    /// counts as three times the sun's: that of a white ground and of the air.
+    /// Without its extinction, light on the way to the eye and on the way from the sun is brighter by at most
+    /// the exponential of its optical depth along both. The light that it scatters is at most its optical
+    /// depth times its largest phase function times the light that there is; and against the other
+    /// constituent, at most the largest ratio of what both scatter at any altitude in any direction. Light
+    /// that comes from elsewhere counts as three times the sun's: that of a white ground and of the air.
     pub fn without(&self, i: usize, bound: Bound) -> f64 {
         let depth = largest(self.extinction(i)) * (self.seen[i] + self.sunbeam[i]);
         let scattering = self.scattering(i);
@@ -121,27 +122,31 @@ impl<'a> LightBounds<'a> {
                 ratio = ratio.max(if own <= 0.0 { 0.0 } else { own / others });
             }
         }
-        cost(depth.exp_m1(), bound.relative) + cost(light, bound.absolute).min(cost(2.0 * ratio, bound.relative))
+        cost(depth.exp_m1(), bound.relative)
+            + cost(light, bound.absolute).min(cost(2.0 * ratio, bound.relative))
     }
 
-    /// Radiance of light that was scattered more than once, at most: what is scattered into a ray of all that the sun
-    /// and the ground send, twice where the air is thin enough for this to matter.
+    /// Radiance of light that was scattered more than once, at most: what is scattered into a ray of all that
+    /// the sun and the ground send, twice where the air is thin enough for this to matter.
     pub fn multiple(&self) -> f64 {
         let again = (0..2).map(|i| largest(self.scattering(i)) * longest(self.p, 0.0)[i]).sum::<f64>();
         let ground = 2.0 * largest(self.p.ground_albedo);
         let field = self.p.sun_intensity * (ground + 4.0 * again) / (1.0 - (ground + again).min(0.9));
-        let phase = (0..2).map(|i| largest(self.scattering(i)) * self.seen[i] * self.phase(i)[1]).sum::<f64>();
+        let phase =
+            (0..2).map(|i| largest(self.scattering(i)) * self.seen[i] * self.phase(i)[1]).sum::<f64>();
         phase * field
     }
 
     /// Radiance of the air in sight where the sun is far below the horizon, at most; infinite otherwise.
     ///
-    /// Scattered once, there is none where the planet's shadow covers all air in sight. Of all orders: the lowest
-    /// lit point that a horizontal ray meets is at `z = R (1 / cos(d / 2) - 1)` for a sun `d` below the horizon, and
-    /// the light falls with the scale heights `x` that this is up. The exponential lies above
-    /// the all-orders tables of every preset from `x = 4` on, by 1.6 (Mars) and more; tests hold it to that.
+    /// Scattered once, there is none where the planet's shadow covers all air in sight. Of all orders: the
+    /// lowest lit point that a horizontal ray meets is at `z = R (1 / cos(d / 2) - 1)` for a sun `d` below
+    /// the horizon, and the light falls with the scale heights `x` that this is up. The exponential lies
+    /// above the all-orders tables of every preset from `x = 4` on, by 1.6 (Mars) and more; tests hold it to
+    /// that.
     pub fn night(&self, visibility: &Visibility, tables: bool) -> f64 {
-        let depression = -visibility.sun_elevation - (visibility.planet_radius / visibility.camera_radius).acos();
+        let depression =
+            -visibility.sun_elevation - (visibility.planet_radius / visibility.camera_radius).acos();
         let dip = (visibility.planet_radius / visibility.top).acos();
         if !tables && depression > 2.0 * dip + MARGIN {
             return 0.0;
@@ -162,8 +167,8 @@ impl<'a> LightBounds<'a> {
     }
 }
 
-/// Radiance per irradiance and optical depth that the light at night begins with, 1/sr; how fast it falls with the scale
-/// heights up to the lit air; and the least depth that counts. See `LightBounds::night`.
+/// Radiance per irradiance and optical depth that the light at night begins with, 1/sr; how fast it falls
+/// with the scale heights up to the lit air; and the least depth that counts. See `LightBounds::night`.
 const NIGHT_LIGHT: f64 = 1.1e-3;
 const NIGHT_FALL: f64 = 0.7;
 const NIGHT_DEPTH: f64 = 0.2;
@@ -172,16 +177,18 @@ fn largest(v: [f64; 3]) -> f64 {
     v.into_iter().fold(0.0, f64::max)
 }
 
-/// Densities integrated along a straight line that comes down to an altitude, from top to top: at most. Metres.
+/// Densities integrated along a straight line that comes down to an altitude, from top to top: at most.
+/// Metres.
 ///
-/// Of an exponential: its Chapman function for a horizontal ray, `sqrt(2 pi r H) (1 + 3 H / (8 r))` and less, and
-/// no more than the line is long. Of the absorber: its largest density times the length within it.
+/// Of an exponential: its Chapman function for a horizontal ray, `sqrt(2 pi r H) (1 + 3 H / (8 r))` and less,
+/// and no more than the line is long. Of the absorber: its largest density times the length within it.
 fn longest(p: &AtmosphereParams, low: f64) -> [f64; 3] {
     let a = p.planet_radius + low;
     let half = |h: f64| ((h - low) * (p.planet_radius + h + a)).max(0.0).sqrt();
     let line = 2.0 * half(p.thickness());
-    let exponential =
-        |height: f64| (-low / height).exp() * line.min((2.0 * PI * a * height).sqrt() * (1.0 + 0.375 * height / a));
+    let exponential = |height: f64| {
+        (-low / height).exp() * line.min((2.0 * PI * a * height).sqrt() * (1.0 + 0.375 * height / a))
+    };
     let (center, width) = (p.ozone_center_altitude, p.ozone_half_width);
     let (from, to) = ((center - width).max(low), (center + width).min(p.thickness()));
     let densest = (1.0 - (low - center).max(0.0) / width).max(0.0);

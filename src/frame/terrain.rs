@@ -107,7 +107,8 @@ fn noise(p: DVec3) -> (f64, DVec3) {
     let mix = |a: f64, b: f64, t: f64| a + (b - a) * t;
     let (v000, v100, v010, v110) = (at(0, 0, 0), at(1, 0, 0), at(0, 1, 0), at(1, 1, 0));
     let (v001, v101, v011, v111) = (at(0, 0, 1), at(1, 0, 1), at(0, 1, 1), at(1, 1, 1));
-    let (x00, x10, x01, x11) = (mix(v000, v100, w.x), mix(v010, v110, w.x), mix(v001, v101, w.x), mix(v011, v111, w.x));
+    let (x00, x10, x01, x11) =
+        (mix(v000, v100, w.x), mix(v010, v110, w.x), mix(v001, v101, w.x), mix(v011, v111, w.x));
     let (y0, y1) = (mix(x00, x10, w.y), mix(x01, x11, w.y));
     let dx = mix(mix(v100 - v000, v110 - v010, w.y), mix(v101 - v001, v111 - v011, w.y), w.z);
     let dy = mix(x10 - x00, x11 - x01, w.z);
@@ -181,7 +182,8 @@ impl TerrainStyle {
         // right × up points backwards in a right-handed frame.
         let axis = if axis.dot(b.forward) < 0.0 { -axis } else { axis };
         let offset = |side: DVec3| (b.forward.dot(side) / side.length_squared()) as f32;
-        // Columns of the matrix are the zenith frame's axes in world coordinates, transposed: rows to go back.
+        // Columns of the matrix are the zenith frame's axes in world coordinates, transposed: rows to go
+        // back.
         let back = rows.transpose();
         let row = |i: usize| back.row(i).as_vec3().to_array();
         let color = |c: [f64; 3]| c.map(|v| v as f32);
@@ -192,7 +194,8 @@ impl TerrainStyle {
             grid_x: to_zenith(east),
             arc_scale: arc_scale as f32,
             grid_y: to_zenith(up.cross(east)),
-            arc_rate: (((0.5 * arc_max).tan() / arc_scale).asinh() / f64::from(terrain::numbers::RINGS)) as f32,
+            arc_rate: (((0.5 * arc_max).tan() / arc_scale).asinh() / f64::from(terrain::numbers::RINGS))
+                as f32,
             planet_x: row(0),
             sea: if self.sea { 1.0 } else { 0.0 },
             planet_y: row(1),
@@ -210,7 +213,8 @@ impl TerrainStyle {
         };
         let light = of.multi_scattering();
         let shadow = of.moon_shadow().map(|_| MOON_SHADOW);
-        let program = Air::ALL.program(&terrain::INFO, [("SKY_LIGHT", light.is_some()), ("MOON", shadow.is_some())]);
+        let program =
+            Air::ALL.program(&terrain::INFO, [("SKY_LIGHT", light.is_some()), ("MOON", shadow.is_some())]);
         Node {
             uniform: Uniform::new(&uniform),
             reads: reads([("moon_shadow_lut", shadow), ("multi_scattering_lut", light)]),

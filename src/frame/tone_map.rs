@@ -39,7 +39,8 @@ impl Display {
         ];
         let constants = on.into_iter().filter(|(_, on)| *on).fold(0, |all, (bit, _)| all | bit);
         let program = Program::new(&tone_map::INFO, constants);
-        let block = ToneUniform { exposure: self.exposure as f32, flipped: self.flipped.into(), pad: [0.0; 2] };
+        let block =
+            ToneUniform { exposure: self.exposure as f32, flipped: self.flipped.into(), pad: [0.0; 2] };
         Node {
             uniform: Uniform::new(&block),
             reads: reads([("scene_color", Some(Resource::Radiance))]),
@@ -50,8 +51,8 @@ impl Display {
 
 /// A pass that tone-maps `from` to `to` (usually [`Format::Rgba8`], same size); their row orders may differ.
 ///
-/// `dither` adds [`dither`] before an 8-bit target rounds, so that gradients show no bands; it does nothing to
-/// targets of other formats.
+/// `dither` adds [`dither`] before an 8-bit target rounds, so that gradients show no bands; it does nothing
+/// to targets of other formats.
 ///
 /// # Errors
 /// [`crate::ErrorKind::Invalid`] unless `exposure` is from 0 to 1e9 and the sizes are equal.
@@ -102,9 +103,16 @@ pub fn tone_map(curve: ToneMap, color: [f64; 3]) -> [f64; 3] {
     let color = color.map(|c| c.max(0.0));
     match curve {
         ToneMap::Aces => {
-            let v = mul([[0.59719, 0.35458, 0.04823], [0.07600, 0.90834, 0.01566], [0.02840, 0.13383, 0.83777]], color);
-            let fit = v.map(|v| (v * (v + 0.0245786) - 0.000090537) / (v * (0.983729 * v + 0.4329510) + 0.238081));
-            mul([[1.60475, -0.53108, -0.07367], [-0.10208, 1.10813, -0.00605], [-0.00327, -0.07276, 1.07602]], fit)
+            let v = mul(
+                [[0.59719, 0.35458, 0.04823], [0.07600, 0.90834, 0.01566], [0.02840, 0.13383, 0.83777]],
+                color,
+            );
+            let fit =
+                v.map(|v| (v * (v + 0.0245786) - 0.000090537) / (v * (0.983729 * v + 0.4329510) + 0.238081));
+            mul(
+                [[1.60475, -0.53108, -0.07367], [-0.10208, 1.10813, -0.00605], [-0.00327, -0.07276, 1.07602]],
+                fit,
+            )
         }
         ToneMap::AgX => {
             let inset = [
@@ -143,8 +151,8 @@ pub fn tone_map(curve: ToneMap, color: [f64; 3]) -> [f64; 3] {
     }
 }
 
-/// sRGB encoding of a linear value, clamped to 0..1 (IEC 61966-2-1): as in `pass/tone_map.wgsl`, where a fit by roots stands for
-/// the standard's power. It is off by at most 4.5e-5, 0.012 of a step of 8 bits.
+/// sRGB encoding of a linear value, clamped to 0..1 (IEC 61966-2-1): as in `pass/tone_map.wgsl`, where a fit
+/// by roots stands for the standard's power. It is off by at most 4.5e-5, 0.012 of a step of 8 bits.
 pub fn srgb_encode(linear: f64) -> f64 {
     let c = linear.clamp(0.0, 1.0);
     if c <= 0.0031308 {
@@ -155,8 +163,9 @@ pub fn srgb_encode(linear: f64) -> f64 {
     (0.64236099 * r2 + 0.71211629 * r4 - 0.33687249 * r4.sqrt() - 0.01756167 * c).min(1.0)
 }
 
-/// Noise of a pixel (column and row from 0), in steps of an 8-bit display value: more than -1/2, less than 1/2, its mean
-/// over a few pixels next to 0. The same numbers as in `pass/tone_map.wgsl`, which has the source.
+/// Noise of a pixel (column and row from 0), in steps of an 8-bit display value: more than -1/2, less than
+/// 1/2, its mean over a few pixels next to 0. The same numbers as in `pass/tone_map.wgsl`, which has the
+/// source.
 pub fn dither([x, y]: [u32; 2]) -> [f64; 3] {
     let n = x.wrapping_mul(0xc13f_a9a9).wrapping_add(y.wrapping_mul(0x91e1_0da5));
     [0, 0x5555_5555, 0xaaaa_aaaa].map(|offset| {

@@ -108,10 +108,10 @@ fn vec3(v: DVec3) -> [f32; 3] {
 }
 
 impl FrameUniform {
-    /// How the sky table shares its rows above the horizon, at an altitude (metres): the part for rays that go down and
-    /// pass the ground, how far that part is spaced as seen from outside (0 to 1), evenly in the altitude that a
-    /// ray passes, and the share that it has near the ground, as many rows as crowding at the horizon alone would give
-    /// it. Last: the horizon's cosine of the zenith angle with its sign changed.
+    /// How the sky table shares its rows above the horizon, at an altitude (metres): the part for rays that
+    /// go down and pass the ground, how far that part is spaced as seen from outside (0 to 1), evenly in the
+    /// altitude that a ray passes, and the share that it has near the ground, as many rows as crowding at the
+    /// horizon alone would give it. Last: the horizon's cosine of the zenith angle with its sign changed.
     pub(crate) fn sky_view_mapping(altitude: f64, p: &AtmosphereParams) -> [f32; 4] {
         let radius = p.planet_radius;
         let horizon = (altitude * (2.0 * radius + altitude)).sqrt() / (radius + altitude);
@@ -121,9 +121,10 @@ impl FrameUniform {
         [near + (1.0 - near) * bend, bend, near, horizon].map(|v| v as f32)
     }
 
-    /// The block of a checked scene's picture. The camera's altitude counts as 0 below the ground. size: pixels; rows:
-    /// which end of the picture the target's first row is; samples: along the view ray and from each of them towards
-    /// the sun; background_weight: fraction of the sky's light that the background pass draws, 0 to 1.
+    /// The block of a checked scene's picture. The camera's altitude counts as 0 below the ground. size:
+    /// pixels; rows: which end of the picture the target's first row is; samples: along the view ray and from
+    /// each of them towards the sun; background_weight: fraction of the sky's light that the background pass
+    /// draws, 0 to 1.
     pub fn new(
         scene: &Scene,
         view: &ZenithView,
@@ -164,14 +165,15 @@ impl FrameUniform {
         }
     }
 
-    /// The same block for a smaller picture of the same view, whose planet pixels are marked instead of discarded.
+    /// The same block for a smaller picture of the same view, whose planet pixels are marked instead of
+    /// discarded.
     pub(crate) fn reduced(self, view: &ZenithView, size: [u32; 2]) -> Self {
         let pixel_angle = pixel_angle(view, size);
         Self { size: size.map(|s| s as f32), pixel_angle, reduced: 1, ..self }
     }
 
-    /// What of the block the LUTs of a view depend on: medium, altitude and sun; the rest is 0, so that turning the
-    /// camera leaves its bytes as they are. LUTs hold light per unit of irradiance.
+    /// What of the block the LUTs of a view depend on: medium, altitude and sun; the rest is 0, so that
+    /// turning the camera leaves its bytes as they are. LUTs hold light per unit of irradiance.
     pub(crate) fn of_view_luts(&self) -> Self {
         Self {
             medium: MediumUniform { irradiance: [0.0; 3], ..self.medium },

@@ -1,5 +1,5 @@
-//! What a picture sees: the planet with its air, and the disks of sun and moon. All in f64, in the camera's zenith frame,
-//! metres and radians; nothing here knows how light is computed.
+//! What a picture sees: the planet with its air, and the disks of sun and moon. All in f64, in the camera's
+//! zenith frame, metres and radians; nothing here knows how light is computed.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -8,18 +8,20 @@ use glam::DVec3;
 use crate::model::atmosphere::AtmosphereParams;
 use crate::model::scene::{RayBasis, ZenithView};
 
-/// Radians by which a picture is taken to be wider than it is: rounding, and half a pixel, decide nothing then.
+/// Radians by which a picture is taken to be wider than it is: rounding, and half a pixel, decide nothing
+/// then.
 pub(crate) const MARGIN: f64 = 1e-3;
 
-/// What a picture sees of the planet: the cone around its middle that holds its corners, against the planet and its
-/// shell of air.
+/// What a picture sees of the planet: the cone around its middle that holds its corners, against the planet
+/// and its shell of air.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Visibility {
     /// Radius of the planet, metres.
     pub planet_radius: f64,
     /// Radius of the top of the air, metres.
     pub top: f64,
-    /// Distance of the camera from the planet's centre, metres; the planet's radius for a camera below the ground.
+    /// Distance of the camera from the planet's centre, metres; the planet's radius for a camera below the
+    /// ground.
     pub camera_radius: f64,
     /// Altitude of the camera, metres, never negative.
     pub altitude: f64,
@@ -87,13 +89,15 @@ impl Visibility {
         angle(towards, -DVec3::Z) + radius + MARGIN < self.planet_angle
     }
 
-    /// Distance to the farthest air that a straight line from the camera reaches before the ground or space, metres.
+    /// Distance to the farthest air that a straight line from the camera reaches before the ground or space,
+    /// metres.
     pub fn farthest(&self) -> f64 {
         let to = |r: f64| ((r - self.planet_radius) * (r + self.planet_radius)).max(0.0).sqrt();
         to(self.camera_radius) + to(self.top)
     }
 
-    /// Angle at the planet's centre from the camera to the farthest air above an altitude (metres) that it sees, radians.
+    /// Angle at the planet's centre from the camera to the farthest air above an altitude (metres) that it
+    /// sees, radians.
     pub fn arc_to_air_above(&self, altitude: f64) -> f64 {
         let a = self.planet_radius + altitude;
         (a / self.camera_radius).min(1.0).acos() + (a / self.top).min(1.0).acos()
@@ -105,9 +109,15 @@ fn angle(a: DVec3, b: DVec3) -> f64 {
     a.dot(b).clamp(-1.0, 1.0).acos()
 }
 
-/// Where in the picture (left, bottom, right, top, -1 to 1) a disk in the sky may touch a pixel; `None` outside of it.
-/// towards: its middle, unit; radius: with its soft edge, radians; size: of the target, pixels.
-pub(crate) fn disk_rectangle(basis: &RayBasis, towards: DVec3, radius: f64, size: [u32; 2]) -> Option<[f64; 4]> {
+/// Where in the picture (left, bottom, right, top, -1 to 1) a disk in the sky may touch a pixel; `None`
+/// outside of it. towards: its middle, unit; radius: with its soft edge, radians; size: of the target,
+/// pixels.
+pub(crate) fn disk_rectangle(
+    basis: &RayBasis,
+    towards: DVec3,
+    radius: f64,
+    size: [u32; 2],
+) -> Option<[f64; 4]> {
     let axis = basis.right.cross(basis.up).normalize_or_zero();
     let axis = if axis.dot(basis.forward) < 0.0 { -axis } else { axis };
     let along = axis.dot(towards);

@@ -1,5 +1,6 @@
-//! A map of some dozen entries, searched from front to back. It has the methods of `HashMap` that backends use, in a
-//! tenth of the code, which browsers download; comparing the few keys that a frame draws with costs less than hashing.
+//! A map of some dozen entries, searched from front to back. It has the methods of `HashMap` that backends
+//! use, in a tenth of the code, which browsers download; comparing the few keys that a frame draws with costs
+//! less than hashing.
 
 /// See the [module](self).
 pub struct Map<K, V>(Vec<(K, V)>);

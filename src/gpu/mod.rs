@@ -269,9 +269,9 @@ pub enum Precision {
     Guaranteed,
     /// 32 bits, also for the members of structs: a pixel showed it.
     Full,
-    /// 32 bits for plain numbers, fewer for the members of GLSL structs, as a pixel showed. Adreno GPUs up to the 6xx
-    /// do that (<https://github.com/KhronosGroup/WebGL/issues/3351>). No shader of this crate holds a struct value, so
-    /// that its pictures are right; your own shaders may suffer.
+    /// 32 bits for plain numbers, fewer for the members of GLSL structs, as a pixel showed. Adreno GPUs up to
+    /// the 6xx do that (<https://github.com/KhronosGroup/WebGL/issues/3351>). No shader of this crate holds a
+    /// struct value, so that its pictures are right; your own shaders may suffer.
     StructMembersReduced,
 }
 
@@ -298,7 +298,8 @@ pub struct AdapterInfo {
     pub timer: TimerKind,
     /// Largest texture side, texels.
     pub max_texture_size: u32,
-    /// Whether it interpolates between texels of 32-bit floats. Where it does not, the sky tables have 16 bits.
+    /// Whether it interpolates between texels of 32-bit floats. Where it does not, the sky tables have 16
+    /// bits.
     pub filters_f32: bool,
     /// How precisely its fragment shaders compute.
     pub precision: Precision,
@@ -341,7 +342,8 @@ pub trait Backend {
     /// A new texture; its content is undefined.
     ///
     /// # Errors
-    /// [`crate::ErrorKind::Invalid`] for a side of 0 or beyond [`AdapterInfo::max_texture_size`]; [`crate::ErrorKind::Driver`].
+    /// [`crate::ErrorKind::Invalid`] for a side of 0 or beyond [`AdapterInfo::max_texture_size`];
+    /// [`crate::ErrorKind::Driver`].
     fn create_texture(&mut self, desc: &TextureDesc) -> Result<TextureId>;
 
     /// What a texture was made with.
@@ -350,8 +352,8 @@ pub trait Backend {
     /// A number that no other backend of this process has. Ids mean nothing on a backend of another epoch.
     fn epoch(&self) -> u64;
 
-    /// The name of what a texture holds: [`Pass::content`] of the last pass that was run or recorded with it as its target,
-    /// or what [`Self::set_content`] said since. 0 if that is unknown.
+    /// The name of what a texture holds: [`Pass::content`] of the last pass that was run or recorded with it
+    /// as its target, or what [`Self::set_content`] said since. 0 if that is unknown.
     fn content(&self, id: TextureId) -> u64;
 
     /// Names what a texture holds, after it was written by other means than a pass.
@@ -426,11 +428,13 @@ pub(crate) fn unknown(backend: &'static str, what: &str) -> Error {
     Error::driver(backend, what, "no such object: it was destroyed or belongs to another backend")
 }
 
-/// Checks that a pass gives its program what it reads; answers the textures in the order of the program's slots.
+/// Checks that a pass gives its program what it reads; answers the textures in the order of the program's
+/// slots.
 #[cfg(any(feature = "wgpu", feature = "webgl"))]
 pub(crate) fn check_pass(backend: &'static str, pass: &Pass, program: Program) -> Result<program::Bound> {
-    let fault =
-        |reason| Error::driver(backend, format!("pass {} with program {}", pass.label, program.name()), reason);
+    let fault = |reason| {
+        Error::driver(backend, format!("pass {} with program {}", pass.label, program.name()), reason)
+    };
     let (given, needed) = (pass.uniform.bytes().len(), program.info().uniform_size as usize);
     if given != needed {
         return Err(fault(format!("{given} uniform bytes given, {needed} needed")));
@@ -452,7 +456,9 @@ pub(crate) fn decode_texels(format: Format, bytes: &[u8], out: &mut Vec<f32>) {
     match format {
         Format::Rgba8 => out.extend(bytes.iter().map(|&b| f32::from(b) / 255.0)),
         Format::Bgra8 => {
-            out.extend(bytes.chunks_exact(4).flat_map(|t| [t[2], t[1], t[0], t[3]]).map(|b| f32::from(b) / 255.0));
+            out.extend(
+                bytes.chunks_exact(4).flat_map(|t| [t[2], t[1], t[0], t[3]]).map(|b| f32::from(b) / 255.0),
+            );
         }
         Format::Rgba16Float => {
             out.extend(bytes.chunks_exact(2).map(|b| half::f16::from_le_bytes([b[0], b[1]]).to_f32()));

@@ -1,15 +1,15 @@
-//! One pool for every texture that a renderer makes for itself: by name, size and format, freed when nothing has used it
-//! for a while.
+//! One pool for every texture that a renderer makes for itself: by name, size and format, freed when nothing
+//! has used it for a while.
 
 use super::{Backend, TextureDesc, TextureId};
 use crate::error::Result;
 
-/// Frames in a row without a use after which a texture is freed: about five seconds. Not at once, for the camera may
-/// turn back.
+/// Frames in a row without a use after which a texture is freed: about five seconds. Not at once, for the
+/// camera may turn back.
 pub(crate) const IDLE_FRAMES: u32 = 300;
 
-/// What a texture is called in the pool: a name, and a number where several stand beside each other (the two of a
-/// ping-pong).
+/// What a texture is called in the pool: a name, and a number where several stand beside each other (the two
+/// of a ping-pong).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PoolKey {
     /// The field's name for what is in it, for instance `sky_view_lut`.
@@ -27,7 +27,8 @@ struct Entry {
     idle: u32,
 }
 
-/// Textures of one renderer on one backend. A backend that is new to it (after a lost device, say) gets new textures.
+/// Textures of one renderer on one backend. A backend that is new to it (after a lost device, say) gets new
+/// textures.
 #[derive(Debug, Default)]
 pub struct TexturePool {
     /// [`Backend::epoch`] of the backend that the textures are on.
@@ -39,7 +40,8 @@ impl TexturePool {
     /// Forgets textures of another backend; to be called before anything else in a frame.
     pub fn begin(&mut self, backend: &dyn Backend) {
         if self.epoch != backend.epoch() {
-            // They went with their device, or belong to a backend that still holds them: their ids mean nothing here.
+            // They went with their device, or belong to a backend that still holds them: their ids mean
+            // nothing here.
             self.entries.clear();
             self.epoch = backend.epoch();
         }

@@ -1,8 +1,8 @@
 //! What a backend is told of a program: its texts, and what they read. Nothing here knows any physics.
 //!
-//! A [`ProgramInfo`] is a table row that is made from the shader's own reflection. A [`Program`] is such a row
-//! with a choice of its constants: lines `const NAME: bool = true;` in the text, which the backend rewrites when
-//! it compiles, so that the driver drops what is off.
+//! A [`ProgramInfo`] is a table row that is made from the shader's own reflection. A [`Program`] is such a
+//! row with a choice of its constants: lines `const NAME: bool = true;` in the text, which the backend
+//! rewrites when it compiles, so that the driver drops what is off.
 
 use std::fmt;
 use std::hash::{Hash, Hasher};
@@ -67,7 +67,8 @@ pub struct ProgramInfo {
     pub glsl: Glsl,
 }
 
-/// A program in GLSL ES 3.00: its shaders as lists of indices into a table of parts, and naga's names of what they bind.
+/// A program in GLSL ES 3.00: its shaders as lists of indices into a table of parts, and naga's names of what
+/// they bind.
 #[cfg(feature = "webgl")]
 #[derive(Debug)]
 pub struct Glsl {
@@ -189,8 +190,8 @@ impl fmt::Debug for Program {
     }
 }
 
-/// The textures that a pass gives its program, by name. A texture that the program's constants leave unread may be
-/// given as `None`.
+/// The textures that a pass gives its program, by name. A texture that the program's constants leave unread
+/// may be given as `None`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Inputs {
     list: [(&'static str, Option<TextureId>); TEXTURES_MAX],
@@ -215,7 +216,11 @@ impl Inputs {
     /// [`crate::ErrorKind::Invalid`] beyond [`TEXTURES_MAX`].
     pub fn push(&mut self, name: &'static str, texture: Option<TextureId>) -> Result<()> {
         let free = self.list.get_mut(self.len).ok_or_else(|| {
-            Error::invalid("inputs", TEXTURES_MAX + 1, format_args!("at most {TEXTURES_MAX} textures of a pass"))
+            Error::invalid(
+                "inputs",
+                TEXTURES_MAX + 1,
+                format_args!("at most {TEXTURES_MAX} textures of a pass"),
+            )
         })?;
         *free = (name, texture);
         self.len += 1;
@@ -227,7 +232,8 @@ impl Inputs {
         self.list[..self.len].iter().copied()
     }
 
-    /// The textures in the order of a program's slots; an error says which name is missing, unknown or given twice.
+    /// The textures in the order of a program's slots; an error says which name is missing, unknown or given
+    /// twice.
     #[cfg(any(feature = "wgpu", feature = "webgl"))]
     pub(crate) fn by_slot(&self, info: &ProgramInfo) -> std::result::Result<Bound, String> {
         let mut bound = [None; TEXTURES_MAX];

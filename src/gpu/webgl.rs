@@ -18,9 +18,9 @@ use slotmap::SlotMap;
 
 use super::map::Map;
 use super::{
-    AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, Precision, Program, ProgramId, ReadId, TEXTURES_MAX,
-    TextureDesc, TextureId, TimerId, TimerKind, UNIFORM_MAX, Vertices, check_pass, decode_texels, encode_texels,
-    unknown,
+    AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, Precision, Program, ProgramId, ReadId,
+    TEXTURES_MAX, TextureDesc, TextureId, TimerId, TimerKind, UNIFORM_MAX, Vertices, check_pass,
+    decode_texels, encode_texels, unknown,
 };
 use crate::error::{Error, Result};
 use state::{PLAIN_PIXELS, SWITCHES, Saved, store_pixels};
@@ -106,8 +106,8 @@ impl WebGlBackend {
     /// is put back after each call; see the [module](self) for the one exception.
     ///
     /// # Errors
-    /// [`crate::ErrorKind::Unavailable`] if the context cannot draw to float textures, or if it computes fragment shaders with
-    /// fewer than 32 bits: one pixel is drawn to find out.
+    /// [`crate::ErrorKind::Unavailable`] if the context cannot draw to float textures, or if it computes
+    /// fragment shaders with fewer than 32 bits: one pixel is drawn to find out.
     pub fn new(gl: Rc<glow::Context>) -> Result<Self> {
         Self::make(gl, Some((Saved::take, Saved::restore)))
     }
@@ -266,7 +266,11 @@ impl WebGlBackend {
     }
 
     /// The framebuffer that draws to these textures; made at the first use.
-    fn framebuffer(&mut self, color: TextureId, depth: Option<TextureId>) -> Result<Option<glow::Framebuffer>> {
+    fn framebuffer(
+        &mut self,
+        color: TextureId,
+        depth: Option<TextureId>,
+    ) -> Result<Option<glow::Framebuffer>> {
         let handle = |this: &Self, id: TextureId| -> Result<Source> {
             Ok(this.textures.get(id).ok_or_else(|| unknown(NAME, "target"))?.source)
         };
@@ -288,7 +292,13 @@ impl WebGlBackend {
             if let Some(depth) = depth
                 && let Source::Own(t) | Source::User(t) = handle(self, depth)?
             {
-                gl.framebuffer_texture_2d(glow::FRAMEBUFFER, glow::DEPTH_ATTACHMENT, glow::TEXTURE_2D, Some(t), 0);
+                gl.framebuffer_texture_2d(
+                    glow::FRAMEBUFFER,
+                    glow::DEPTH_ATTACHMENT,
+                    glow::TEXTURE_2D,
+                    Some(t),
+                    0,
+                );
             }
             let status = gl.check_framebuffer_status(glow::FRAMEBUFFER);
             if status != glow::FRAMEBUFFER_COMPLETE {
@@ -533,7 +543,8 @@ impl Backend for WebGlBackend {
                 format_args!("{want} values, and not for a depth buffer"),
             ));
         }
-        let (Source::Own(handle) | Source::User(handle), Some((_, layout, kind))) = (t.source, format(desc.format))
+        let (Source::Own(handle) | Source::User(handle), Some((_, layout, kind))) =
+            (t.source, format(desc.format))
         else {
             return Err(unknown(NAME, "a framebuffer, which cannot be written"));
         };
@@ -613,14 +624,23 @@ impl Backend for WebGlBackend {
                 // To both ends: with the canvas to draw to, Chromium reads as if from there.
                 this.gl.bind_framebuffer(glow::FRAMEBUFFER, framebuffer);
                 let (w, h) = (desc.width as i32, desc.height as i32);
-                this.gl.read_pixels(0, 0, w, h, glow::RGBA, kind, glow::PixelPackData::Slice(Some(&mut bytes)));
+                this.gl.read_pixels(
+                    0,
+                    0,
+                    w,
+                    h,
+                    glow::RGBA,
+                    kind,
+                    glow::PixelPackData::Slice(Some(&mut bytes)),
+                );
             }
             this.check("read back")?;
             let mut values = Vec::with_capacity(desc.texels() * 4);
             decode_texels(wire, &bytes, &mut values);
             Ok(values)
         })?;
-        let values = if desc.format.channels() == 1 { values.into_iter().step_by(4).collect() } else { values };
+        let values =
+            if desc.format.channels() == 1 { values.into_iter().step_by(4).collect() } else { values };
         Ok(self.reads.insert(values))
     }
 
@@ -661,8 +681,11 @@ impl Backend for WebGlBackend {
         let gl = &self.gl;
         let queries: Vec<_> = timer.passes.iter().filter_map(|(_, q, _)| *q).collect();
         // SAFETY: queries made by this backend and not yet deleted.
-        let ready =
-            || queries.iter().all(|&q| unsafe { gl.get_query_parameter_u32(q, glow::QUERY_RESULT_AVAILABLE) } != 0);
+        let ready = || {
+            queries
+                .iter()
+                .all(|&q| unsafe { gl.get_query_parameter_u32(q, glow::QUERY_RESULT_AVAILABLE) } != 0)
+        };
         if !self.web {
             // SAFETY: no arguments.
             unsafe { gl.finish() };
@@ -729,7 +752,15 @@ impl WebGlBackend {
             let mut pixel = [0; 16];
             // SAFETY: one pixel into a buffer that holds it.
             unsafe {
-                this.gl.read_pixels(0, 0, 1, 1, glow::RGBA, glow::FLOAT, glow::PixelPackData::Slice(Some(&mut pixel)))
+                this.gl.read_pixels(
+                    0,
+                    0,
+                    1,
+                    1,
+                    glow::RGBA,
+                    glow::FLOAT,
+                    glow::PixelPackData::Slice(Some(&mut pixel)),
+                )
             };
         };
         let now = || js_sys::Date::now();

@@ -11,9 +11,9 @@ use slotmap::SlotMap;
 
 use super::map::Map;
 use super::{
-    AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, Precision, Program, ProgramId, ReadId, SAMPLER_BINDING,
-    TEXTURES_MAX, TextureDesc, TextureId, TimerId, TimerKind, UNIFORM_MAX, Vertices, check_pass, decode_texels,
-    encode_texels, program::Bound, unknown,
+    AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, Precision, Program, ProgramId, ReadId,
+    SAMPLER_BINDING, TEXTURES_MAX, TextureDesc, TextureId, TimerId, TimerKind, UNIFORM_MAX, Vertices,
+    check_pass, decode_texels, encode_texels, program::Bound, unknown,
 };
 use crate::error::{Error, Result};
 
@@ -116,8 +116,9 @@ impl WgpuBackend {
                 _ if cfg!(target_arch = "wasm32") => unavailable("the browser offers no adapter".into()),
                 e => unavailable(e.to_string()),
             })?;
-        let wanted =
-            wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::FLOAT32_BLENDABLE | wgpu::Features::FLOAT32_FILTERABLE;
+        let wanted = wgpu::Features::TIMESTAMP_QUERY
+            | wgpu::Features::FLOAT32_BLENDABLE
+            | wgpu::Features::FLOAT32_FILTERABLE;
         let limits = wgpu::Limits {
             max_texture_dimension_2d: adapter.limits().max_texture_dimension_2d,
             ..wgpu::Limits::downlevel_defaults()
@@ -134,12 +135,17 @@ impl WgpuBackend {
         let about = adapter.get_info();
         let driver = format!("{:?} {} {}", about.backend, about.driver, about.driver_info);
         let kind = if about.device_type == wgpu::DeviceType::Cpu { " (software)" } else { "" };
-        let name =
-            if about.name.is_empty() { format!("adapter that the browser does not name{kind}") } else { about.name };
+        let name = if about.name.is_empty() {
+            format!("adapter that the browser does not name{kind}")
+        } else {
+            about.name
+        };
         let mut backend = Self::from_device(device, queue, &name)?;
         driver.trim_end().clone_into(&mut backend.info.driver);
         let lost = backend.lost.clone();
-        backend.device.set_device_lost_callback(move |reason, text| *lock(&lost) = Some(format!("{reason:?}: {text}")));
+        backend
+            .device
+            .set_device_lost_callback(move |reason, text| *lock(&lost) = Some(format!("{reason:?}: {text}")));
         let failure = backend.failure.clone();
         backend.device.on_uncaptured_error(Arc::new(move |e: wgpu::Error| {
             lock(&failure).get_or_insert_with(|| e.to_string());
@@ -265,7 +271,9 @@ impl WgpuBackend {
         let color = self.textures.get(pass.target.color).ok_or_else(|| unknown(NAME, "target"))?.desc;
         if let Some(depth) = pass.target.depth {
             let depth = self.textures.get(depth).ok_or_else(|| unknown(NAME, "depth target"))?.desc;
-            if depth.format != Format::Depth32Float || (depth.width, depth.height) != (color.width, color.height) {
+            if depth.format != Format::Depth32Float
+                || (depth.width, depth.height) != (color.width, color.height)
+            {
                 return Err(Error::invalid(
                     format_args!("pass {} depth target", pass.label),
                     format_args!("{:?}, {} × {}", depth.format, depth.width, depth.height),
@@ -378,7 +386,12 @@ impl WgpuBackend {
                 resolve_target: None,
                 ops: wgpu::Operations {
                     load: pass.target.clear.map_or(wgpu::LoadOp::Load, |[r, g, b, a]| {
-                        wgpu::LoadOp::Clear(wgpu::Color { r: r.into(), g: g.into(), b: b.into(), a: a.into() })
+                        wgpu::LoadOp::Clear(wgpu::Color {
+                            r: r.into(),
+                            g: g.into(),
+                            b: b.into(),
+                            a: a.into(),
+                        })
                     }),
                     store: wgpu::StoreOp::Store,
                 },
@@ -404,7 +417,9 @@ impl WgpuBackend {
             return Err(unknown(NAME, pass.label));
         };
         let bound = check_pass(NAME, pass, compiled.program)?;
-        let Some(group) = self.bind_groups.get(&(program, bound)) else { return Err(unknown(NAME, pass.label)) };
+        let Some(group) = self.bind_groups.get(&(program, bound)) else {
+            return Err(unknown(NAME, pass.label));
+        };
         render.set_pipeline(pipeline);
         let offset = self.ring_next * self.ring_stride;
         if pass.uniform.bytes().is_empty() {
@@ -611,9 +626,10 @@ impl Backend for WgpuBackend {
                 count: None,
             });
         }
-        let layout = self
-            .device
-            .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(&label), entries: &entries });
+        let layout = self.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+            label: Some(&label),
+            entries: &entries,
+        });
         let pipeline_layout = self.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some(&label),
             bind_group_layouts: &[Some(&layout)],
@@ -643,8 +659,8 @@ impl Backend for WgpuBackend {
         self.alive()?;
         let t = self.textures.get(id).ok_or_else(|| unknown(NAME, "texture"))?;
         let texture = t.texture.as_ref().ok_or_else(|| unknown(NAME, "an imported view"))?;
-        let row_bytes =
-            (t.desc.width * t.desc.format.bytes() as u32).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+        let row_bytes = (t.desc.width * t.desc.format.bytes() as u32)
+            .next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
         let size = u64::from(row_bytes) * u64::from(t.desc.height);
         let buffer = self.read_buffer("welkin read back", size, wgpu::BufferUsages::MAP_READ);
         let mut encoder = self.encoder();
@@ -652,7 +668,11 @@ impl Backend for WgpuBackend {
             texture.as_image_copy(),
             wgpu::TexelCopyBufferInfo {
                 buffer: &buffer,
-                layout: wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row_bytes), rows_per_image: None },
+                layout: wgpu::TexelCopyBufferLayout {
+                    offset: 0,
+                    bytes_per_row: Some(row_bytes),
+                    rows_per_image: None,
+                },
             },
             texture.size(),
         );
@@ -723,8 +743,9 @@ impl Backend for WgpuBackend {
         ready.map_err(|e| Error::driver(NAME, "times", e.to_string()))?;
         let period = f64::from(self.queue.get_timestamp_period());
         Self::mapped(&timer.buffer, |bytes| {
-            let stamp =
-                |i: usize| bytes.get(8 * i..8 * i + 8).and_then(|b| b.try_into().ok()).map_or(0, u64::from_le_bytes);
+            let stamp = |i: usize| {
+                bytes.get(8 * i..8 * i + 8).and_then(|b| b.try_into().ok()).map_or(0, u64::from_le_bytes)
+            };
             let times = timer.labels.iter().enumerate().map(|(i, &label)| PassTime {
                 label,
                 nanoseconds: stamp(2 * i + 1).saturating_sub(stamp(2 * i)) as f64 * period,

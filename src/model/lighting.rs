@@ -1,4 +1,5 @@
-//! Light for a scene of one's own by constants: in space, on the ground and between, as an engine's shaders want it.
+//! Light for a scene of one's own by constants: in space, on the ground and between, as an engine's shaders
+//! want it.
 //!
 //! [`lighting_context_at_altitude`] blends a context of the ground into [`LightingContext::space`], and
 //! [`modulate_ambient_by_sun`] dims it at night. By physics instead: [`crate::model::sunlight::sunlight`] and
@@ -24,10 +25,16 @@ pub struct LightingContext {
 impl LightingContext {
     /// No air: no light but the sun's, and black shadows.
     pub fn space() -> Self {
-        Self { ambient_color: Vec3::ZERO, ambient_intensity: 0.0, shadow_min_light: 0.0, atmosphere_density: 0.0 }
+        Self {
+            ambient_color: Vec3::ZERO,
+            ambient_intensity: 0.0,
+            shadow_min_light: 0.0,
+            atmosphere_density: 0.0,
+        }
     }
 
-    /// Constants for the ground of an Earth by day; its colour and strength are a matter of taste, not measured.
+    /// Constants for the ground of an Earth by day; its colour and strength are a matter of taste, not
+    /// measured.
     pub fn earth_like_surface() -> Self {
         Self {
             ambient_color: Vec3::new(0.4, 0.5, 0.7),
@@ -69,8 +76,9 @@ impl AtmosphereConfig {
     }
 }
 
-/// The context at an altitude (metres): the surface's below `atmosphere_start`, that of space above `atmosphere_end`, and
-/// between them a smooth step. Any altitude gives a finite context; one that is no number, that of space.
+/// The context at an altitude (metres): the surface's below `atmosphere_start`, that of space above
+/// `atmosphere_end`, and between them a smooth step. Any altitude gives a finite context; one that is no
+/// number, that of space.
 pub fn lighting_context_at_altitude(
     altitude: f64,
     config: &AtmosphereConfig,
@@ -93,8 +101,8 @@ pub fn lighting_context_at_altitude(
     }
 }
 
-/// Ambient light by the sine of the sun's elevation, -1 to 1: all of it from 0.25 up, a twentieth (stars, moon)
-/// from -0.225 down.
+/// Ambient light by the sine of the sun's elevation, -1 to 1: all of it from 0.25 up, a twentieth (stars,
+/// moon) from -0.225 down.
 pub fn modulate_ambient_by_sun(base_ambient: Vec3, sun_elevation: f32) -> Vec3 {
     base_ambient * (sun_elevation * 2.0 + 0.5).clamp(0.05, 1.0)
 }

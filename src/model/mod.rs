@@ -1,5 +1,5 @@
-//! What there is: the medium, the scene, the moon, phase functions, light by constants. All in f64 and metres; no GPU is
-//! known here.
+//! What there is: the medium, the scene, the moon, phase functions, light by constants. All in f64 and
+//! metres; no GPU is known here.
 
 pub mod airglow;
 pub mod atmosphere;

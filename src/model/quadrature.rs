@@ -132,7 +132,11 @@ fn panel(f: &mut impl FnMut(f64) -> [f64; 3], lo: f64, hi: f64) -> Panel {
         let mean = 0.5 * kronrod[c];
         let variation: f64 = samples.iter().map(|(y, w)| w * (y[c] - mean).abs()).sum::<f64>() * half;
         let difference = ((kronrod[c] - gauss[c]) * half).abs();
-        if variation > 0.0 { variation * (200.0 * difference / variation).powf(1.5).min(1.0) } else { difference }
+        if variation > 0.0 {
+            variation * (200.0 * difference / variation).powf(1.5).min(1.0)
+        } else {
+            difference
+        }
     });
     Panel { lo, hi, value: kronrod.map(|v| v * half), error }
 }
@@ -146,7 +150,8 @@ pub(crate) fn integrate(
     floor: f64,
     max_panels: usize,
 ) -> Integral {
-    let mut panels: Vec<Panel> = breaks.windows(2).filter(|w| w[1] > w[0]).map(|w| panel(&mut f, w[0], w[1])).collect();
+    let mut panels: Vec<Panel> =
+        breaks.windows(2).filter(|w| w[1] > w[0]).map(|w| panel(&mut f, w[0], w[1])).collect();
     let mut evaluations = 15 * panels.len() as u32;
     loop {
         let mut value = [0.0; 3];

@@ -1,8 +1,8 @@
 //! Where a line meets a sphere, in f64.
 //!
-//! The smaller root of the quadratic is the difference of two nearly equal numbers, and `|o|² - R²` loses everything
-//! about a small altitude above a large radius. Here the discriminant is `(R - p)(R + p)` with the impact parameter `p`,
-//! and the nearer root is `c / q` (Press et al., Numerical Recipes, section 5.6).
+//! The smaller root of the quadratic is the difference of two nearly equal numbers, and `|o|² - R²` loses
+//! everything about a small altitude above a large radius. Here the discriminant is `(R - p)(R + p)` with the
+//! impact parameter `p`, and the nearer root is `c / q` (Press et al., Numerical Recipes, section 5.6).
 
 use glam::{DVec3, Vec3};
 

@@ -4,9 +4,9 @@ use super::atmosphere::AtmosphereParams;
 use super::quadrature::gauss_16;
 use crate::error::{Result, in_range};
 
-/// Irradiance by the sun on a plane that faces it, at an altitude (metres, ground level below 0) where its centre stands
-/// at the given sine of elevation (-1 to 1): what the air leaves of [`AtmosphereParams::sun_intensity`], 0 behind the
-/// planet. Within 0.1 %.
+/// Irradiance by the sun on a plane that faces it, at an altitude (metres, ground level below 0) where its
+/// centre stands at the given sine of elevation (-1 to 1): what the air leaves of
+/// [`AtmosphereParams::sun_intensity`], 0 behind the planet. Within 0.1 %.
 ///
 /// # Errors
 /// [`crate::ErrorKind::Invalid`] from [`AtmosphereParams::validate`] and for inputs out of range.
@@ -30,12 +30,12 @@ pub fn sunlight(params: &AtmosphereParams, altitude: f64, sun_sine: f64) -> Resu
     }))
 }
 
-/// Densities of gas, aerosol and absorber integrated (metres) from an altitude `h >= 0` (metres) in a direction with the
-/// given sine of elevation to the top of the air; the line meets no ground.
+/// Densities of gas, aerosol and absorber integrated (metres) from an altitude `h >= 0` (metres) in a
+/// direction with the given sine of elevation to the top of the air; the line meets no ground.
 ///
-/// With `v² = altitude - altitude of the perigee` the way along the line is `s = v sqrt(v² + 2 r)`, r the perigee's
-/// radius, an exponential density falls like `exp(-v² / H)` and the tent is a parabola: both are smooth in v, so that a
-/// Gauss rule on the stretch where the density matters converges at once.
+/// With `v² = altitude - altitude of the perigee` the way along the line is `s = v sqrt(v² + 2 r)`, r the
+/// perigee's radius, an exponential density falls like `exp(-v² / H)` and the tent is a parabola: both are
+/// smooth in v, so that a Gauss rule on the stretch where the density matters converges at once.
 fn columns_to_space(p: &AtmosphereParams, h: f64, sine: f64) -> [f64; 3] {
     let r = p.planet_radius + h;
     let cosine = ((1.0 - sine) * (1.0 + sine)).max(0.0).sqrt();
@@ -102,8 +102,13 @@ mod tests {
 
     #[test]
     fn it_is_what_the_reference_lets_through() {
-        let thick = AtmosphereParams { mie_scale_height: 20.0, rayleigh_scale_height: 2e5, ..AtmosphereParams::venus() };
-        for params in [AtmosphereParams::earth(), AtmosphereParams::mars(), AtmosphereParams::venus(), thick] {
+        let thick = AtmosphereParams {
+            mie_scale_height: 20.0,
+            rayleigh_scale_height: 2e5,
+            ..AtmosphereParams::venus()
+        };
+        for params in [AtmosphereParams::earth(), AtmosphereParams::mars(), AtmosphereParams::venus(), thick]
+        {
             for altitude in [0.0, 1.7, 3e3, 2.4e4, 9e4, 4e5, 3.6e7] {
                 for degrees in [90.0_f64, 30.0, 5.0, 0.3, 0.0, -0.3, -3.0, -20.0, -80.0] {
                     let sine = degrees.to_radians().sin();

@@ -49,10 +49,15 @@ impl Iterator for Cases {
 /// The media of the grid.
 fn media() -> Vec<AtmosphereParams> {
     let earth = AtmosphereParams::earth();
-    let thin =
-        |shell: f64| AtmosphereParams { atmosphere_radius: earth.planet_radius * (1.0 + shell), ..earth.clone() };
-    let scale =
-        |height: f64| AtmosphereParams { rayleigh_scale_height: height, mie_scale_height: height, ..earth.clone() };
+    let thin = |shell: f64| AtmosphereParams {
+        atmosphere_radius: earth.planet_radius * (1.0 + shell),
+        ..earth.clone()
+    };
+    let scale = |height: f64| AtmosphereParams {
+        rayleigh_scale_height: height,
+        mie_scale_height: height,
+        ..earth.clone()
+    };
     let depth = |tau: f64| AtmosphereParams {
         rayleigh_scattering: [tau / earth.rayleigh_scale_height; 3],
         mie_scattering: [0.0; 3],
@@ -279,8 +284,9 @@ fn build(p: &AtmosphereParams, h: f64, sun_number: usize, direction: usize, rng:
         21 | 22 => at(dip(thickness * (1.2 * rng.f64() - 0.1))),
         23 => {
             let e = log(rng, 1e-7, 1.0);
-            (sun * if rng.bool() { 1.0 } else { -1.0 } + DVec3::new(e * rng.f64(), e * rng.f64(), -e * rng.f64()))
-                .normalize()
+            (sun * if rng.bool() { 1.0 } else { -1.0 }
+                + DVec3::new(e * rng.f64(), e * rng.f64(), -e * rng.f64()))
+            .normalize()
         }
         _ => {
             let z = 2.0 * rng.f64() - 1.0;

@@ -1,5 +1,6 @@
-//! Whole pictures of random scenes over everything that [`Scene::validate`] accepts: whether all of their light is finite
-//! and possible. Small ones, but by the passes, tables and textures that large ones are drawn with.
+//! Whole pictures of random scenes over everything that [`Scene::validate`] accepts: whether all of their
+//! light is finite and possible. Small ones, but by the passes, tables and textures that large ones are drawn
+//! with.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -23,7 +24,8 @@ pub struct Frame {
     pub settings: SkySettings,
     /// Pixels.
     pub size: [u32; 2],
-    /// Distances of planes along the camera's axis, metres, one a row of pixels and again from the first; infinite: none.
+    /// Distances of planes along the camera's axis, metres, one a row of pixels and again from the first;
+    /// infinite: none.
     pub planes: Vec<f64>,
 }
 
@@ -54,8 +56,9 @@ pub fn frame(seed: u64, number: u64) -> Frame {
         // One constituent alone, or none.
         let keep = rng.u8(0..4);
         let a = &mut atmosphere;
-        for (i, c) in
-            [&mut a.rayleigh_scattering, &mut a.mie_scattering, &mut a.ozone_absorption].into_iter().enumerate()
+        for (i, c) in [&mut a.rayleigh_scattering, &mut a.mie_scattering, &mut a.ozone_absorption]
+            .into_iter()
+            .enumerate()
         {
             if i != usize::from(keep) {
                 *c = [0.0; 3];

@@ -47,7 +47,8 @@ pub enum Probe {
     Scatter(MiePhase),
     /// Which share of the sun a moon leaves; judged by a test of its own, on cases of its own.
     Eclipse,
-    /// Where in the precomputed tables a ray, an altitude or a sun's angle is, and what a place in them stands for.
+    /// Where in the precomputed tables a ray, an altitude or a sun's angle is, and what a place in them
+    /// stands for.
     Tables,
 }
 
@@ -64,7 +65,8 @@ impl Probe {
 
     /// Those that a batch of cases is tried with, by its number: the two phase functions' scattering in turn.
     pub fn of_batch(number: u64) -> [Self; 5] {
-        let phase = if number.is_multiple_of(2) { MiePhase::HenyeyGreenstein } else { MiePhase::CornetteShanks };
+        let phase =
+            if number.is_multiple_of(2) { MiePhase::HenyeyGreenstein } else { MiePhase::CornetteShanks };
         [Self::Geometry, Self::Medium, Self::Path, Self::Tables, Self::Scatter(phase)]
     }
 
@@ -247,7 +249,10 @@ pub fn run(backend: &mut dyn Backend, probe: Probe, cases: &[Case]) -> Result<Ve
         let running = Running::begin(backend, probe, batch)?;
         let done = running.poll(backend)?;
         answers.extend(done.ok_or_else(|| {
-            crate::Error::unavailable(backend.info().backend, "this platform cannot wait for the GPU: poll instead")
+            crate::Error::unavailable(
+                backend.info().backend,
+                "this platform cannot wait for the GPU: poll instead",
+            )
         })?);
     }
     Ok(answers)

@@ -154,7 +154,8 @@ impl Chord {
         Some((start, end.max(start), kind))
     }
 
-    /// `v` with `v² = altitude - perigee altitude`, signed like `s`. An exponential density is a Gaussian in it.
+    /// `v` with `v² = altitude - perigee altitude`, signed like `s`. An exponential density is a Gaussian in
+    /// it.
     pub(crate) fn v_at(self, s: f64) -> f64 {
         let sum = self.radius(s) + self.perigee_radius;
         if sum > 0.0 { s / sum.sqrt() } else { 0.0 }
@@ -269,7 +270,10 @@ mod tests {
         assert!((level.at_altitude(exact).unwrap() - t).abs() < 1e-6);
         for (altitude, angle) in [(0.0, 0.3f64), (1000.0, 1.57), (5e4, 2.0), (3.8e8, 3.1), (0.0, 0.0)] {
             let chord = Chord::new(R, altitude, angle.cos(), angle.sin());
-            assert!((chord.altitude(chord.origin) - altitude).abs() < 1e-8 + 1e-15 * altitude, "{altitude} {angle}");
+            assert!(
+                (chord.altitude(chord.origin) - altitude).abs() < 1e-8 + 1e-15 * altitude,
+                "{altitude} {angle}"
+            );
             for s in [-1e6, -12.0, 1e5] {
                 assert!((chord.at_v(chord.v_at(s)).0 - s).abs() < 1e-9 * s.abs(), "{altitude} {angle} {s}");
             }

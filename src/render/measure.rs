@@ -27,9 +27,10 @@ impl ParetoFront {
     /// before can be used again.
     ///
     /// # Errors
-    /// [`crate::ErrorKind::Invalid`] for no qualities, for one whose numbers are not among the committed, and for a size
-    /// that the backend does not have, before anything is created; [`crate::ErrorKind::Unavailable`] where waiting or
-    /// timing is impossible (browsers); errors of the backend.
+    /// [`crate::ErrorKind::Invalid`] for no qualities, for one whose numbers are not among the committed, and
+    /// for a size that the backend does not have, before anything is created;
+    /// [`crate::ErrorKind::Unavailable`] where waiting or timing is impossible (browsers); errors of the
+    /// backend.
     pub fn measure(backend: &mut dyn Backend, qualities: &[Quality], size: [u32; 2]) -> Result<Self> {
         let committed = Self::committed();
         let committed = committed.on(backend.info().backend).unwrap_or(committed);
@@ -116,11 +117,17 @@ fn time(
     for round in 0..=ROUNDS {
         let each = points.iter().flat_map(|p| scenes.iter().map(move |s| (p.quality, s)));
         for ((quality, scene), best) in each.zip(&mut best) {
-            let settings = PictureSettings { sky: quality.into(), terrain: None, ..PictureSettings::default() };
+            let settings =
+                PictureSettings { sky: quality.into(), terrain: None, ..PictureSettings::default() };
             let (passes, drawn) = renderer.passes(backend, scene, &settings, size)?;
-            let mut passes: Vec<Pass> = passes.iter().copied().filter(|p| p.target.color != drawn.display).collect();
+            let mut passes: Vec<Pass> =
+                passes.iter().copied().filter(|p| p.target.color != drawn.display).collect();
             let inputs = Inputs::new([("source", Some(drawn.radiance))]);
-            passes.push(Pass { program: Some(program), inputs, ..Pass::clear("copy", Target::color(copy_to)) });
+            passes.push(Pass {
+                program: Some(program),
+                inputs,
+                ..Pass::clear("copy", Target::color(copy_to))
+            });
             let times = backend.times(&passes)?;
             // The first round makes pipelines and warms caches.
             if let Some((copy, sky)) = times.split_last().filter(|_| round > 0) {

@@ -20,7 +20,8 @@ pub struct PictureSettings {
     pub exposure: f64,
     /// How radiance becomes display values.
     pub tone_map: ToneMap,
-    /// Whether display values get noise of one 8-bit step, so that gradients show no bands; their mean stays. See
+    /// Whether display values get noise of one 8-bit step, so that gradients show no bands; their mean stays.
+    /// See
     /// [`super::tone::dither`].
     pub dither: bool,
     /// The ground; `None` draws none.
@@ -58,9 +59,10 @@ pub struct Drawn {
 /// Largest [`AtmosphereParams::sun_intensity`].
 const BRIGHTEST: f64 = 1e6;
 
-/// What radiance is multiplied by while it is drawn: the power of two next below `exposure`, so that the range of half
-/// floats, from 6e-8 to 65504, lies around what the display shows and not around 1. Twilight needs that, with radiance
-/// from 1e-6 down and an exposure to match. 1 for an exposure of 0; never so much that `sun_intensity` (both as in
+/// What radiance is multiplied by while it is drawn: the power of two next below `exposure`, so that the
+/// range of half floats, from 6e-8 to 65504, lies around what the display shows and not around 1. Twilight
+/// needs that, with radiance from 1e-6 down and an exposure to match. 1 for an exposure of 0; never so much
+/// that `sun_intensity` (both as in
 /// [`PictureSettings`] and [`crate::AtmosphereParams`]) leaves its range. Multiplying by it rounds nothing.
 pub fn scale(exposure: f64, sun_intensity: f64) -> f64 {
     // A float without its fraction's bits is the power of two next below it.
@@ -79,7 +81,11 @@ fn as_drawn(scene: &Scene, settings: &PictureSettings) -> Result<(Scene, SkySett
     settings.sky.validate()?;
     let sun_intensity = scene.atmosphere.sun_intensity;
     // One that is out of range is reported as it was given.
-    let scale = if (0.0..=BRIGHTEST).contains(&sun_intensity) { scale(settings.exposure, sun_intensity) } else { 1.0 };
+    let scale = if (0.0..=BRIGHTEST).contains(&sun_intensity) {
+        scale(settings.exposure, sun_intensity)
+    } else {
+        1.0
+    };
     let atmosphere = AtmosphereParams { sun_intensity: sun_intensity * scale, ..scene.atmosphere.clone() };
     let foreground = settings.sky.look.foreground && settings.terrain.is_some();
     let sky = SkySettings {
@@ -103,7 +109,8 @@ pub struct PictureRenderer {
     passes: Vec<Pass>,
 }
 
-/// The nodes of a picture up to its radiance: those of the frame, with the ground; what nothing draws to is cleared.
+/// The nodes of a picture up to its radiance: those of the frame, with the ground; what nothing draws to is
+/// cleared.
 pub(crate) fn list(graph: &mut Graph, frame: &Frame, terrain: Option<&TerrainStyle>) {
     graph.list(frame, |_| true, terrain.map(|t| t.node(frame)));
     if !graph.nodes.iter().any(|n| n.writes == Resource::Background) {
@@ -123,8 +130,8 @@ impl PictureRenderer {
     /// The passes of one picture, in order, and where they leave it.
     ///
     /// # Errors
-    /// [`crate::ErrorKind::Invalid`] for a scene, a setting or a size that is out of range, before anything is
-    /// created; errors of the backend.
+    /// [`crate::ErrorKind::Invalid`] for a scene, a setting or a size that is out of range, before anything
+    /// is created; errors of the backend.
     pub fn passes(
         &mut self,
         backend: &mut dyn Backend,
@@ -135,7 +142,8 @@ impl PictureRenderer {
         self.frame(backend, scene, settings, Canvas { size, display: None })
     }
 
-    /// The passes of one picture, drawn straight to a texture of the caller: a canvas, say. Its row order may be either.
+    /// The passes of one picture, drawn straight to a texture of the caller: a canvas, say. Its row order may
+    /// be either.
     ///
     /// # Errors
     /// [`crate::ErrorKind::Invalid`] and errors of the backend as for [`Self::passes`].

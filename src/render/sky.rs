@@ -11,8 +11,8 @@ use crate::settings::{Composition, SkySettings};
 /// What of a user's frame the aerial pass reads and draws to. All three have the same size and row order.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AerialTargets {
-    /// The scene's colour, which the pass reads and dims per channel. [`Composition::Planet`] cannot read it and lays the
-    /// air over the target instead: `None` there, and needed everywhere else.
+    /// The scene's colour, which the pass reads and dims per channel. [`Composition::Planet`] cannot read it
+    /// and lays the air over the target instead: `None` there, and needed everywhere else.
     pub color: Option<TextureId>,
     /// The scene's depth, which the pass reads as [`Scene::depth`] says; not the target's own depth buffer.
     pub depth: TextureId,
@@ -20,13 +20,13 @@ pub struct AerialTargets {
     pub target: Target,
 }
 
-/// What of a user's frame the sky is drawn to. What is not given is not drawn, and LUTs that only it would read are not
-/// made.
+/// What of a user's frame the sky is drawn to. What is not given is not drawn, and LUTs that only it would
+/// read are not made.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FrameTargets {
-    /// Where the sky behind the scene is drawn, before the scene: depth ALWAYS, no depth write. The colour is laid over
-    /// what is there (stars, say), which the air dims by its grey mean. The first pass clears as the target says; opaque
-    /// black is fastest, as the sky is then just written.
+    /// Where the sky behind the scene is drawn, before the scene: depth ALWAYS, no depth write. The colour is
+    /// laid over what is there (stars, say), which the air dims by its grey mean. The first pass clears as
+    /// the target says; opaque black is fastest, as the sky is then just written.
     pub background: Option<Target>,
     /// What the air before the scene reads and draws to, after the scene.
     pub aerial: Option<AerialTargets>,
@@ -44,7 +44,8 @@ impl FrameTargets {
     }
 }
 
-/// The passes of one frame; empty lists where the scene calls for nothing. Run [`Self::background`], draw your scene, run
+/// The passes of one frame; empty lists where the scene calls for nothing. Run [`Self::background`], draw
+/// your scene, run
 /// [`Self::aerial`].
 #[derive(Clone, Copy, Debug)]
 pub struct SkyFrame<'a> {
@@ -116,8 +117,9 @@ impl SkyRenderer {
     /// LUTs that are up to date are not made again; a LUT counts as made once its passes have run.
     ///
     /// # Errors
-    /// [`crate::ErrorKind::Invalid`] from [`Scene::validate`], for textures that the backend does not know, for sizes or row orders
-    /// that differ, and for a missing [`AerialTargets::color`]; all before anything is created. Errors of the backend.
+    /// [`crate::ErrorKind::Invalid`] from [`Scene::validate`], for textures that the backend does not know,
+    /// for sizes or row orders that differ, and for a missing [`AerialTargets::color`]; all before anything
+    /// is created. Errors of the backend.
     pub fn frame(
         &mut self,
         backend: &mut dyn Backend,
@@ -169,7 +171,8 @@ impl SkyRenderer {
     }
 
     /// Asks for the light of the sky that was drawn last, for a scene's own shading: see
-    /// [`SkyLight`](crate::SkyLight). `None` where the frame has no LUT of it, or the passes that fill it have not run.
+    /// [`SkyLight`](crate::SkyLight). `None` where the frame has no LUT of it, or the passes that fill it
+    /// have not run.
     ///
     /// # Errors
     /// Those of the backend.

@@ -1,7 +1,8 @@
-//! The light of the simulated sky for a scene of one's own: as irradiance and as spherical harmonics, from the LUTs that
-//! draw it.
+//! The light of the simulated sky for a scene of one's own: as irradiance and as spherical harmonics, from
+//! the LUTs that draw it.
 //!
-//! [`LightingContextUniform`] is the block that `lib/lighting.wgsl` ([`crate::shaders::LIGHTING_WGSL`]) reads.
+//! [`LightingContextUniform`] is the block that `lib/lighting.wgsl` ([`crate::shaders::LIGHTING_WGSL`])
+//! reads.
 
 use glam::DVec3;
 
@@ -35,8 +36,8 @@ impl From<&LightingContext> for LightingContextUniform {
     }
 }
 
-/// Real spherical harmonics up to degree 2 of the light that arrives from all directions, per channel, in the order
-/// (0,0), (1,-1), (1,0), (1,1), (2,-2), (2,-1), (2,0), (2,1), (2,2), normalised to 1 over the sphere.
+/// Real spherical harmonics up to degree 2 of the light that arrives from all directions, per channel, in the
+/// order (0,0), (1,-1), (1,0), (1,1), (2,-2), (2,-1), (2,0), (2,1), (2,2), normalised to 1 over the sphere.
 ///
 /// z is up, the sun stands in the half plane of +x. Radiance times steradian.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,13 +68,16 @@ impl SkyHarmonics {
         ]
     }
 
-    /// Irradiance of a plane that faces a direction of length 1 (Ramamoorthi & Hanrahan 2001, equation 8), never
-    /// negative. Degree 2 leaves out some per cent where one half of the sphere is much brighter than the other.
+    /// Irradiance of a plane that faces a direction of length 1 (Ramamoorthi & Hanrahan 2001, equation 8),
+    /// never negative. Degree 2 leaves out some per cent where one half of the sphere is much brighter than
+    /// the other.
     pub fn irradiance(&self, normal: DVec3) -> [f64; 3] {
         use std::f64::consts::PI;
         const DEGREE: [usize; 9] = [0, 1, 1, 1, 2, 2, 2, 2, 2];
         let (basis, lobe) = (Self::basis(normal), [PI, 2.0 * PI / 3.0, PI / 4.0]);
-        std::array::from_fn(|c| (0..9).map(|i| lobe[DEGREE[i]] * self.0[i][c] * basis[i]).sum::<f64>().max(0.0))
+        std::array::from_fn(|c| {
+            (0..9).map(|i| lobe[DEGREE[i]] * self.0[i][c] * basis[i]).sum::<f64>().max(0.0)
+        })
     }
 }
 
@@ -96,7 +100,8 @@ impl SkyLightRead {
         Ok(Self { read, params: frame.scene().atmosphere.clone(), tables: frame.luts_block, nodes })
     }
 
-    /// The light once it is there; `None` until then. In a browser nothing waits for it; natively this call does, as
+    /// The light once it is there; `None` until then. In a browser nothing waits for it; natively this call
+    /// does, as
     /// [`Backend::poll_read`].
     ///
     /// # Errors
@@ -112,8 +117,8 @@ impl SkyLightRead {
     }
 }
 
-/// The light of a simulated sky, of all orders of scattering, for every altitude and every elevation of the sun: one
-/// read-back per medium is enough.
+/// The light of a simulated sky, of all orders of scattering, for every altitude and every elevation of the
+/// sun: one read-back per medium is enough.
 #[derive(Clone, Debug)]
 pub struct SkyLight {
     params: AtmosphereParams,
@@ -146,8 +151,8 @@ impl SkyLight {
         f64::from(self.texels[4 * (row * self.nodes[0] + column) + channel])
     }
 
-    /// Irradiance of level ground from the sky, the sun's own light not counted. `sun_sine`: of the elevation of the sun's
-    /// centre, -1 to 1.
+    /// Irradiance of level ground from the sky, the sun's own light not counted. `sun_sine`: of the elevation
+    /// of the sun's centre, -1 to 1.
     ///
     /// # Errors
     /// [`crate::ErrorKind::Invalid`] as for [`sunlight`].

@@ -47,9 +47,9 @@ impl Job {
     }
 }
 
-/// Makes the programs and pipelines that the views of a planet may call for, one a step: from the ground to far orbit, by
-/// day and by night. Which these are follows from the frames of such views, without a GPU. Each is drawn once, to a
-/// single texel: drivers that compile at the first draw have done so then.
+/// Makes the programs and pipelines that the views of a planet may call for, one a step: from the ground to
+/// far orbit, by day and by night. Which these are follows from the frames of such views, without a GPU. Each
+/// is drawn once, to a single texel: drivers that compile at the first draw have done so then.
 ///
 /// ```no_run
 /// # fn frame(backend: &mut dyn welkin::gpu::Backend, scene: &welkin::Scene) -> welkin::Result<()> {
@@ -82,7 +82,8 @@ impl WarmUp {
     pub fn picture(scene: &Scene, settings: &PictureSettings) -> Result<Self> {
         let mut jobs = Vec::new();
         let mut graph = Graph::default();
-        let targets = TargetFormats { color: settings.radiance, depth_buffer: true, aerial: settings.radiance };
+        let targets =
+            TargetFormats { color: settings.radiance, depth_buffer: true, aerial: settings.radiance };
         for view in views(scene)? {
             let frame = Frame::new(&view, &quick(&settings.sky), SIZE)?;
             list(&mut graph, &frame, settings.terrain.as_ref());
@@ -118,7 +119,8 @@ impl WarmUp {
         self.jobs.len() + usize::from(self.made.is_some())
     }
 
-    /// Makes one program or one pipeline; `false` when all are there, and nothing else of this is left on the backend.
+    /// Makes one program or one pipeline; `false` when all are there, and nothing else of this is left on the
+    /// backend.
     ///
     /// # Errors
     /// Those of the backend.
@@ -174,7 +176,8 @@ impl WarmUp {
     }
 }
 
-/// Adds what a node draws with to the list, unless it is there. black: the background's target is cleared to opaque black.
+/// Adds what a node draws with to the list, unless it is there. black: the background's target is cleared to
+/// opaque black.
 fn push(jobs: &mut Vec<Job>, node: &Node, targets: &TargetFormats, black: bool) {
     let Work::Draw(program) = node.work else { return };
     let format = match (node.writes, node.extent) {
@@ -203,8 +206,8 @@ fn quick(settings: &SkySettings) -> SkySettings {
     SkySettings { quality, ..*settings }
 }
 
-/// Views that between them call for every program of a planet with these constituents: from the ground to beyond the air,
-/// up and down, towards the sun and away from it, by day and by night.
+/// Views that between them call for every program of a planet with these constituents: from the ground to
+/// beyond the air, up and down, towards the sun and away from it, by day and by night.
 fn views(scene: &Scene) -> Result<Vec<Scene>> {
     let p = &scene.atmosphere;
     let mut views = Vec::new();
@@ -212,7 +215,8 @@ fn views(scene: &Scene) -> Result<Vec<Scene>> {
         for altitude in [0.0, 0.2, 0.6, 1.5, 2.0 * p.planet_radius / p.thickness()] {
             for pitch in [sun_elevation, 0.2, -1.57] {
                 let pose = Pose { altitude: altitude * p.thickness(), pitch, heading: 0.0, fov_y: 0.8 };
-                let camera = Camera::above(scene.planet_center, p.planet_radius, DVec3::Z, DVec3::X, pose, 1.0)?;
+                let camera =
+                    Camera::above(scene.planet_center, p.planet_radius, DVec3::Z, DVec3::X, pose, 1.0)?;
                 let sun = DVec2::from_angle(sun_elevation);
                 let sun_direction = DVec3::new(sun.x, 0.0, sun.y);
                 views.push(Scene { camera, sun_direction, moon: None, ..scene.clone() });

@@ -75,9 +75,9 @@ pub struct Cost {
 
 /// Error and time of some qualities, measured; answers which of them to take.
 ///
-/// Errors are those of 32-bit floats on any device. Times are one device's: [`Self::committed`] holds those of
-/// the device that it names, [`Self::measure`] takes yours. It is written ([`ToString`]) and read ([`FromStr`])
-/// as text, so that a program may measure once and keep it.
+/// Errors are those of 32-bit floats on any device. Times are one device's: [`Self::committed`] holds those
+/// of the device that it names, [`Self::measure`] takes yours. It is written ([`ToString`]) and read
+/// ([`FromStr`]) as text, so that a program may measure once and keep it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ParetoFront {
     /// One for each backend.
@@ -105,7 +105,8 @@ impl ParetoFront {
         Ok(Self { measured })
     }
 
-    /// What a quality costs and misses, if its numbers were measured; the worst where there are several backends.
+    /// What a quality costs and misses, if its numbers were measured; the worst where there are several
+    /// backends.
     pub fn cost(&self, quality: &Quality) -> Option<Cost> {
         let mut worst: Option<Cost> = None;
         for m in &self.measured {
@@ -123,11 +124,12 @@ impl ParetoFront {
         worst
     }
 
-    /// The cheapest quality whose mean relative error of radiance in the worst channel, against **all orders of
-    /// scattering** and over the Earth scenes of the report, is at most `error` (0.1 is 10 %).
+    /// The cheapest quality whose mean relative error of radiance in the worst channel, against **all orders
+    /// of scattering** and over the Earth scenes of the report, is at most `error` (0.1 is 10 %).
     ///
     /// # Errors
-    /// [`crate::ErrorKind::Invalid`] if none is so exact, or `error` is not a number: it says which comes closest.
+    /// [`crate::ErrorKind::Invalid`] if none is so exact, or `error` is not a number: it says which comes
+    /// closest.
     pub fn within_error(&self, error: f64) -> Result<Quality> {
         let all = self.all("within_error", error)?;
         let fits = all.iter().filter(|(_, c)| error.is_finite() && c.error <= error);
@@ -137,7 +139,9 @@ impl ParetoFront {
             let allowed = best.map_or_else(String::new, |(q, c)| {
                 // Rounded up: what is said here must be accepted.
                 let least = (c.error * 1e3).ceil() / 1e3;
-                format!("a number, {least} or more: quality {q} has that, the least mean error against all orders")
+                format!(
+                    "a number, {least} or more: quality {q} has that, the least mean error against all orders"
+                )
             });
             Error::invalid("within_error", error, allowed)
         })
@@ -147,7 +151,8 @@ impl ParetoFront {
     /// size of this front (on every backend of it; [`Self::on`] picks one).
     ///
     /// Best is what has the least error against all orders. Where that differs by less than a twentieth among
-    /// methods that compute single scattering alone, what they all lack hides the rest: their sampling decides.
+    /// methods that compute single scattering alone, what they all lack hides the rest: their sampling
+    /// decides.
     ///
     /// # Errors
     /// [`crate::ErrorKind::Invalid`] if none is so fast: it says which is the fastest.
@@ -160,7 +165,9 @@ impl ParetoFront {
             let sampling = close.iter().all(|(_, c)| c.sampling.is_some());
             if sampling { c.sampling.unwrap_or(c.error) } else { c.error }
         };
-        let best = close.iter().min_by(|(_, a), (_, b)| compared(a).total_cmp(&compared(b)).then(a.time.cmp(&b.time)));
+        let best = close
+            .iter()
+            .min_by(|(_, a), (_, b)| compared(a).total_cmp(&compared(b)).then(a.time.cmp(&b.time)));
         best.map(|(q, _)| *q).ok_or_else(|| {
             let fastest = all.iter().min_by_key(|(_, c)| c.time);
             let (w, h) = self.measured.first().map_or((0, 0), |m| (m.size[0], m.size[1]));
@@ -193,7 +200,8 @@ impl ParetoFront {
     pub(crate) fn errors(&self, quality: &Quality) -> Result<[MeanError; 3]> {
         let mut points = self.measured.iter().flat_map(|m| &m.points);
         points.find(|p| p.quality == *quality).map(|p| p.errors).ok_or_else(|| {
-            let known: Vec<_> = self.measured.iter().take(1).flat_map(|m| &m.points).map(|p| p.quality).collect();
+            let known: Vec<_> =
+                self.measured.iter().take(1).flat_map(|m| &m.points).map(|p| p.quality).collect();
             let known: Vec<_> = known.iter().map(Quality::to_string).collect();
             Error::invalid(
                 "quality",
@@ -266,7 +274,16 @@ impl FromStr for ParetoFront {
                 let (copy, size) = (Duration::ZERO, [0; 2]);
                 let [adapter, driver, timer, errors_from] = std::array::from_fn(|_| String::new());
                 let (backend, points) = (backend.to_owned(), Vec::new());
-                front.measured.push(Measured { backend, adapter, driver, timer, size, errors_from, copy, points });
+                front.measured.push(Measured {
+                    backend,
+                    adapter,
+                    driver,
+                    timer,
+                    size,
+                    errors_from,
+                    copy,
+                    points,
+                });
                 continue;
             }
             let Some(m) = front.measured.last_mut() else {
@@ -282,7 +299,8 @@ impl FromStr for ParetoFront {
                     "size" => {
                         let side = |s: &str| s.parse().ok().filter(|n| *n > 0);
                         let size = value.split_once('x').and_then(|(w, h)| Some([side(w)?, side(h)?]));
-                        m.size = size.ok_or_else(|| Error::invalid(field(key), value, "pixels, as in 1920x1080"))?;
+                        m.size =
+                            size.ok_or_else(|| Error::invalid(field(key), value, "pixels, as in 1920x1080"))?;
                     }
                     _ => {
                         let known = "adapter, driver, timer, size, errors_from or copy_ms";
@@ -342,7 +360,10 @@ mod tests {
     fn the_committed_front_is_as_written_and_holds_every_preset_on_both_backends() {
         let front: ParetoFront = COMMITTED.parse().unwrap();
         assert_eq!(front.to_string(), COMMITTED, "changed by hand, or not written by this version");
-        assert_eq!(front.measured.iter().map(|m| m.backend.as_str()).collect::<Vec<_>>(), ["webgpu", "webgl2"]);
+        assert_eq!(
+            front.measured.iter().map(|m| m.backend.as_str()).collect::<Vec<_>>(),
+            ["webgpu", "webgl2"]
+        );
         for m in &front.measured {
             let held: Vec<_> = m.points.iter().map(|p| p.quality).collect();
             let presets: Vec<_> = Quality::PRESETS.iter().map(|(_, quality)| *quality).collect();
@@ -396,7 +417,8 @@ mod tests {
     #[test]
     fn the_slower_and_the_worse_backend_counts() {
         let mut f = front(&SINGLE);
-        let mut other = front(&[(50, 0.5, Some(0.02)), (15, 0.3, Some(0.01)), (45, 0.34, Some(0.03))]).measured;
+        let mut other =
+            front(&[(50, 0.5, Some(0.02)), (15, 0.3, Some(0.01)), (45, 0.34, Some(0.03))]).measured;
         other[0].backend = "webgl2".into();
         f.measured.append(&mut other);
         let cost = f.cost(&Quality::SINGLE_MEDIUM).unwrap();
@@ -445,8 +467,14 @@ mod tests {
             ("[webgpu]\ncopy_ms = -1".into(), ["copy_ms = -1", "milliseconds"]),
             ("[webgpu]\ncolour = red".into(), ["key = colour", "adapter"]),
             ("[webgpu]\nlow, 3".into(), ["2 values", "9: quality"]),
-            (format!("[webgpu]\n{}", row.replace("single-low", "lowest")), ["quality = \"lowest\"", "low, medium"]),
-            (format!("[webgpu]\n{}", row.replace("8 × 8", "9 × 8")), ["method = single 9 × 8", "measure again"]),
+            (
+                format!("[webgpu]\n{}", row.replace("single-low", "lowest")),
+                ["quality = \"lowest\"", "low, medium"],
+            ),
+            (
+                format!("[webgpu]\n{}", row.replace("8 × 8", "9 × 8")),
+                ["method = single 9 × 8", "measure again"],
+            ),
             (format!("[webgpu]\n{}", row.replacen("0.3", "NaN", 1)), ["earth_all = NaN", "0 or more"]),
             (format!("[webgpu]\n{}", row.replace(" 1.0,", " soon,")), ["ms = soon", "milliseconds"]),
         ] {

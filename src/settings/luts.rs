@@ -14,8 +14,8 @@ pub struct LutSettings {
     /// How often light is scattered again before the rest is left out, 1 to 64, in thin air; times 1 + the
     /// optical depth of scattering in thick air, up to 24.
     pub orders: u32,
-    /// Azimuths in half a turn (the other half is the mirror image) and zenith angles of the sky-view LUT, 8 to 1024
-    /// each.
+    /// Azimuths in half a turn (the other half is the mirror image) and zenith angles of the sky-view LUT, 8
+    /// to 1024 each.
     pub sky_view: [u32; 2],
     /// Steps along the rays that fill the sky-view LUT, 4 to 256.
     pub sky_view_steps: u32,
@@ -57,7 +57,8 @@ impl LutSettings {
         aerial_steps: 1,
     };
 
-    /// For ordinary use. The sky-view LUT has 200 × 100 texels over the whole turn, half of which are mirrored.
+    /// For ordinary use. The sky-view LUT has 200 × 100 texels over the whole turn, half of which are
+    /// mirrored.
     pub const MEDIUM: Self = Self {
         transmittance: [128, 64],
         multi_scattering: [40, 14],

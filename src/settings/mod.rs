@@ -1,5 +1,5 @@
-//! How a scene is drawn, as plain data: what of it ([`Look`]), how well ([`Quality`]), and how much may be left out
-//! ([`Bound`]). Nothing here knows a GPU.
+//! How a scene is drawn, as plain data: what of it ([`Look`]), how well ([`Quality`]), and how much may be
+//! left out ([`Bound`]). Nothing here knows a GPU.
 
 pub mod front;
 pub mod luts;
@@ -16,17 +16,18 @@ pub use quality::Quality;
 /// Which passes draw the atmosphere, and how they divide the sky between them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Composition {
-    /// From the ground to far orbit: the background pass draws the sky near the ground, the aerial pass the air before
-    /// the scene and, handed over from 15 to 50 km, the planet's shell.
+    /// From the ground to far orbit: the background pass draws the sky near the ground, the aerial pass the
+    /// air before the scene and, handed over from 15 to 50 km, the planet's shell.
     #[default]
     Full,
     /// The sky alone, in one background pass, at any altitude.
     SkyDome,
-    /// Everything in one pass after the scene, which reads its colour and depth. The background holds the disks of sun
-    /// and moon only.
+    /// Everything in one pass after the scene, which reads its colour and depth. The background holds the
+    /// disks of sun and moon only.
     AtmospherePost,
-    /// A shell around a planet's mesh, laid over the scene by blending, where its colour cannot be read: the scene is
-    /// dimmed by the grey mean of the transmittance. The background holds the disks of sun and moon only.
+    /// A shell around a planet's mesh, laid over the scene by blending, where its colour cannot be read: the
+    /// scene is dimmed by the grey mean of the transmittance. The background holds the disks of sun and moon
+    /// only.
     Planet,
 }
 
@@ -46,10 +47,11 @@ pub struct Look {
     pub composition: Composition,
     /// Whether the background holds the sun's disk.
     pub sun_disk: bool,
-    /// Whether that disk is darker towards its edge ([`crate::model::moon::LIMB_DARKENING`]); its light in all stays
-    /// the same.
+    /// Whether that disk is darker towards its edge ([`crate::model::moon::LIMB_DARKENING`]); its light in
+    /// all stays the same.
     pub limb_darkening: bool,
-    /// Whether something may stand before the sky: `false` promises a depth buffer that holds the background alone.
+    /// Whether something may stand before the sky: `false` promises a depth buffer that holds the background
+    /// alone.
     pub foreground: bool,
     /// The night sky's own light, for instance [`Airglow::EARTH`]; `None` draws none.
     pub airglow: Option<Airglow>,
@@ -82,7 +84,8 @@ impl Bound {
     /// Nothing that could be seen in any exposure: only what changes no pixel at all.
     pub const EXACT: Self = Self { relative: 0.0, absolute: 0.0 };
 
-    /// For radiance that somebody reads: a thousandth, and 1e-9 (an 8-bit picture of 10,000 times the exposure).
+    /// For radiance that somebody reads: a thousandth, and 1e-9 (an 8-bit picture of 10,000 times the
+    /// exposure).
     pub const LINEAR: Self = Self { relative: 1e-3, absolute: 1e-9 };
 
     /// For a picture of 8 bits per channel: less than half a step after any of the tone maps. `exposure`:
@@ -111,14 +114,20 @@ pub struct SkySettings {
     pub quality: Quality,
     /// Resolution of the background as a fraction of the target's, per side, 0.125 to 1.
     pub render_scale: f64,
-    /// How much pixels may change by what a frame leaves out; `None` leaves nothing out that the look asks for.
+    /// How much pixels may change by what a frame leaves out; `None` leaves nothing out that the look asks
+    /// for.
     pub bound: Option<Bound>,
 }
 
 impl Default for SkySettings {
     /// From the ground to orbit, all orders of scattering from LUTs, full resolution, with the sun.
     fn default() -> Self {
-        Self { look: Look::default(), quality: Quality::MEDIUM, render_scale: 1.0, bound: Some(Bound::LINEAR) }
+        Self {
+            look: Look::default(),
+            quality: Quality::MEDIUM,
+            render_scale: 1.0,
+            bound: Some(Bound::LINEAR),
+        }
     }
 }
 

@@ -22,7 +22,8 @@ use super::front::ParetoFront;
 use super::luts::LutSettings;
 use crate::error::{Error, Quoted, Result};
 
-/// How the light is computed, and how finely. How exact and how fast that is, is measured: [`ParetoFront::cost`].
+/// How the light is computed, and how finely. How exact and how fast that is, is measured:
+/// [`ParetoFront::cost`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Quality {
@@ -38,7 +39,8 @@ pub enum Quality {
     Luts(LutSettings),
 }
 
-/// The only list of presets: constants, [`Quality::PRESETS`], the command line, the page and the report follow it.
+/// The only list of presets: constants, [`Quality::PRESETS`], the command line, the page and the report
+/// follow it.
 macro_rules! presets {
     ($($(#[$doc:meta])* $constant:ident = $name:literal, $quality:expr;)*) => {
         impl Quality {
@@ -121,7 +123,11 @@ impl Quality {
     /// [`crate::ErrorKind::Invalid`] for the first field that is out of range.
     pub fn validate(&self) -> Result<()> {
         let whole = |name: &str, v: u32, hi: u32| {
-            if (1..=hi).contains(&v) { Ok(()) } else { Err(Error::invalid(name, v, format_args!("from 1 to {hi}"))) }
+            if (1..=hi).contains(&v) {
+                Ok(())
+            } else {
+                Err(Error::invalid(name, v, format_args!("from 1 to {hi}")))
+            }
         };
         match *self {
             Self::March { view_samples, light_samples } => {
@@ -141,8 +147,8 @@ impl Quality {
         ParetoFront::committed().within_error(error)
     }
 
-    /// The best preset that takes at most `budget` on the device and at the size that the committed table was measured
-    /// with: [`ParetoFront::within_budget`] of [`ParetoFront::committed`]. For your device, call
+    /// The best preset that takes at most `budget` on the device and at the size that the committed table was
+    /// measured with: [`ParetoFront::within_budget`] of [`ParetoFront::committed`]. For your device, call
     /// [`ParetoFront::measure`] first.
     ///
     /// # Errors
@@ -153,7 +159,8 @@ impl Quality {
 }
 
 impl fmt::Display for Quality {
-    /// The preset's name, where it is one, with method and numbers: `medium (lut 100 × 100 × 32)`, `single 12 × 3`.
+    /// The preset's name, where it is one, with method and numbers: `medium (lut 100 × 100 × 32)`, `single 12
+    /// × 3`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.preset_name() {
             Some(name) => write!(f, "{name} ({} {})", self.method(), self.numbers()),
@@ -174,7 +181,10 @@ mod tests {
             assert_eq!(quality.preset_name(), Some(*name));
             assert!(Quality::PRESETS[..i].iter().all(|(n, q)| n != name && q != quality), "{quality}");
             // They stand in a table whose columns are parted by commas.
-            assert!(!name.is_empty() && name.chars().all(|c| c.is_ascii_lowercase() || c == '-'), "{quality}");
+            assert!(
+                !name.is_empty() && name.chars().all(|c| c.is_ascii_lowercase() || c == '-'),
+                "{quality}"
+            );
         }
         let own = Quality::March { view_samples: 12, light_samples: 3 };
         assert_eq!(own.to_string(), "single 12 × 3");

@@ -1,12 +1,12 @@
 //! The shader programs: a table made from `shaders/wgsl/`, which is the only source.
 //!
-//! A file in `shaders/wgsl/pass/` is a program; it includes functions from `shaders/wgsl/lib/`. `welkin shaders`
-//! translates each program to GLSL ES 3.00 and writes the table with what naga's reflection tells: a module here for
-//! every program, with its [`ProgramInfo`](crate::gpu::ProgramInfo) and the bits of its constants. Lines
-//! `const NAME: bool = true;` are what may be turned off: see [`crate::gpu::Program`].
+//! A file in `shaders/wgsl/pass/` is a program; it includes functions from `shaders/wgsl/lib/`. `welkin
+//! shaders` translates each program to GLSL ES 3.00 and writes the table with what naga's reflection tells: a
+//! module here for every program, with its [`ProgramInfo`](crate::gpu::ProgramInfo) and the bits of its
+//! constants. Lines `const NAME: bool = true;` are what may be turned off: see [`crate::gpu::Program`].
 
-/// Text of a WGSL module below `shaders/wgsl/` without its comments. The compiler takes them out: they stay in the
-/// source, drivers and the wasm module need none.
+/// Text of a WGSL module below `shaders/wgsl/` without its comments. The compiler takes them out: they stay
+/// in the source, drivers and the wasm module need none.
 macro_rules! wgsl {
     ($module:literal) => {{
         const WHOLE: &[u8] = include_bytes!(concat!("../../shaders/wgsl/", $module, ".wgsl"));
@@ -31,7 +31,8 @@ pub mod translate;
 
 pub use generated::*;
 
-/// Functions for a scene's own shaders, which shade with [`crate::LightingContextUniform`]; no program includes them.
+/// Functions for a scene's own shaders, which shade with [`crate::LightingContextUniform`]; no program
+/// includes them.
 pub const LIGHTING_WGSL: &str = wgsl!("lib/lighting");
 
 /// A text less comments, blank lines and the spaces around lines, and its length.

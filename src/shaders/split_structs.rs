@@ -7,15 +7,15 @@
 //! (their largest number is 65504), and no desktop or software driver shows the fault. The WGSL keeps its
 //! structs, for people; [`split_structs`] takes them out on the way to GLSL:
 //!
-//! * an argument becomes one argument a member, nested structs flattened, and a member that a function does not
-//!   read is not handed to it;
+//! * an argument becomes one argument a member, nested structs flattened, and a member that a function does
+//!   not read is not handed to it;
 //! * a local variable becomes one variable a member;
 //! * a returned struct becomes arguments that the function writes (`ptr<function, T>`, GLSL's `inout`);
 //! * what is loaded from a uniform block is loaded member by member.
 //!
 //! The operations and their order stay as they are, so that numbers are the same bit for bit. naga's writer
-//! makes one more struct by itself, for an entry point with several outputs: [`split_outputs`] takes it out of
-//! the text. [`super::struct_lint`] proves on the text that nothing was missed.
+//! makes one more struct by itself, for an entry point with several outputs: [`split_outputs`] takes it out
+//! of the text. [`super::struct_lint`] proves on the text that nothing was missed.
 //!
 //! [KhronosGroup/WebGL#3351]: https://github.com/KhronosGroup/WebGL/issues/3351
 //! [three.js#26805]: https://github.com/mrdoob/three.js/issues/26805
@@ -29,8 +29,8 @@ mod rewrite;
 use std::collections::HashMap;
 
 use naga::{
-    AddressSpace, Binding, Constant, Expression, Function, GlobalVariable, Handle, MathFunction, Module, Span, Type,
-    TypeInner, UniqueArena,
+    AddressSpace, Binding, Constant, Expression, Function, GlobalVariable, Handle, MathFunction, Module,
+    Span, Type, TypeInner, UniqueArena,
 };
 
 pub use outputs::split_outputs;
@@ -42,8 +42,8 @@ type Result<T> = std::result::Result<T, String>;
 /// gone from it. It is valid if it was valid before.
 ///
 /// # Errors
-/// A text that says what the pass does not handle: arrays of structs, structs in private or workgroup variables,
-/// `modf` and `frexp` (whose results are structs), and statements that no WebGL2 shader can have.
+/// A text that says what the pass does not handle: arrays of structs, structs in private or workgroup
+/// variables, `modf` and `frexp` (whose results are structs), and statements that no WebGL2 shader can have.
 pub fn split_structs(module: &mut Module) -> Result<()> {
     refuse(module)?;
     let mut known = Known {
@@ -69,8 +69,8 @@ pub fn split_structs(module: &mut Module) -> Result<()> {
     }
     for entry in entry_points.iter_mut() {
         let old = std::mem::take(&mut entry.function);
-        let (new, own) =
-            rewrite::rewrite(types, &known, &old, true).map_err(|e| format!("entry point {}: {e}", entry.name))?;
+        let (new, own) = rewrite::rewrite(types, &known, &old, true)
+            .map_err(|e| format!("entry point {}: {e}", entry.name))?;
         entry.function = new;
         facts.entry_points.push(own);
     }
@@ -104,7 +104,9 @@ fn refuse(module: &Module) -> Result<()> {
     for (_, variable) in module.global_variables.iter() {
         if variable.space != AddressSpace::Uniform && is_struct(variable.ty) {
             let name = variable.name.as_deref().unwrap_or("one");
-            return Err(format!("variables of a module are split only in uniform blocks: {name} is a struct"));
+            return Err(format!(
+                "variables of a module are split only in uniform blocks: {name} is a struct"
+            ));
         }
     }
     Ok(())
@@ -122,7 +124,9 @@ impl<T> Tree<T> {
     fn map<U>(&self, f: &mut dyn FnMut(&T) -> U) -> Tree<U> {
         match self {
             Self::Leaf(leaf) => Tree::Leaf(f(leaf)),
-            Self::Members(members) => Tree::Members(members.iter().map(|(n, m)| (n.clone(), m.map(f))).collect()),
+            Self::Members(members) => {
+                Tree::Members(members.iter().map(|(n, m)| (n.clone(), m.map(f))).collect())
+            }
         }
     }
 
@@ -180,7 +184,12 @@ struct Member {
 }
 
 fn shape(types: &UniqueArena<Type>, ty: Handle<Type>) -> Tree<Member> {
-    fn walk(types: &UniqueArena<Type>, ty: Handle<Type>, path: &str, binding: Option<&Binding>) -> Tree<Member> {
+    fn walk(
+        types: &UniqueArena<Type>,
+        ty: Handle<Type>,
+        path: &str,
+        binding: Option<&Binding>,
+    ) -> Tree<Member> {
         let TypeInner::Struct { members, .. } = &types[ty].inner else {
             return Tree::Leaf(Member { path: path.to_owned(), ty, binding: binding.cloned() });
         };
@@ -265,14 +274,18 @@ fn operands(expression: &mut Expression, f: &mut dyn FnMut(&mut Handle<Expressio
         | Expression::Relational { argument: one, .. }
         | Expression::As { expr: one, .. } => f(one),
         Expression::Binary { left, right, .. } => [left, right].into_iter().for_each(f),
-        Expression::Select { condition, accept, reject } => [condition, accept, reject].into_iter().for_each(f),
+        Expression::Select { condition, accept, reject } => {
+            [condition, accept, reject].into_iter().for_each(f)
+        }
         Expression::Math { fun: MathFunction::Modf | MathFunction::Frexp, .. } => {
             return Err("modf and frexp return structs, which cannot be split".into());
         }
         Expression::Math { arg, arg1, arg2, arg3, .. } => {
             [Some(arg), arg1.as_mut(), arg2.as_mut(), arg3.as_mut()].into_iter().flatten().for_each(f);
         }
-        Expression::ImageSample { image, sampler, coordinate, array_index, offset, level, depth_ref, .. } => {
+        Expression::ImageSample {
+            image, sampler, coordinate, array_index, offset, level, depth_ref, ..
+        } => {
             [image, sampler, coordinate].into_iter().for_each(&mut *f);
             [array_index, offset, depth_ref].into_iter().filter_map(Option::as_mut).for_each(&mut *f);
             match level {

@@ -26,13 +26,14 @@ pub fn struct_values_of<'a>(
     texts.into_iter().flat_map(|(name, text)| struct_values(text).into_iter().map(move |found| (name, found)))
 }
 
-/// Every struct value of a GLSL ES 3.00 text, in its order: a declaration, argument, result or constructor whose
-/// type is a struct; a struct inside a function; a uniform block's struct that is read as a whole. Structs may
-/// only be declared, be members of structs and be members of uniform blocks. What would hide one from this is
-/// found too: a macro, a struct without a name or with a variable behind it.
+/// Every struct value of a GLSL ES 3.00 text, in its order: a declaration, argument, result or constructor
+/// whose type is a struct; a struct inside a function; a uniform block's struct that is read as a whole.
+/// Structs may only be declared, be members of structs and be members of uniform blocks. What would hide one
+/// from this is found too: a macro, a struct without a name or with a variable behind it.
 pub fn struct_values(text: &str) -> Vec<StructValue> {
     let tokens = tokens(text);
-    let mut lint = Lint { tokens: &tokens, structs: HashMap::new(), blocks: HashMap::new(), found: Vec::new() };
+    let mut lint =
+        Lint { tokens: &tokens, structs: HashMap::new(), blocks: HashMap::new(), found: Vec::new() };
     lint.run();
     lint.found
 }

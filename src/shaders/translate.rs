@@ -1,9 +1,9 @@
-//! From `shaders/wgsl/` to everything that is generated: WGSL is linked, translated to GLSL ES 3.00 by naga ahead of
-//! time, and what programs read is taken from naga's reflection. A file in `shaders/wgsl/pass/` is a program; nothing
-//! else lists them.
+//! From `shaders/wgsl/` to everything that is generated: WGSL is linked, translated to GLSL ES 3.00 by naga
+//! ahead of time, and what programs read is taken from naga's reflection. A file in `shaders/wgsl/pass/` is a
+//! program; nothing else lists them.
 //!
-//! A module may begin with lines `//#include name`: `lib/name.wgsl` comes once before it. A uniform block's layout is
-//! taken from naga too, so that the Rust twins can be checked against it.
+//! A module may begin with lines `//#include name`: `lib/name.wgsl` comes once before it. A uniform block's
+//! layout is taken from naga too, so that the Rust twins can be checked against it.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -103,7 +103,9 @@ impl Source {
         let text: String = modules.iter().map(|(_, text)| text.as_str()).collect();
         let mut constants = Vec::new();
         for line in text.lines() {
-            if let Some((constant, rest)) = line.strip_prefix("const ").and_then(|l| l.split_once(": bool = true;")) {
+            if let Some((constant, rest)) =
+                line.strip_prefix("const ").and_then(|l| l.split_once(": bool = true;"))
+            {
                 let comment = rest.trim().strip_prefix("//").unwrap_or_default().trim();
                 constants.push((constant.to_owned(), comment.to_owned()));
             }
@@ -112,7 +114,8 @@ impl Source {
         let stage = |stage, entry: &str| {
             let owner = modules.iter().find(|(_, text)| text.contains(&format!("fn {entry}(")));
             let owner = owner.map(|(module, _)| module.as_str()).unwrap_or_default();
-            // naga leaves structs in that nothing uses: from the entry point's module alone, which programs may share.
+            // naga leaves structs in that nothing uses: from the entry point's module alone, which programs
+            // may share.
             let mut own = Vec::new();
             link(wgsl, owner, &mut own)?;
             let text: String = own.into_iter().map(|(_, text)| text).collect();
@@ -130,7 +133,8 @@ impl Source {
                 naga::TypeInner::Struct { span, .. } if binding == 0 => uniform_size = *span,
                 naga::TypeInner::Image { .. } if (1..=TEXTURES_MAX as u32).contains(&binding) => {
                     let sampler = fragment.samplers.iter().find(|(at, ..)| *at == binding);
-                    let (sampler, filtered) = sampler.map(|(_, name, own)| (name.clone(), *own)).unwrap_or_default();
+                    let (sampler, filtered) =
+                        sampler.map(|(_, name, own)| (name.clone(), *own)).unwrap_or_default();
                     let name = variable.name.clone().unwrap_or_default();
                     textures.push(Texture { name, binding, filtered, sampler });
                 }
@@ -152,7 +156,16 @@ impl Source {
         if (vertex.module == FULLSCREEN) == numbers.iter().any(|(name, _)| name == VERTICES) {
             return Err(driver_error("reflect", name, "a vertex shader of its own and VERTICES go together"));
         }
-        Ok(Self { name: name.to_owned(), modules, constants, vertex, fragment, uniform_size, textures, numbers })
+        Ok(Self {
+            name: name.to_owned(),
+            modules,
+            constants,
+            vertex,
+            fragment,
+            uniform_size,
+            textures,
+            numbers,
+        })
     }
 
     /// What the program's own file says about it, up to the first line that is no comment.
@@ -164,8 +177,8 @@ impl Source {
 }
 
 fn parse_text(program: &str, text: &str) -> Result<naga::Module> {
-    let module =
-        naga::front::wgsl::parse_str(text).map_err(|e| driver_error("parse", program, e.emit_to_string(text)))?;
+    let module = naga::front::wgsl::parse_str(text)
+        .map_err(|e| driver_error("parse", program, e.emit_to_string(text)))?;
     validate(program, text, &module)?;
     Ok(module)
 }
@@ -195,10 +208,16 @@ fn stage(program: &str, wgsl: &str, stage: naga::ShaderStage, entry: &str, owner
     };
     let pipeline = glsl::PipelineOptions { shader_stage: stage, entry_point: entry.into(), multiview: None };
     let mut text = String::new();
-    let reflection =
-        glsl::Writer::new(&mut text, &module, &info, &options, &pipeline, naga::proc::BoundsCheckPolicies::default())
-            .and_then(|mut writer| writer.write())
-            .map_err(|e| driver_error("translate", program, e))?;
+    let reflection = glsl::Writer::new(
+        &mut text,
+        &module,
+        &info,
+        &options,
+        &pipeline,
+        naga::proc::BoundsCheckPolicies::default(),
+    )
+    .and_then(|mut writer| writer.write())
+    .map_err(|e| driver_error("translate", program, e))?;
     let text = split_outputs(&text).map_err(|e| driver_error("split the outputs of", program, e))?;
     let block = reflection.uniforms.values().next().cloned().unwrap_or_default();
     let mut samplers = Vec::new();
@@ -211,7 +230,11 @@ fn stage(program: &str, wgsl: &str, stage: naga::ShaderStage, entry: &str, owner
         let found = text.matches(&format!("\nconst bool {name} = ")).count();
         if wgsl.contains(&format!("\nconst {name}: bool = ")) {
             if found != 1 {
-                return Err(driver_error("translate", program, format!("{found} lines of the constant {name}")));
+                return Err(driver_error(
+                    "translate",
+                    program,
+                    format!("{found} lines of the constant {name}"),
+                ));
             }
             // naga writes all constants that have a name, asked for or not.
             if words(&text).filter(|(word, _)| *word == name).count() > 1 {
@@ -222,11 +245,12 @@ fn stage(program: &str, wgsl: &str, stage: naga::ShaderStage, entry: &str, owner
     Ok(Stage { module: owner, text, block, constants, samplers })
 }
 
-/// Path below the repository's root and text of everything generated: a readable GLSL file for every shader in
-/// `shaders/glsl/` (equal vertex shaders share one) and the tables of programs in Rust.
+/// Path below the repository's root and text of everything generated: a readable GLSL file for every shader
+/// in `shaders/glsl/` (equal vertex shaders share one) and the tables of programs in Rust.
 ///
 /// # Errors
-/// [`crate::ErrorKind::Driver`] with naga's words for a shader that it does not accept, and for files that cannot be read.
+/// [`crate::ErrorKind::Driver`] with naga's words for a shader that it does not accept, and for files that
+/// cannot be read.
 pub fn generate(root: &Path) -> Result<Vec<(String, String)>> {
     let wgsl = root.join("shaders/wgsl");
     let mut files: Vec<(String, String)> = Vec::new();
@@ -272,7 +296,11 @@ fn rust_table(programs: &[Source]) -> String {
     }
     out += "];\n\n#[cfg(any(feature = \"wgpu\", feature = \"translate\"))]\nmod text {\n";
     for module in modules {
-        let _ = writeln!(out, "    pub(super) const {}: &str = crate::shaders::wgsl!({module:?});", identifier(module));
+        let _ = writeln!(
+            out,
+            "    pub(super) const {}: &str = crate::shaders::wgsl!({module:?});",
+            identifier(module)
+        );
     }
     out += "}\n\n#[cfg(feature = \"webgl\")]\nstatic PARTS: &[&str] = &[\n";
     for part in &parts.list {
@@ -292,11 +320,17 @@ fn rust_table(programs: &[Source]) -> String {
         let slots: Vec<_> = p
             .textures
             .iter()
-            .map(|t| format!("TextureSlot {{ name: {:?}, binding: {}, filtered: {} }}", t.name, t.binding, t.filtered))
+            .map(|t| {
+                format!(
+                    "TextureSlot {{ name: {:?}, binding: {}, filtered: {} }}",
+                    t.name, t.binding, t.filtered
+                )
+            })
             .collect();
         let samplers: Vec<_> = p.textures.iter().map(|t| &t.sampler).collect();
         let strip = p.numbers.iter().find(|(name, _)| name == VERTICES);
-        let vertices = strip.map_or("Vertices::Triangle".to_owned(), |(_, count)| format!("Vertices::Strip({count})"));
+        let vertices =
+            strip.map_or("Vertices::Triangle".to_owned(), |(_, count)| format!("Vertices::Strip({count})"));
         if !p.numbers.is_empty() {
             out += "    /// Whole numbers that the shader calls by these names.\n    #[allow(missing_docs)]\n    pub mod numbers {\n";
             for (name, value) in &p.numbers {
@@ -304,7 +338,8 @@ fn rust_table(programs: &[Source]) -> String {
             }
             out += "    }\n\n";
         }
-        let wgsl: Vec<_> = p.modules.iter().map(|(module, _)| format!("text::{}", identifier(module))).collect();
+        let wgsl: Vec<_> =
+            p.modules.iter().map(|(module, _)| format!("text::{}", identifier(module))).collect();
         let _ = write!(
             out,
             "    /// The row of the table.\n    \
@@ -343,20 +378,24 @@ impl Parts {
         list.sort_by(|a, b| (function(a), a).cmp(&(function(b), b)));
         list.dedup();
         let index = |part: &String| list.iter().position(|p| p == part).unwrap_or_default();
-        let programs = texts.iter().map(|t| t.each_ref().map(|parts| parts.iter().map(index).collect())).collect();
+        let programs =
+            texts.iter().map(|t| t.each_ref().map(|parts| parts.iter().map(index).collect())).collect();
         Self { list, programs }
     }
 }
 
-/// A part as it travels: without indentation and blank lines, and a function with short names for what is local to it.
-/// naga numbers names over a whole shader, so that the same function has other names in every program.
+/// A part as it travels: without indentation and blank lines, and a function with short names for what is
+/// local to it. naga numbers names over a whole shader, so that the same function has other names in every
+/// program.
 fn pack(part: &str) -> String {
     let lines: Vec<&str> = part.lines().map(str::trim).filter(|line| !line.is_empty()).collect();
     let mut locals = Vec::new();
     if lines.first().is_some_and(|line| line.ends_with(") {")) {
         // The last words of the header's arguments, and of declarations.
         let arguments = lines[0].split_once('(').map_or("", |(_, rest)| rest.trim_end_matches(") {"));
-        locals.extend(arguments.split(',').filter_map(|a| a.split(' ').next_back()).filter(|name| !name.is_empty()));
+        locals.extend(
+            arguments.split(',').filter_map(|a| a.split(' ').next_back()).filter(|name| !name.is_empty()),
+        );
         for line in &lines[1..] {
             let mut words = line.split(' ');
             let (Some(kind), Some(name)) = (words.next(), words.next()) else { continue };
@@ -410,18 +449,25 @@ fn words(text: &str) -> impl Iterator<Item = (&str, bool)> {
 /// a, b, … z, aa, ab, …, without the keywords of that length.
 fn short_name(index: usize) -> String {
     let letter = |i: usize| char::from(b'a' + (i % 26) as u8);
-    let name: String =
-        if index < 26 { letter(index).into() } else { [letter(index / 26 - 1), letter(index)].iter().collect() };
+    let name: String = if index < 26 {
+        letter(index).into()
+    } else {
+        [letter(index / 26 - 1), letter(index)].iter().collect()
+    };
     if ["do", "if", "in"].contains(&name.as_str()) { name + "_" } else { name }
 }
 
 /// The name of the function that a part holds; empty for other parts.
 fn function(part: &str) -> &str {
     let header = part.lines().find(|line| line.ends_with(") {") && !line.starts_with(['}', '#']));
-    header.and_then(|line| line.split_once('(')).and_then(|(head, _)| head.split(' ').nth(1)).unwrap_or_default()
+    header
+        .and_then(|line| line.split_once('('))
+        .and_then(|(head, _)| head.split(' ').nth(1))
+        .unwrap_or_default()
 }
 
-/// A shader's text cut behind every top-level closing brace, and behind what stands before the first function.
+/// A shader's text cut behind every top-level closing brace, and behind what stands before the first
+/// function.
 fn split(text: &str) -> impl Iterator<Item = &str> {
     let mut rest = text;
     std::iter::from_fn(move || {

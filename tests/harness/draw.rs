@@ -2,7 +2,10 @@
 
 use welkin::gpu::{Backend, Format, Inputs, Pass, Program, Target, TextureDesc, TextureId};
 use welkin::shaders::copy;
-use welkin::{AerialTargets, Composition, FrameTargets, Look, LutSettings, PictureRenderer, PictureSettings, Quality, Scene, SkyRenderer, SkySettings};
+use welkin::{
+    AerialTargets, Composition, FrameTargets, Look, LutSettings, PictureRenderer, PictureSettings, Quality,
+    Scene, SkyRenderer, SkySettings,
+};
 
 /// Small LUTs, for what does not depend on how exact they are.
 pub const TINY: LutSettings = LutSettings {
@@ -88,7 +91,8 @@ pub fn clear_pass(color: TextureId, clear: [f32; 4]) -> Pass {
 pub fn copy_pass(b: &mut dyn Backend, from: TextureId, to: TextureId) -> Pass {
     let program = Some(b.create_program(Program::new(&copy::INFO, 0)).unwrap());
     let inputs = Inputs::new([("source", Some(from))]);
-    Pass { program, inputs, ..Pass::clear("copy", Target::color(to)) }}
+    Pass { program, inputs, ..Pass::clear("copy", Target::color(to)) }
+}
 
 /// The passes behind a scene.
 pub fn background_passes(
@@ -101,14 +105,19 @@ pub fn background_passes(
 }
 
 /// The passes before a scene alone: LUTs that they read, then the air.
-fn over_passes(b: &mut dyn Backend, sky: &mut SkyRenderer, scene: &Scene, aerial: AerialTargets) -> Vec<Pass> {
+fn over_passes(
+    b: &mut dyn Backend,
+    sky: &mut SkyRenderer,
+    scene: &Scene,
+    aerial: AerialTargets,
+) -> Vec<Pass> {
     let targets = FrameTargets { background: None, aerial: Some(aerial) };
     let frame = sky.frame(b, scene, &targets).unwrap();
     [frame.background, frame.aerial].concat()
 }
 
-/// The passes of the air before a scene, with its colour and depth, into a third texture. None where the composition lays
-/// it over the scene.
+/// The passes of the air before a scene, with its colour and depth, into a third texture. None where the
+/// composition lays it over the scene.
 pub fn aerial_passes(
     b: &mut dyn Backend,
     sky: &mut SkyRenderer,

@@ -2,7 +2,10 @@
 //! new one.
 
 use welkin::gpu::{Backend, Pass, Target};
-use welkin::{AtmosphereParams, Composition, LutSettings, Quality, MiePhase, PictureRenderer, PictureSettings, SkyRenderer, SkySettings};
+use welkin::{
+    AtmosphereParams, Composition, LutSettings, MiePhase, PictureRenderer, PictureSettings, Quality,
+    SkyRenderer, SkySettings,
+};
 
 use super::{TINY, View, draw_both, frame_passes, frame_textures, free};
 

@@ -9,10 +9,16 @@ use glam::{DVec2, DVec3};
 use welkin::gpu::{Backend, Format, Target};
 use welkin::probe::film;
 use welkin::reference::single::{RayQuery, Tolerance, transmittance};
-use welkin::{AtmosphereParams, Camera, Quality, PictureRenderer, Pose, Scene, SkyRenderer, TerrainStyle, Look, SkySettings, PictureSettings};
+use welkin::{
+    AtmosphereParams, Camera, Look, PictureRenderer, PictureSettings, Pose, Quality, Scene, SkyRenderer,
+    SkySettings, TerrainStyle,
+};
 
 use crate::harness::lines::Line;
-use crate::harness::{View, aerial_passes, assert_physical, background_passes, brightest, colors, copy_pass, draw, expected, expected_picture, frame_textures, free, sky, march, on_both, over_black, rays, rgb, sample, texture};
+use crate::harness::{
+    View, aerial_passes, assert_physical, background_passes, brightest, colors, copy_pass, draw, expected,
+    expected_picture, frame_textures, free, march, on_both, over_black, rays, rgb, sample, sky, texture,
+};
 
 // --- from the ground to far away
 
@@ -602,7 +608,5 @@ fn single_scattering_is_continuous_across_edges() {
 
 #[test]
 fn tables_are_continuous_across_edges() {
-    continuous_across_edges(Quality::MEDIUM, |line| {
-        EDGE_BOUNDS.iter().find(|b| b.0 == line).unwrap().2
-    });
+    continuous_across_edges(Quality::MEDIUM, |line| EDGE_BOUNDS.iter().find(|b| b.0 == line).unwrap().2);
 }

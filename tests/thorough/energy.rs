@@ -3,7 +3,7 @@
 use welkin::frame::luts::LutsUniform;
 use welkin::gpu::{Backend, Target};
 use welkin::reference::single::{RayQuery, Tolerance, transmittance};
-use welkin::{AtmosphereParams, LutSettings, Quality, PictureRenderer, SkyRenderer, SkySettings};
+use welkin::{AtmosphereParams, LutSettings, PictureRenderer, Quality, SkyRenderer, SkySettings};
 
 use crate::harness::{View, background_passes, draw, luts, on_both, over_black, target};
 

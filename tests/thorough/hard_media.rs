@@ -3,7 +3,7 @@
 use welkin::gpu::Backend;
 use welkin::{AtmosphereParams, MiePhase, PictureRenderer, Quality};
 
-use crate::harness::{View, assert_physical, draw, everything, sky, on_both, over_black};
+use crate::harness::{View, assert_physical, draw, everything, on_both, over_black, sky};
 
 fn media() -> Vec<(&'static str, AtmosphereParams)> {
     let earth = AtmosphereParams::earth;

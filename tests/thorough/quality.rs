@@ -6,10 +6,10 @@ use welkin::gpu::Backend;
 use welkin::probe::scenes::{self, Frame, SETUPS, Setup};
 use welkin::reference::multiple::{Orders, Settings};
 use welkin::reference::single::{Sun, Tolerance, single_scattering};
-use welkin::settings::front::{ParetoFront, MEDIA};
+use welkin::settings::front::{MEDIA, ParetoFront};
 use welkin::{PictureRenderer, Quality, Scene};
 
-use crate::harness::{draw, sky, on_both, orders, over_black, query};
+use crate::harness::{draw, on_both, orders, over_black, query, sky};
 
 /// The reference's radiance at a frame's pixels: of all orders of scattering, and scattered once.
 struct Truth {

@@ -5,10 +5,16 @@ use welkin::gpu::Backend;
 use welkin::model::moon::{MOON_RADIUS, Moon};
 use welkin::reference::path::{Settings, path_trace};
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
-use welkin::{AtmosphereParams, Composition, LutSettings, Quality, PictureRenderer, PictureSettings, Scene, SkyRenderer, SkySettings, TerrainStyle};
+use welkin::{
+    AtmosphereParams, Composition, LutSettings, PictureRenderer, PictureSettings, Quality, Scene,
+    SkyRenderer, SkySettings, TerrainStyle,
+};
 
 use crate::eclipse::{DISTANCE, moon};
-use crate::harness::{View, aerial_passes, background_passes, cleared, draw, everything, frame_textures, free, luts, march, on_both, rgb, sky, composed};
+use crate::harness::{
+    View, aerial_passes, background_passes, cleared, composed, draw, everything, frame_textures, free, luts,
+    march, on_both, rgb, sky,
+};
 
 /// A scene as [`View`] has it with the moon of a [`RayQuery`], whose azimuth turns the other way.
 fn under(moon: &Moon, view: View) -> Scene {

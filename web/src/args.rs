@@ -13,7 +13,9 @@ fn shown(value: &JsValue) -> String {
     match value.as_string() {
         Some(text) => Quoted(&text).to_string(),
         None if value.is_null() => "null".into(),
-        None => value.as_bool().map_or_else(|| value.js_typeof().as_string().unwrap_or_default(), |b| b.to_string()),
+        None => value
+            .as_bool()
+            .map_or_else(|| value.js_typeof().as_string().unwrap_or_default(), |b| b.to_string()),
     }
 }
 
@@ -28,13 +30,19 @@ pub fn number(field: &str, value: &JsValue, lo: f64, hi: f64, unit: &str) -> Res
         return in_range(field, number, lo, hi, unit);
     }
     let [lo, hi] = [lo, hi].map(short);
-    Err(Error::invalid(field, shown(value), format_args!("a number from {lo} to {hi} {unit}").to_string().trim_end()))
+    Err(Error::invalid(
+        field,
+        shown(value),
+        format_args!("a number from {lo} to {hi} {unit}").to_string().trim_end(),
+    ))
 }
 
 /// A whole number from 1 to `most`.
 pub fn whole(field: &str, value: &JsValue, most: u32) -> Result<u32> {
     match value.as_f64() {
-        Some(number) if number.fract() == 0.0 && (1.0..=f64::from(most)).contains(&number) => Ok(number as u32),
+        Some(number) if number.fract() == 0.0 && (1.0..=f64::from(most)).contains(&number) => {
+            Ok(number as u32)
+        }
         _ => Err(Error::invalid(field, shown(value), format_args!("a whole number from 1 to {most}"))),
     }
 }

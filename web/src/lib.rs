@@ -1,7 +1,7 @@
 //! The wasm modules of the planet viewer in `web/`: one class, [`Viewer`], over one backend a module.
 //!
-//! The features `webgl` and `webgpu` say which backends a module can open. `scripts/build-web` builds one module
-//! for each, so that a page downloads no more than it needs; a module with both works as well.
+//! The features `webgl` and `webgpu` say which backends a module can open. `scripts/build-web` builds one
+//! module for each, so that a page downloads no more than it needs; a module with both works as well.
 #![cfg(target_arch = "wasm32")]
 
 #[cfg(not(any(feature = "webgl", feature = "webgpu")))]
@@ -26,8 +26,8 @@ use wasm_bindgen::prelude::*;
 use welkin::render::picture::{Drawn, PictureRenderer, PictureSettings};
 use welkin::shaders::ToneMap;
 use welkin::{
-    AtmosphereParams, Bound, Camera, DepthConvention, EffectPlan, Error, Method, Mode, Pose, Quality, Result, Scene,
-    SkySettings, TerrainStyle, WarmUp,
+    AtmosphereParams, Bound, Camera, DepthConvention, EffectPlan, Error, Method, Mode, Pose, Quality, Result,
+    Scene, SkySettings, TerrainStyle, WarmUp,
 };
 
 use args::{canvas, flag, name, number, whole};
@@ -115,9 +115,15 @@ impl Viewer {
         Ok(())
     }
 
-    /// Altitude above the ground in metres, the rest in degrees: pitch above the horizontal, heading from north to
-    /// east, vertical field of view.
-    pub fn set_camera(&mut self, altitude: JsValue, pitch: JsValue, heading: JsValue, fov: JsValue) -> Answer<()> {
+    /// Altitude above the ground in metres, the rest in degrees: pitch above the horizontal, heading from
+    /// north to east, vertical field of view.
+    pub fn set_camera(
+        &mut self,
+        altitude: JsValue,
+        pitch: JsValue,
+        heading: JsValue,
+        fov: JsValue,
+    ) -> Answer<()> {
         let altitude = number("camera.altitude", &altitude, 0.0, 1e12, "m")?;
         let pitch = number("camera.pitch", &pitch, -90.0, 90.0, "degrees")?.to_radians();
         let heading = number("camera.heading", &heading, -36000.0, 36000.0, "degrees")?.to_radians();
@@ -230,7 +236,11 @@ impl Viewer {
         let sky = SkySettings { foreground: self.terrain, bound, ..self.settings.sky };
         let plan = EffectPlan::new(&self.scene()?, &sky, self.size)?;
         let state = |on| if on { "on" } else { "off" };
-        Ok(plan.effects().iter().flat_map(|e| [e.name.into(), state(e.on).into(), e.reason.to_string()]).collect())
+        Ok(plan
+            .effects()
+            .iter()
+            .flat_map(|e| [e.name.into(), state(e.on).into(), e.reason.to_string()])
+            .collect())
     }
 
     /// Draws a frame and shows it.
@@ -252,13 +262,14 @@ impl Viewer {
         Ok(())
     }
 
-    /// Makes one more program that other views of this planet call for, so that no frame waits for it; `false` once all
-    /// are there. For moments in which the page has nothing else to do.
+    /// Makes one more program that other views of this planet call for, so that no frame waits for it;
+    /// `false` once all are there. For moments in which the page has nothing else to do.
     pub fn warm_up(&mut self) -> Answer<bool> {
         // Exposure changes no program.
         let settings = PictureSettings { exposure: 1.0, terrain: self.style(), ..self.settings };
         let mut canvas = self.canvas.borrow_mut();
-        let current = self.warm_up.take_if(|(params, made_for, _)| *params == self.params && *made_for == settings);
+        let current =
+            self.warm_up.take_if(|(params, made_for, _)| *params == self.params && *made_for == settings);
         if let Some((.., mut stale)) = self.warm_up.take() {
             stale.destroy(canvas.backend());
         }
@@ -273,7 +284,8 @@ impl Viewer {
 
     /// A promise of the last frame's radiance, RGBA, row 0 on top. The viewer may be used meanwhile.
     pub fn read_pixels(&mut self) -> Answer<js_sys::Promise> {
-        let drawn = self.drawn.ok_or_else(|| Error::invalid("read_pixels", "no frame", "called after render"))?;
+        let drawn =
+            self.drawn.ok_or_else(|| Error::invalid("read_pixels", "no frame", "called after render"))?;
         let read = self.canvas.borrow_mut().backend().begin_read(drawn.radiance)?;
         let canvas = self.canvas.clone();
         Ok(wasm_bindgen_futures::future_to_promise(async move {
@@ -334,7 +346,8 @@ impl Drop for Viewer {
     }
 }
 
-/// Where the page stands: 15.2° south, 37.4° east in the planet's own axes, a coast of the demonstration terrain.
+/// Where the page stands: 15.2° south, 37.4° east in the planet's own axes, a coast of the demonstration
+/// terrain.
 fn place() -> DVec3 {
     let (latitude, longitude) = ((-15.2_f64).to_radians(), 37.4_f64.to_radians());
     DVec3::new(latitude.cos() * longitude.cos(), latitude.cos() * longitude.sin(), latitude.sin())

@@ -28,7 +28,13 @@ pub struct Stress {
 #[wasm_bindgen]
 impl Stress {
     /// Opens `"webgl2"` or `"webgpu"`. `host`: the browser, and what it says of the adapter.
-    pub async fn create(element: JsValue, backend: JsValue, host: String, seed: u64, cases: u64) -> Answer<Stress> {
+    pub async fn create(
+        element: JsValue,
+        backend: JsValue,
+        host: String,
+        seed: u64,
+        cases: u64,
+    ) -> Answer<Stress> {
         let canvas = surface::open(canvas(element)?, &name(&backend)).await?;
         let mut record = Record::new(canvas.info(), seed, cases);
         record.about += &format!(", {host}");

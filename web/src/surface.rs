@@ -41,8 +41,8 @@ pub trait Surface {
 /// Opens `"webgl2"` or `"webgpu"` on a canvas that has no context yet.
 ///
 /// # Errors
-/// [`welkin::ErrorKind::Invalid`] for a backend that this module was not built with; [`welkin::ErrorKind::Unavailable`] with the reason if
-/// the browser does not have it.
+/// [`welkin::ErrorKind::Invalid`] for a backend that this module was not built with;
+/// [`welkin::ErrorKind::Unavailable`] with the reason if the browser does not have it.
 pub async fn open(canvas: HtmlCanvasElement, backend: &str) -> Result<Box<dyn Surface>> {
     match backend {
         #[cfg(feature = "webgl")]

@@ -19,12 +19,17 @@ struct WebGl {
 /// The canvas' WebGL2 context with a backend on it.
 ///
 /// # Errors
-/// [`welkin::ErrorKind::Unavailable`] if the browser gives no context, or one that cannot draw to float textures.
+/// [`welkin::ErrorKind::Unavailable`] if the browser gives no context, or one that cannot draw to float
+/// textures.
 pub fn open(canvas: &HtmlCanvasElement) -> Result<Box<dyn Surface>> {
     let options = js_sys::Object::new();
-    for (key, value) in
-        [("antialias", false), ("depth", false), ("stencil", false), ("alpha", false), ("preserveDrawingBuffer", true)]
-    {
+    for (key, value) in [
+        ("antialias", false),
+        ("depth", false),
+        ("stencil", false),
+        ("alpha", false),
+        ("preserveDrawingBuffer", true),
+    ] {
         let _ = js_sys::Reflect::set(&options, &key.into(), &value.into());
     }
     let context = canvas
@@ -76,7 +81,8 @@ impl Surface for WebGl {
 
     fn lose(&mut self) {
         let extension = self.context.get_extension("WEBGL_lose_context").ok().flatten();
-        let lose = extension.and_then(|e| js_sys::Reflect::get(&e, &"loseContext".into()).ok().map(|f| (e, f)));
+        let lose =
+            extension.and_then(|e| js_sys::Reflect::get(&e, &"loseContext".into()).ok().map(|f| (e, f)));
         if let Some((extension, function)) = lose
             && let Ok(function) = function.dyn_into::<js_sys::Function>()
         {

@@ -60,7 +60,11 @@ impl Surface for WebGpu {
         self.surface.configure(self.backend.device(), &self.config);
     }
 
-    fn present(&mut self, _: [u32; 2], draw: &mut dyn FnMut(&mut dyn Backend, TextureId) -> Result<()>) -> Result<()> {
+    fn present(
+        &mut self,
+        _: [u32; 2],
+        draw: &mut dyn FnMut(&mut dyn Backend, TextureId) -> Result<()>,
+    ) -> Result<()> {
         let texture = match self.surface.get_current_texture() {
             wgpu::CurrentSurfaceTexture::Success(t) | wgpu::CurrentSurfaceTexture::Suboptimal(t) => t,
             other => {

@@ -49,7 +49,9 @@ impl BackendArgs {
     /// The backend that was asked for, of a command that needs a GPU's; `why` says what for.
     pub fn gpu(&self, why: &str) -> Result<BackendChoice, UsageError> {
         match self.backend {
-            BackendChoice::Cpu => Err(UsageError::value(OPTION, "cpu", format_args!("webgpu, webgl2 or auto: {why}"))),
+            BackendChoice::Cpu => {
+                Err(UsageError::value(OPTION, "cpu", format_args!("webgpu, webgl2 or auto: {why}")))
+            }
             choice => Ok(choice),
         }
     }

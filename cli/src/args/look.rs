@@ -70,7 +70,9 @@ impl LookArgs {
     /// How much what is left out may change a picture of that exposure: as much as nobody sees in 8 bits, or
     /// what suits numbers.
     fn bound(&self, exposure: f32, output: &Path) -> Option<Bound> {
-        let linear = output.extension().is_some_and(|e| e.eq_ignore_ascii_case("exr") || e.eq_ignore_ascii_case("hdr"));
+        let linear = output
+            .extension()
+            .is_some_and(|e| e.eq_ignore_ascii_case("exr") || e.eq_ignore_ascii_case("hdr"));
         let bound = if linear { Bound::LINEAR } else { Bound::eight_bit(exposure.into()) };
         (!self.all_effects).then_some(bound)
     }

@@ -147,17 +147,19 @@ impl SceneArgs {
         let terrain = terrain.then(|| view.terrain());
         let [width, height] = size;
         let mut scene =
-            view.scene(place, f64::from(width) / f64::from(height), terrain.as_ref()).map_err(|e| {
-                match e.into_kind() {
-                    welkin::ErrorKind::Invalid { field, value, allowed } if field.starts_with("camera.tangents") => {
-                        UsageError::new(format!(
-                            "'--fov <DEGREES>' {} and '--size <WxH>' {width}x{height} make too wide a view: \
+            view.scene(place, f64::from(width) / f64::from(height), terrain.as_ref()).map_err(|e| match e
+                .into_kind()
+            {
+                welkin::ErrorKind::Invalid { field, value, allowed }
+                    if field.starts_with("camera.tangents") =>
+                {
+                    UsageError::new(format!(
+                        "'--fov <DEGREES>' {} and '--size <WxH>' {width}x{height} make too wide a view: \
                          its edge lies at {value} (tangent of the angle), must be {allowed}",
-                            view.fov
-                        ))
-                    }
-                    other => UsageError::new(other.to_string()),
+                        view.fov
+                    ))
                 }
+                other => UsageError::new(other.to_string()),
             })?;
         if let (true, Some((place, time))) = (self.moon, place_and_time) {
             place_moon(&mut scene, place, time)?;
@@ -183,7 +185,8 @@ impl SceneArgs {
     }
 
     fn check_altitude(&self, view: &View) -> Result<(), UsageError> {
-        let radius = AtmosphereParams::preset(view.planet).map_err(|e| UsageError::new(e.to_string()))?.planet_radius;
+        let radius =
+            AtmosphereParams::preset(view.planet).map_err(|e| UsageError::new(e.to_string()))?.planet_radius;
         let lowest = -0.5 * radius;
         if view.altitude >= lowest && view.altitude <= MAX_ALTITUDE {
             return Ok(());
@@ -231,8 +234,9 @@ impl SceneArgs {
                         "earth or earth-like with '--time <TIME>': the ephemeris is the Earth's",
                     ));
                 }
-                let sun = sun::position(time, place, 0.0)
-                    .map_err(|e| UsageError::value("--time <TIME>", time, format_args!("one that SPA covers: {e}")))?;
+                let sun = sun::position(time, place, 0.0).map_err(|e| {
+                    UsageError::value("--time <TIME>", time, format_args!("one that SPA covers: {e}"))
+                })?;
                 (view.sun_elevation, view.sun_azimuth) = (sun.elevation, sun.azimuth);
                 Ok(Some((place, time)))
             }

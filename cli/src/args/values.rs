@@ -22,7 +22,11 @@ pub struct Length {
 }
 
 /// A parser of finite numbers in `lo..=hi`.
-pub fn number(lo: f64, hi: f64, unit: &'static str) -> impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync {
+pub fn number(
+    lo: f64,
+    hi: f64,
+    unit: &'static str,
+) -> impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync {
     move |text| {
         let value: f64 = text.trim().parse().unwrap_or(f64::NAN);
         let allowed = (lo..=hi).contains(&value);
@@ -51,7 +55,8 @@ pub fn length(text: &str) -> Result<Length, String> {
 
 /// Degrees north and east with a comma between.
 pub fn place(text: &str) -> Result<Place, String> {
-    let allowed = "must be LAT,LON: degrees north from -90 to 90 and degrees east from -180 to 180, as in 46.5,8.0";
+    let allowed =
+        "must be LAT,LON: degrees north from -90 to 90 and degrees east from -180 to 180, as in 46.5,8.0";
     let (latitude, longitude) = text.split_once(',').ok_or(allowed)?;
     let latitude = number(-90.0, 90.0, "")(latitude).map_err(|_| allowed)?;
     let longitude = number(-180.0, 180.0, "")(longitude).map_err(|_| allowed)?;
@@ -60,7 +65,8 @@ pub fn place(text: &str) -> Result<Place, String> {
 
 /// A date, a time and an offset in RFC 3339.
 pub fn time(text: &str) -> Result<jiff::Timestamp, String> {
-    let allowed = "must be a date, a time and an offset in RFC 3339, years 0000 to 2999, as in 2024-06-20T20:51:00Z";
+    let allowed =
+        "must be a date, a time and an offset in RFC 3339, years 0000 to 2999, as in 2024-06-20T20:51:00Z";
     let time: jiff::Timestamp = text.trim().parse().map_err(|_| allowed)?;
     // Four digits and no sign, as RFC 3339 has it; ΔT is known for all of them.
     let year = time.to_zoned(jiff::tz::TimeZone::UTC).year();
@@ -96,7 +102,8 @@ pub fn count(most: u32) -> impl Fn(&str) -> Result<u32, String> + Clone + Send +
 
 /// A parser of the names of [`AtmosphereParams::PRESETS`].
 pub fn planet() -> impl TypedValueParser<Value = &'static str> {
-    let named = |name: String| AtmosphereParams::PRESETS.into_iter().find(|p| *p == name).ok_or("no such planet");
+    let named =
+        |name: String| AtmosphereParams::PRESETS.into_iter().find(|p| *p == name).ok_or("no such planet");
     PossibleValuesParser::new(AtmosphereParams::PRESETS).try_map(named)
 }
 
@@ -112,9 +119,14 @@ mod tests {
 
     #[test]
     fn lengths_with_and_without_a_unit() {
-        for (text, metres) in
-            [("100", 100.0), ("-430m", -430.0), ("15km", 15e3), ("400 km", 4e5), ("1.5e3 m", 1500.0), ("12e3km", 12e6)]
-        {
+        for (text, metres) in [
+            ("100", 100.0),
+            ("-430m", -430.0),
+            ("15km", 15e3),
+            ("400 km", 4e5),
+            ("1.5e3 m", 1500.0),
+            ("12e3km", 12e6),
+        ] {
             assert_eq!(length(text).unwrap().metres, metres, "{text}");
         }
         for text in ["", "m", "km", "nan", "inf", "12 miles", "1e308km"] {
@@ -133,7 +145,9 @@ mod tests {
 
     #[test]
     fn budgets_have_a_unit() {
-        for (text, micros) in [("5ms", 5000), ("0.5ms", 500), ("16.6 ms", 16_600), ("250us", 250), ("1s", 1_000_000)] {
+        for (text, micros) in
+            [("5ms", 5000), ("0.5ms", 500), ("16.6 ms", 16_600), ("250us", 250), ("1s", 1_000_000)]
+        {
             assert_eq!(duration(text), Ok(Duration::from_micros(micros)), "{text}");
         }
         for text in ["", "5", "0ms", "-5ms", "fast", "nan", "infms", "5 lightyears"] {
@@ -144,7 +158,9 @@ mod tests {
     #[test]
     fn times_need_an_offset() {
         assert!(time("2003-10-17T12:30:30-07:00").is_ok());
-        for text in ["2003-10-17T12:30:30", "2003-10-17", "noon", "2003-13-01T00:00:00Z", "-000500-01-01T00:00:00Z"] {
+        for text in
+            ["2003-10-17T12:30:30", "2003-10-17", "noon", "2003-13-01T00:00:00Z", "-000500-01-01T00:00:00Z"]
+        {
             assert!(time(text).is_err(), "{text}");
         }
     }

@@ -60,7 +60,11 @@ pub fn run(args: &EclipseArgs) -> anyhow::Result<()> {
     let bodies = ephemeris::bodies(time, place, height)
         .map_err(|_| UsageError::value("--time <TIME>", time, "in the years 1900 to 2099"))?;
     let eclipse = ephemeris::eclipse(time, place, height)?;
-    let text = if args.json { json(time, &bodies, eclipse.as_ref())? } else { words(time, &bodies, eclipse.as_ref()) };
+    let text = if args.json {
+        json(time, &bodies, eclipse.as_ref())?
+    } else {
+        words(time, &bodies, eclipse.as_ref())
+    };
     writeln!(std::io::stdout().lock(), "{text}")?;
     Ok(())
 }
@@ -103,7 +107,8 @@ fn words(time: Timestamp, bodies: &Bodies, eclipse: Option<&Eclipse>) -> String 
         return lines.join("\n");
     };
     let kind = name(e.bodies.disks().phase());
-    let mut times = vec![(format!("{kind} eclipse of magnitude {:.4}, greatest", e.bodies.magnitude()), e.greatest)];
+    let mut times =
+        vec![(format!("{kind} eclipse of magnitude {:.4}, greatest", e.bodies.magnitude()), e.greatest)];
     times.extend(["partial begins", "partial ends"].map(str::to_owned).into_iter().zip(e.partial));
     if let Some(central) = e.central {
         times.extend(["begins", "ends"].map(|what| format!("{kind} {what}")).into_iter().zip(central));

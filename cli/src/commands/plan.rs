@@ -53,8 +53,10 @@ pub fn run(args: &PlanArgs) -> anyhow::Result<()> {
     let mut gpu = Gpu::open(if budget { render.backend.backend } else { BackendChoice::Cpu })?;
     let choice = QualityChoice::new(render.quality.asked(), render.look.mode(), &mut gpu, framed.size)?;
     let request = render.request(framed, choice.sky);
-    let settings =
-        SkySettings { look: Look { foreground: request.terrain.is_some(), ..request.sky.look }, ..request.sky };
+    let settings = SkySettings {
+        look: Look { foreground: request.terrain.is_some(), ..request.sky.look },
+        ..request.sky
+    };
     let plan = Frame::new(&request.scene, &settings, [request.width, request.height])?;
     let text = if args.json { json(&plan, settings.bound) } else { words(&plan, settings.bound) };
     writeln!(std::io::stdout().lock(), "{text}")?;
@@ -62,8 +64,11 @@ pub fn run(args: &PlanArgs) -> anyhow::Result<()> {
 }
 
 fn json(plan: &Frame, bound: Option<Bound>) -> String {
-    let effects: Vec<_> =
-        plan.effects().iter().map(|e| json!({ "name": e.name, "on": e.on, "reason": e.reason.to_string() })).collect();
+    let effects: Vec<_> = plan
+        .effects()
+        .iter()
+        .map(|e| json!({ "name": e.name, "on": e.on, "reason": e.reason.to_string() }))
+        .collect();
     let passes: Vec<_> = plan
         .planned_passes()
         .iter()
@@ -78,7 +83,9 @@ fn json(plan: &Frame, bound: Option<Bound>) -> String {
 
 fn words(plan: &Frame, bound: Option<Bound>) -> String {
     let mut text = match bound {
-        Some(b) => format!("what is off changes no pixel by more than {} of it + {:.2e}\n", b.relative, b.absolute),
+        Some(b) => {
+            format!("what is off changes no pixel by more than {} of it + {:.2e}\n", b.relative, b.absolute)
+        }
         None => "nothing is left out\n".to_owned(),
     };
     for e in plan.effects() {

@@ -14,7 +14,8 @@ use welkin::gpu::{Backend, Format, Pass, Target, TextureDesc, TextureId};
 use welkin::reference::multiple::Settings;
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
 use welkin::{
-    AerialTargets, AtmosphereParams, Camera, DepthConvention, FrameTargets, Quality, Scene, SkyRenderer, SkySettings,
+    AerialTargets, AtmosphereParams, Camera, DepthConvention, FrameTargets, Quality, Scene, SkyRenderer,
+    SkySettings,
 };
 
 use crate::args::backend::{self, BackendArgs, BackendChoice};
@@ -162,7 +163,8 @@ pub fn run(args: &RadianceArgs) -> anyhow::Result<()> {
     let draws = matches!(args.method, RadianceMethod::Single | RadianceMethod::Lut);
     let backend = args.backend.backend;
     if draws {
-        args.backend.gpu("it draws with '--method single' or 'lut'; on the CPU use '--method reference-single'")?;
+        args.backend
+            .gpu("it draws with '--method single' or 'lut'; on the CPU use '--method reference-single'")?;
     }
     if !draws && matches!(backend, BackendChoice::WebGpu | BackendChoice::WebGl2) {
         let allowed = "auto or cpu with a reference: it is computed on the CPU";
@@ -229,7 +231,9 @@ impl Table {
             let mut found = header.iter().enumerate().filter(|(_, h)| h.trim() == *column);
             let expected = COLUMNS.join(", ");
             *at = found.next().map(|(i, _)| i).ok_or_else(|| {
-                UsageError::new(format!("{name}, line 1: no column '{column}'; the columns needed are {expected}"))
+                UsageError::new(format!(
+                    "{name}, line 1: no column '{column}'; the columns needed are {expected}"
+                ))
             })?;
             if found.next().is_some() {
                 return Err(UsageError::new(format!("{name}, line 1: column '{column}' is there twice")));

@@ -196,13 +196,14 @@ impl Comparison {
         let mut drawn: Vec<(&str, Picture)> = Vec::new();
         for choice in backends {
             let name = choice.name();
-            let picture = match Gpu::open(*choice).and_then(|mut gpu| draw_one(&mut gpu, request, steps, name)) {
-                Err(error) => {
-                    failed.push(format!("{name}: {error:#}"));
-                    continue;
-                }
-                Ok(picture) => picture,
-            };
+            let picture =
+                match Gpu::open(*choice).and_then(|mut gpu| draw_one(&mut gpu, request, steps, name)) {
+                    Err(error) => {
+                        failed.push(format!("{name}: {error:#}"));
+                        continue;
+                    }
+                    Ok(picture) => picture,
+                };
             let caption = match drawn.first() {
                 None if backends.len() == 1 => "the only one that can draw here".to_owned(),
                 None => "what the others are compared with".to_owned(),

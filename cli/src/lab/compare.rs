@@ -75,9 +75,10 @@ impl Difference {
 impl CompareArgs {
     /// The settings of the sky that is drawn.
     fn sky(&self) -> SkySettings {
-        self.samples
-            .given()
-            .map_or_else(|| SkySettings::from(self.preset.quality()), |samples| SkySettings::from(march(samples)))
+        self.samples.given().map_or_else(
+            || SkySettings::from(self.preset.quality()),
+            |samples| SkySettings::from(march(samples)),
+        )
     }
 }
 
@@ -108,7 +109,12 @@ pub fn run(args: &CompareArgs) -> anyhow::Result<()> {
     Ok(())
 }
 
-fn request(args: &CompareArgs, view: &View, [width, height]: [u32; 2], dither: bool) -> anyhow::Result<RenderRequest> {
+fn request(
+    args: &CompareArgs,
+    view: &View,
+    [width, height]: [u32; 2],
+    dither: bool,
+) -> anyhow::Result<RenderRequest> {
     let terrain = view.terrain();
     Ok(RenderRequest {
         scene: view.scene(Place::DEFAULT, f64::from(width) / f64::from(height), Some(&terrain))?,
@@ -125,7 +131,10 @@ fn request(args: &CompareArgs, view: &View, [width, height]: [u32; 2], dither: b
 fn compare(args: &CompareArgs, gpus: &mut [(&str, Gpu)], out: &mut impl Write) -> anyhow::Result<()> {
     let [w, h] = args.size;
     writeln!(out, "\nDifferences of display values at {w}×{h}, {} (of 255):\n", args.sky().quality)?;
-    writeln!(out, "| view | pair | largest | mean | more than 1 apart | not finite |\n|---|---|---:|---:|---:|---:|")?;
+    writeln!(
+        out,
+        "| view | pair | largest | mean | more than 1 apart | not finite |\n|---|---|---:|---:|---:|---:|"
+    )?;
     for view in &VIEWS {
         let request = request(args, view, args.size, false)?;
         let mut drawn: Vec<(&str, Picture)> = Vec::new();
@@ -139,7 +148,11 @@ fn compare(args: &CompareArgs, gpus: &mut [(&str, Gpu)], out: &mut impl Write) -
         let mut row = |pair: String, d: Difference, picture: &Picture| {
             let broken = picture.hdr.iter().flatten().filter(|v| !v.is_finite()).count();
             let beyond = d.beyond * 100.0;
-            writeln!(out, "| {} | {pair} | {} | {:.4} | {beyond:.3} % | {broken} |", view.name, d.largest, d.mean)
+            writeln!(
+                out,
+                "| {} | {pair} | {} | {:.4} | {beyond:.3} % | {broken} |",
+                view.name, d.largest, d.mean
+            )
         };
         if let [(first, a), rest @ ..] = &drawn[..] {
             for (name, b) in rest {
@@ -150,7 +163,12 @@ fn compare(args: &CompareArgs, gpus: &mut [(&str, Gpu)], out: &mut impl Write) -
             let Some(dir) = &args.with else { continue };
             let path = dir.join(format!("{}.{name}.png", view.name));
             let kept = image::open(&path).with_context(|| path.display().to_string())?.into_rgba8();
-            ensure!(kept.dimensions() == (w, h), "{} is {:?}, not {w}×{h}", path.display(), kept.dimensions());
+            ensure!(
+                kept.dimensions() == (w, h),
+                "{} is {:?}, not {w}×{h}",
+                path.display(),
+                kept.dimensions()
+            );
             let kept: Vec<[u8; 4]> = kept.pixels().map(|p| p.0).collect();
             row(format!("{name} – kept {name}"), Difference::between(&kept, &picture.display), picture)?;
         }
@@ -180,7 +198,13 @@ fn time(args: &CompareArgs, gpus: &mut [(&str, Gpu)], out: &mut impl Write) -> a
             let copy = times.last().map_or(0.0, |t| t.nanoseconds);
             for t in &times {
                 let ratio = if copy > 0.0 { format!("{:.1}", t.nanoseconds / copy) } else { "–".into() };
-                writeln!(out, "| {} | {name} | {} | {:.4} | {ratio} |", view.name, t.label, t.nanoseconds * 1e-6)?;
+                writeln!(
+                    out,
+                    "| {} | {name} | {} | {:.4} | {ratio} |",
+                    view.name,
+                    t.label,
+                    t.nanoseconds * 1e-6
+                )?;
             }
         }
     }
@@ -194,7 +218,8 @@ fn times(gpu: &mut Gpu, request: &RenderRequest, repeat: u32) -> anyhow::Result<
     let size = [request.width, request.height];
     let (passes, drawn) = renderer.passes(backend, &request.scene, &request.settings(), size)?;
     let mut passes = passes.to_vec();
-    let copy = backend.create_texture(&TextureDesc::new(timing::COPY, size[0], size[1], Format::Rgba16Float))?;
+    let copy =
+        backend.create_texture(&TextureDesc::new(timing::COPY, size[0], size[1], Format::Rgba16Float))?;
     passes.push(timing::copy(backend, drawn.radiance, copy)?);
     // Makes pipelines and warms caches; it does not count.
     backend.times(&passes)?;

@@ -9,7 +9,8 @@ use welkin::frame::graph::Runs;
 use welkin::gpu::{Format, Target, TextureDesc};
 use welkin::model::moon::{MOON_RADIUS, Moon};
 use welkin::{
-    AerialTargets, AtmosphereParams, Bound, Composition, FrameTargets, Look, Quality, Scene, SkyRenderer, SkySettings,
+    AerialTargets, AtmosphereParams, Bound, Composition, FrameTargets, Look, Quality, Scene, SkyRenderer,
+    SkySettings,
 };
 
 use crate::args::backend::BackendArgs;
@@ -158,13 +159,24 @@ fn rows(quality: Quality) -> Vec<Row> {
     let half = sky(|s| s.render_scale = 0.5);
     let full = sky(|s| s.render_scale = 1.0);
     let march = sky(|s| s.quality = march([16, 8]));
-    let row = |effect, without, on: &Case, off: &Case| Row { effect, without, cases: [on.clone(), off.clone()] };
+    let row =
+        |effect, without, on: &Case, off: &Case| Row { effect, without, cases: [on.clone(), off.clone()] };
     vec![
         row("atmosphere", "switched off", &day, &sky(|s| s.look.enabled = false)),
         row("rayleigh", "no gas", &day, &medium(|p| p.rayleigh_scattering = [0.0; 3])),
-        row("mie", "no aerosol", &day, &medium(|p| (p.mie_scattering, p.mie_absorption) = ([0.0; 3], [0.0; 3]))),
+        row(
+            "mie",
+            "no aerosol",
+            &day,
+            &medium(|p| (p.mie_scattering, p.mie_absorption) = ([0.0; 3], [0.0; 3])),
+        ),
         row("ozone", "no ozone", &day, &medium(|p| p.ozone_absorption = [0.0; 3])),
-        row("sunlight", "night", &day, &Case { view: View { sun_elevation: -40.0, ..day.view }, ..day.clone() }),
+        row(
+            "sunlight",
+            "night",
+            &day,
+            &Case { view: View { sun_elevation: -40.0, ..day.view }, ..day.clone() },
+        ),
         row("multiple scattering", "too thin to be seen twice", &thin(1e-3), &thin(1e-4)),
         row("background sky", "the planet fills the picture", &dome, &down(&dome)),
         row("planet shell", "the planet fills the picture", &orbit, &down(&orbit)),
@@ -227,7 +239,11 @@ fn measure(gpu: &mut Gpu, case: &Case, effect: &str, args: &CostsArgs) -> anyhow
     let found = Found {
         on: plan.effect(effect).with_context(|| format!("no effect '{effect}'"))?.on,
         bytes: live.texture_bytes - before.texture_bytes,
-        pipelines: if live.pipelines > 0 { live.pipelines - before.pipelines } else { live.programs - before.programs },
+        pipelines: if live.pipelines > 0 {
+            live.pipelines - before.pipelines
+        } else {
+            live.programs - before.programs
+        },
         times,
         idle: [
             strangers,

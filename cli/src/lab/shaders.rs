@@ -23,7 +23,8 @@ pub fn run(args: &ShadersArgs) -> Result<()> {
     let (root, check) = (&args.root, args.check);
     let glsl = root.join("shaders/glsl");
     let generated = welkin::shaders::translate::generate(root)?;
-    let wanted: Vec<(PathBuf, String)> = generated.into_iter().map(|(path, text)| (root.join(path), text)).collect();
+    let wanted: Vec<(PathBuf, String)> =
+        generated.into_iter().map(|(path, text)| (root.join(path), text)).collect();
     let mut stale = Vec::new();
     for (path, text) in &wanted {
         if std::fs::read_to_string(path).ok().as_ref() != Some(text) {
@@ -44,7 +45,11 @@ pub fn run(args: &ShadersArgs) -> Result<()> {
     }
     if check && !stale.is_empty() {
         let list: Vec<_> = stale.iter().map(|p| format!("  {}", p.display())).collect();
-        bail!("{} generated shader files are stale; run `cargo lab shaders`:\n{}", stale.len(), list.join("\n"));
+        bail!(
+            "{} generated shader files are stale; run `cargo lab shaders`:\n{}",
+            stale.len(),
+            list.join("\n")
+        );
     }
     println!("{} files {}", wanted.len(), if check { "are fresh" } else { "written" });
     Ok(())

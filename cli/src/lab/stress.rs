@@ -151,7 +151,13 @@ pub fn run(args: &StressArgs) -> anyhow::Result<()> {
 }
 
 /// Whole pictures of random scenes.
-fn frames(out: &mut impl Write, backend: &mut dyn Backend, seed: u64, first: u64, count: u64) -> anyhow::Result<()> {
+fn frames(
+    out: &mut impl Write,
+    backend: &mut dyn Backend,
+    seed: u64,
+    first: u64,
+    count: u64,
+) -> anyhow::Result<()> {
     let (mut wrong, mut pixels) = (0, 0);
     for number in first..first + count {
         let frame = probe::frame(seed, number);
@@ -171,7 +177,12 @@ fn frames(out: &mut impl Write, backend: &mut dyn Backend, seed: u64, first: u64
 }
 
 /// Everything that the shaders answer to one case.
-fn numbers(out: &mut impl Write, backend: &mut dyn Backend, number: usize, case: &probe::Case) -> anyhow::Result<()> {
+fn numbers(
+    out: &mut impl Write,
+    backend: &mut dyn Backend,
+    number: usize,
+    case: &probe::Case,
+) -> anyhow::Result<()> {
     writeln!(out, "\n{}", probe::NUMBERS)?;
     for which in Probe::ALL {
         let answers = probe::run(backend, which, std::slice::from_ref(case))?;

@@ -13,7 +13,16 @@ fn the_quick_report_is_whole_and_makes_sense() {
     let folder = folder("accuracy");
     let out = lab(
         &folder,
-        &["accuracy", "--quick", "--output", "report/new", "--write-front", "front.txt", "--front-size", "64x36"],
+        &[
+            "accuracy",
+            "--quick",
+            "--output",
+            "report/new",
+            "--write-front",
+            "front.txt",
+            "--front-size",
+            "64x36",
+        ],
     );
     let stderr = text(&out.stderr);
     assert!(out.status.success(), "{stderr}");
@@ -43,7 +52,9 @@ fn the_quick_report_is_whole_and_makes_sense() {
     for row in csv::Reader::from_path(folder.join("report/new/accuracy.csv")).unwrap().deserialize() {
         let row: BTreeMap<String, String> = row.unwrap();
         let number = |name: &str| row[name].parse::<f64>().unwrap();
-        for name in row.keys().filter(|k| k.starts_with("mean") || k.starts_with("p95") || k.starts_with("max")) {
+        for name in
+            row.keys().filter(|k| k.starts_with("mean") || k.starts_with("p95") || k.starts_with("max"))
+        {
             assert!(number(name).is_finite() && number(name) >= 0.0, "{name}: {row:?}");
         }
         assert!(number("mean_G") <= number("max_G") && number("p95_G") <= number("max_G"));
@@ -56,7 +67,8 @@ fn the_quick_report_is_whole_and_makes_sense() {
         if let (Some(medium), false) = (MEDIA.iter().position(|m| *m == row["scene"]), preset.is_empty()) {
             // The front says the same as the table.
             let front = front.on(&row["backend"]).unwrap();
-            let point = front.measured[0].points.iter().find(|p| p.quality.preset_name() == Some(preset)).unwrap();
+            let point =
+                front.measured[0].points.iter().find(|p| p.quality.preset_name() == Some(preset)).unwrap();
             let worst = number("mean_R").max(number("mean_G")).max(number("mean_B"));
             let error = point.errors[medium];
             let held = if row["against"] == "single" { error.single.unwrap() } else { error.all_orders };
@@ -64,13 +76,16 @@ fn the_quick_report_is_whole_and_makes_sense() {
             assert!(front.measured[0].size == [64, 36] && point.time > Duration::ZERO);
         }
         let key = (row["backend"].clone(), settings, row["scene"].clone(), row["against"].clone());
-        assert!(found.insert(key, [number("mean_G"), number("time_over_copy"), number("mean_delta_e")]).is_none());
+        assert!(
+            found.insert(key, [number("mean_G"), number("time_over_copy"), number("mean_delta_e")]).is_none()
+        );
     }
     // 2 backends × (3 media + 8 scenes) × (15 qualities × 2 references + 3 of LUTs × 1).
     assert_eq!(found.len(), 2 * 11 * (15 * 2 + 3));
     for backend in ["webgpu", "webgl2"] {
         let lut = |settings: &str, scenes: &str| {
-            found[&(backend.to_owned(), format!("lut {settings}"), scenes.to_owned(), "all-orders".to_owned())]
+            found
+                [&(backend.to_owned(), format!("lut {settings}"), scenes.to_owned(), "all-orders".to_owned())]
         };
         let at = |[view, light]: [u32; 2], scenes: &str, against: &str| {
             let settings = format!("single {view} × {light}");
@@ -79,13 +94,19 @@ fn the_quick_report_is_whole_and_makes_sense() {
         for medium in ["earth", "mars", "haze"] {
             let (rough, fine) = (at([4, 4], medium, "single"), at([64, 16], medium, "single"));
             assert!(fine[0] < 0.2 * rough[0], "{backend} {medium}: samples do not help: {rough:?} {fine:?}");
-            assert!(fine[1] > 1.5 * rough[1], "{backend} {medium}: 64 × the samples cost nothing: {rough:?} {fine:?}");
+            assert!(
+                fine[1] > 1.5 * rough[1],
+                "{backend} {medium}: 64 × the samples cost nothing: {rough:?} {fine:?}"
+            );
             // What single scattering lacks, no samples bring.
             let model = at([64, 16], medium, "all-orders");
             assert!(model[0] > 0.1 && model[2] > 2.0, "{backend} {medium}: {model:?}");
             // The LUTs hold it.
             let luts = lut("100 × 100 × 32", medium);
-            assert!(luts[0] < 0.25 * model[0] && luts[2] < model[2], "{backend} {medium}: {luts:?} {model:?}");
+            assert!(
+                luts[0] < 0.25 * model[0] && luts[2] < model[2],
+                "{backend} {medium}: {luts:?} {model:?}"
+            );
         }
         assert!(at([64, 16], "earth", "single")[0] < 5e-3);
     }

@@ -5,8 +5,20 @@ use crate::harness::{LAB, folder, lab, rejected, text};
 #[test]
 fn a_film_is_drawn_and_measured() {
     let folder = folder("film");
-    let args =
-        ["film", "climb", "--frames", "5", "--size", "24x36", "--steps", "24", "--cache-dir", ".", "--csv", "s.csv"];
+    let args = [
+        "film",
+        "climb",
+        "--frames",
+        "5",
+        "--size",
+        "24x36",
+        "--steps",
+        "24",
+        "--cache-dir",
+        ".",
+        "--csv",
+        "s.csv",
+    ];
     let out = lab(&folder, &args);
     assert!(out.status.success(), "{}", text(&out.stderr));
     let table = text(&out.stdout);
@@ -36,7 +48,8 @@ fn a_film_is_drawn_and_measured() {
         rows += 1;
     }
     assert_eq!(rows, 2 * 24, "{table}");
-    let out = lab(&folder, &["film", "day", "--frames", "9", "--size", "16x24", "--steps", "0", "-o", "day.png"]);
+    let out =
+        lab(&folder, &["film", "day", "--frames", "9", "--size", "16x24", "--steps", "0", "-o", "day.png"]);
     assert!(out.status.success(), "{}", text(&out.stderr));
     let strip = image::open(folder.join("day.png")).unwrap().into_rgb8();
     assert_eq!(strip.dimensions(), (9 * 18 + 2, 40));

@@ -5,12 +5,25 @@ use crate::harness::{folder, lab, text};
 #[test]
 fn a_flight_is_planned_timed_and_plotted() {
     let folder = folder("flight");
-    let args =
-        ["flight", "--frames", "24", "--size", "32x18", "--compare-size", "16x9", "--repeat", "1", "--quality", "low"];
+    let args = [
+        "flight",
+        "--frames",
+        "24",
+        "--size",
+        "32x18",
+        "--compare-size",
+        "16x9",
+        "--repeat",
+        "1",
+        "--quality",
+        "low",
+    ];
     let out = lab(&folder, &[&args[..], &["--no-terrain", "-o", "f.svg", "--csv", "f.csv"]].concat());
     assert!(out.status.success(), "{}", text(&out.stderr));
     let printed = text(&out.stdout);
-    for part in ["| background sky | off |", "| sunlight | off |", "night", "pipelines made ahead", "of the bound"] {
+    for part in
+        ["| background sky | off |", "| sunlight | off |", "night", "pipelines made ahead", "of the bound"]
+    {
         assert!(printed.contains(part), "no '{part}' in {printed}");
     }
     let rows: Vec<Vec<f64>> = csv::Reader::from_path(folder.join("f.csv"))
@@ -32,7 +45,13 @@ fn a_flight_is_planned_timed_and_plotted() {
     // Up by day, around, and down by night.
     let column = |i: usize| rows.iter().map(|row| row[i]).collect::<Vec<_>>();
     let (altitudes, suns) = (column(1), column(2));
-    assert!(altitudes[0] < 3.0 && altitudes[23] < 3.0 && altitudes[12] > 3e8 && suns[0] == 20.0 && suns[23] == -60.0);
+    assert!(
+        altitudes[0] < 3.0
+            && altitudes[23] < 3.0
+            && altitudes[12] > 3e8
+            && suns[0] == 20.0
+            && suns[23] == -60.0
+    );
     // Something is saved at the end: night.
     assert!(rows[23][3] < rows[23][4] && rows[23][5] < rows[23][6], "{:?}", rows[23]);
     let svg = std::fs::read_to_string(folder.join("f.svg")).unwrap();

@@ -27,9 +27,9 @@ fn sun_transmittance(
 // Light scattered once into a ray over its first `length` km, and what the ray lets through (Nishita et al.
 // 1993, equations 3 to 9):
 //   L = integral of T(0, t) T(t, sun) (beta_R p_R d_R + beta_M p_M d_M) dt
-// by steps even in u (see `u_to_distance`). Within a step the extinction is even: `mean_transmittance`. What of
-// a step lies in the planet's shadow is left out exactly. dir: unit; away: 1 - cos of the angle between ray and
-// sun.
+// by steps even in u (see `u_to_distance`). Within a step the extinction is even: `mean_transmittance`. What
+// of a step lies in the planet's shadow is left out exactly. dir: unit; away: 1 - cos of the angle between
+// ray and sun.
 fn single_scattering(
     m: Medium, ray: AirRay, dir: vec3f, length: f32, away: f32, view_samples: u32, light_samples: u32,
 ) -> Scattered {

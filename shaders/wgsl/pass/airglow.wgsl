@@ -1,9 +1,9 @@
 //#include view
 //#include geometry
-// Airglow: a thin layer of air that shines by itself, alike in all directions. A ray sees the emission integrated along
-// its way. For a layer without thickness seen from the ground that is van Rhijn's factor (1921),
-// 1 / sqrt(1 - (R sin z / (R + h))^2); from orbit the limb of the layer is some fifty times as bright as its zenith.
-// Out: radiance that is added to what is there.
+// Airglow: a thin layer of air that shines by itself, alike in all directions. A ray sees the emission
+// integrated along its way. For a layer without thickness seen from the ground that is van Rhijn's factor
+// (1921), 1 / sqrt(1 - (R sin z / (R + h))^2); from orbit the limb of the layer is some fifty times as bright
+// as its zenith. Out: radiance that is added to what is there.
 
 struct Uniforms {
     frame: Frame,
@@ -18,22 +18,24 @@ struct Uniforms {
 @group(0) @binding(0) var<uniform> uniforms: Uniforms;
 @group(0) @binding(1) var scene_depth: texture_2d<f32>;
 
-// The part of the layer that a ray from above enters first; off: the part that a ray leaves last, behind the air.
+// The part of the layer that a ray from above enters first; off: the part that a ray leaves last, behind the
+// air.
 const BEFORE: bool = true;
 
-// Abscissas and weights of Gauss-Legendre's rule with 4 points on 0..1 (Abramowitz & Stegun 1964, table 25.4).
+// Abscissas and weights of Gauss-Legendre's rule with 4 points on 0..1 (Abramowitz & Stegun 1964, table
+// 25.4).
 const NODES: vec4f = vec4f(0.0694318442, 0.3300094782, 0.6699905218, 0.9305681558);
 const WEIGHTS: vec4f = vec4f(0.1739274226, 0.3260725774, 0.3260725774, 0.1739274226);
 
-// Distance (km) from a line's perigee to where it has risen v^2 km above it: s = v sqrt(v^2 + 2 p), p the perigee's
-// distance from the centre.
+// Distance (km) from a line's perigee to where it has risen v^2 km above it: s = v sqrt(v^2 + 2 p), p the
+// perigee's distance from the centre.
 fn rise_to_distance(v: f32, p: f32) -> f32 {
     return v * sqrt(v * v + 2.0 * p);
 }
 
-// A tent of altitude integrated (km) along one side of a perigee, from v = a to v = b. In v the way is smooth at the
-// perigee, ds/dv = 2 (p + v^2) / sqrt(2 p + v^2), and the tent a parabola. h: altitude of the perigee, p: its distance
-// from the centre, km; rate: 1 / half width of the tent.
+// A tent of altitude integrated (km) along one side of a perigee, from v = a to v = b. In v the way is smooth
+// at the perigee, ds/dv = 2 (p + v^2) / sqrt(2 p + v^2), and the tent a parabola. h: altitude of the perigee,
+// p: its distance from the centre, km; rate: 1 / half width of the tent.
 fn tent_part(a: f32, b: f32, h: f32, p: f32, middle: f32, rate: f32) -> f32 {
     let v = a + (b - a) * NODES;
     let way = 2.0 * (p + v * v) / sqrt(2.0 * p + v * v);
@@ -41,8 +43,8 @@ fn tent_part(a: f32, b: f32, h: f32, p: f32, middle: f32, rate: f32) -> f32 {
     return (b - a) * dot(WEIGHTS, way * tent);
 }
 
-// The same from v = first to v = last over the whole tent, whose two sides are integrated by themselves. edges: altitudes
-// of the tent's foot, tip and other foot, km.
+// The same from v = first to v = last over the whole tent, whose two sides are integrated by themselves.
+// edges: altitudes of the tent's foot, tip and other foot, km.
 fn tent_column(first: f32, last: f32, h: f32, p: f32, edges: vec3f) -> f32 {
     let rate = 1.0 / (edges.z - edges.y);
     let v = clamp(sqrt(max(edges - h, vec3f(0.0))), vec3f(first), vec3f(max(last, first)));

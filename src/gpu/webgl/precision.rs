@@ -1,9 +1,9 @@
 //! How precisely a context computes in fragment shaders, found out with one pixel when it is taken over.
 //!
-//! `highp` asks for 32 bits, but common phone GPUs (Adreno up to the 6xx) keep the members of GLSL structs in 16
-//! bits in WebGL all the same ([KhronosGroup/WebGL#3351], [three.js#26805], vello [#1604] and [#1659]). The shaders
-//! hold no struct values, so that this alone does no harm; a context whose plain numbers or whose uniform
-//! block's members have 16 bits would draw wrong pictures without a word, and is refused.
+//! `highp` asks for 32 bits, but common phone GPUs (Adreno up to the 6xx) keep the members of GLSL structs in
+//! 16 bits in WebGL all the same ([KhronosGroup/WebGL#3351], [three.js#26805], vello [#1604] and [#1659]).
+//! The shaders hold no struct values, so that this alone does no harm; a context whose plain numbers or whose
+//! uniform block's members have 16 bits would draw wrong pictures without a word, and is refused.
 //!
 //! [KhronosGroup/WebGL#3351]: https://github.com/KhronosGroup/WebGL/issues/3351
 //! [three.js#26805]: https://github.com/mrdoob/three.js/issues/26805
@@ -65,8 +65,8 @@ void main() {
 }
 ";
 
-/// Radius and altitude (km), and what is added to the radius. The radius is no number of 16 bits, nor is any number
-/// within 1 of what the shader makes of them.
+/// Radius and altitude (km), and what is added to the radius. The radius is no number of 16 bits, nor is any
+/// number within 1 of what the shader makes of them.
 const RADIUS: f32 = 6360.0 + 1.0 / 1024.0;
 const HEIGHT: f32 = 1000.0;
 const PART: f32 = 0.25;
@@ -74,7 +74,8 @@ const PART: f32 = 0.25;
 /// Draws the pixel and says what it shows. It changes the state that a pass changes.
 ///
 /// # Errors
-/// [`crate::ErrorKind::Unavailable`] if plain numbers have fewer than 32 bits; [`crate::ErrorKind::Driver`] if the pixel cannot be drawn.
+/// [`crate::ErrorKind::Unavailable`] if plain numbers have fewer than 32 bits; [`crate::ErrorKind::Driver`]
+/// if the pixel cannot be drawn.
 pub(super) fn test(
     gl: &glow::Context,
     web: bool,
@@ -83,8 +84,8 @@ pub(super) fn test(
     binding_point: u32,
 ) -> Result<Precision> {
     let failed = |reason: String| driver("precision test", reason);
-    // SAFETY: the context is current (see `new`); the buffer has at least UNIFORM_MAX bytes, the pixel 16, and only
-    // objects made here are changed and deleted, whatever fails.
+    // SAFETY: the context is current (see `new`); the buffer has at least UNIFORM_MAX bytes, the pixel 16,
+    // and only objects made here are changed and deleted, whatever fails.
     let drawn = unsafe {
         let program = gl.create_program().map_err(failed)?;
         let texture = gl.create_texture().map_err(failed);
@@ -164,8 +165,8 @@ pub(super) fn test(
 fn judge([excess, part, struct_excess, struct_part]: [f32; 4]) -> Result<Precision> {
     let expected_excess = HEIGHT * (2.0 * RADIUS + HEIGHT);
     let expected_part = (RADIUS + PART).fract();
-    // The last place of the numbers that these are made of, so that a driver may round as it likes; not a number is
-    // within nothing.
+    // The last place of the numbers that these are made of, so that a driver may round as it likes; not a
+    // number is within nothing.
     let whole = |excess: f32, part: f32| {
         (excess - expected_excess).abs() <= 2.0 && (part - expected_part).abs() <= 1.0 / 2048.0
     };
@@ -220,9 +221,13 @@ mod tests {
         assert_eq!(half, [f32::INFINITY, 0.0]);
         assert_eq!(judge(pixel(full, half)), Ok(Precision::StructMembersReduced));
         // Only one of the two numbers shows it, or nothing comes at all.
-        for reduced in
-            [[full[0], half[1]], [65504.0, full[1]], [f32::NAN; 2], [0.0; 2], rounded(|x| bf16::from_f32(x).to_f32())]
-        {
+        for reduced in [
+            [full[0], half[1]],
+            [65504.0, full[1]],
+            [f32::NAN; 2],
+            [0.0; 2],
+            rounded(|x| bf16::from_f32(x).to_f32()),
+        ] {
             assert_eq!(judge(pixel(full, reduced)), Ok(Precision::StructMembersReduced), "{reduced:?}");
         }
     }
@@ -231,16 +236,20 @@ mod tests {
     fn plain_numbers_of_sixteen_bits_are_an_error_that_says_so() {
         let full = rounded(|x| x);
         let half = rounded(halved);
-        // As a driver would that holds the largest number instead of infinity; one whose numbers have a larger
-        // exponent; one that rounds the block's members alone; one that draws nothing.
+        // As a driver would that holds the largest number instead of infinity; one whose numbers have a
+        // larger exponent; one that rounds the block's members alone; one that draws nothing.
         let block = {
             let radius = halved(RADIUS);
             [HEIGHT * (2.0 * radius + HEIGHT), (radius + PART).fract()]
         };
-        for reduced in [half, [65504.0, 0.0], rounded(|x| bf16::from_f32(x).to_f32()), block, [0.0; 2], [f32::NAN; 2]] {
+        for reduced in
+            [half, [65504.0, 0.0], rounded(|x| bf16::from_f32(x).to_f32()), block, [0.0; 2], [f32::NAN; 2]]
+        {
             for through_struct in [reduced, full] {
                 let error = judge(pixel(reduced, through_struct)).unwrap_err();
-                let crate::error::ErrorKind::Unavailable { backend: "webgl2", reason } = error.kind() else { panic!("{error}") };
+                let crate::error::ErrorKind::Unavailable { backend: "webgl2", reason } = error.kind() else {
+                    panic!("{error}")
+                };
                 assert!(reason.contains("highp"), "{reason}");
                 assert!(reason.contains(&format!("{:?} for 13720002.0", reduced[0])), "{reason}");
                 assert!(reason.contains(&format!("{:?} for 0.25097656", reduced[1])), "{reason}");

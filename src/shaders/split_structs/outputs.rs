@@ -42,13 +42,16 @@ pub fn split_outputs(text: &str) -> Result<String> {
                     break;
                 }
                 let member = line.trim().strip_suffix(';').and_then(|l| l.split_once(' '));
-                own.push(member.ok_or_else(|| format!("struct {name} has a member of another form: {line}"))?.1);
+                own.push(
+                    member.ok_or_else(|| format!("struct {name} has a member of another form: {line}"))?.1,
+                );
             }
             members = Some(own);
         } else if declared(line) == Some(name) {
             let members = members.as_ref().ok_or_else(|| format!("struct {name} comes after its use"))?;
             let inner = line.trim().strip_prefix(&format!("{name} {TEMPORARY} = {name}("));
-            let inner = inner.and_then(|l| l.strip_suffix(");")).ok_or_else(|| format!("another form: {line}"))?;
+            let inner =
+                inner.and_then(|l| l.strip_suffix(");")).ok_or_else(|| format!("another form: {line}"))?;
             let values = arguments(inner);
             if values.len() != members.len() {
                 return Err(format!("{} values for {} members: {line}", values.len(), members.len()));
@@ -57,7 +60,8 @@ pub fn split_outputs(text: &str) -> Result<String> {
             for (member, value) in members.iter().zip(values) {
                 let next = lines.next().unwrap_or_default();
                 let output = next.trim().strip_suffix(&format!(" = {TEMPORARY}.{member};"));
-                let output = output.ok_or_else(|| format!("{member} is not assigned to an output: {next}"))?;
+                let output =
+                    output.ok_or_else(|| format!("{member} is not assigned to an output: {next}"))?;
                 out += &format!("{indent}{output} = {value};\n");
             }
         } else {

@@ -3,7 +3,9 @@
 
 use std::collections::{HashMap, HashSet};
 
-use naga::{Arena, Block, Expression, Function, Handle, Literal, LocalVariable, Module, Statement, SwitchCase};
+use naga::{
+    Arena, Block, Expression, Function, Handle, Literal, LocalVariable, Module, Statement, SwitchCase,
+};
 
 use super::{Result, operands};
 
@@ -31,8 +33,10 @@ pub(super) struct Facts {
 type Used = HashMap<Handle<Function>, Vec<bool>>;
 
 pub(super) fn prune(module: &mut Module, facts: Facts) -> Result<()> {
-    // The least set that is closed: nothing that the split made is used until something that is used reads it.
-    let mut used: Used = facts.functions.iter().map(|(&h, f)| (h, f.droppable.iter().map(|d| !d).collect())).collect();
+    // The least set that is closed: nothing that the split made is used until something that is used reads
+    // it.
+    let mut used: Used =
+        facts.functions.iter().map(|(&h, f)| (h, f.droppable.iter().map(|d| !d).collect())).collect();
     loop {
         let mut found = Vec::new();
         for (handle, function) in module.functions.iter() {
@@ -106,7 +110,9 @@ pub(super) fn visit(block: &Block, f: &mut dyn FnMut(&Statement)) {
             Statement::Block(inner) => visit(inner, f),
             Statement::If { accept, reject, .. } => [accept, reject].into_iter().for_each(|b| visit(b, f)),
             Statement::Switch { cases, .. } => cases.iter().for_each(|c| visit(&c.body, f)),
-            Statement::Loop { body, continuing, .. } => [body, continuing].into_iter().for_each(|b| visit(b, f)),
+            Statement::Loop { body, continuing, .. } => {
+                [body, continuing].into_iter().for_each(|b| visit(b, f))
+            }
             _ => {}
         }
     }
@@ -121,12 +127,15 @@ impl Live {
         used: &Used,
     ) -> Result<Self> {
         let arena = &function.expressions;
-        let mut live = Self { expressions: vec![false; arena.len()], locals: HashSet::new(), results: Vec::new() };
+        let mut live =
+            Self { expressions: vec![false; arena.len()], locals: HashSet::new(), results: Vec::new() };
         let inits = function.local_variables.iter().filter_map(|(_, local)| local.init);
         inits.for_each(|init| live.expressions[init.index()] = true);
         let mut error = Ok(());
         loop {
-            visit(&function.body, &mut |statement| live.statement(statement, function, own, own_used, facts, used));
+            visit(&function.body, &mut |statement| {
+                live.statement(statement, function, own, own_used, facts, used)
+            });
             let known = live.locals.len();
             // Operands come before what uses them: one sweep backwards marks all.
             for (handle, expression) in arena.iter().rev() {
@@ -267,8 +276,12 @@ fn apply(
         // Nothing uses it any more where it was taken out.
         const NOTHING: Expression = Expression::Literal(Literal::Bool(false));
         *expression = match *expression {
-            Expression::LocalVariable(local) => locals.get(&local).map_or(NOTHING, |&l| Expression::LocalVariable(l)),
-            Expression::FunctionArgument(i) if keeps(i as usize) => Expression::FunctionArgument(places[i as usize]),
+            Expression::LocalVariable(local) => {
+                locals.get(&local).map_or(NOTHING, |&l| Expression::LocalVariable(l))
+            }
+            Expression::FunctionArgument(i) if keeps(i as usize) => {
+                Expression::FunctionArgument(places[i as usize])
+            }
             Expression::FunctionArgument(_) => NOTHING,
             _ => continue,
         };

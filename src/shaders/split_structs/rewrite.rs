@@ -3,8 +3,8 @@
 use std::collections::{HashMap, HashSet};
 
 use naga::{
-    AddressSpace, Block, Expression, Function, FunctionArgument, FunctionResult, Handle, LocalVariable, Range, Span,
-    Statement, SwitchCase, Type, TypeInner, UniqueArena,
+    AddressSpace, Block, Expression, Function, FunctionArgument, FunctionResult, Handle, LocalVariable,
+    Range, Span, Statement, SwitchCase, Type, TypeInner, UniqueArena,
 };
 
 use super::prune::{self, FunctionFacts};
@@ -56,7 +56,12 @@ struct Rewriter<'a> {
 }
 
 impl<'a> Rewriter<'a> {
-    fn new(types: &'a mut UniqueArena<Type>, known: &'a Known, old: &'a Function, entry: bool) -> Result<Self> {
+    fn new(
+        types: &'a mut UniqueArena<Type>,
+        known: &'a Known,
+        old: &'a Function,
+        entry: bool,
+    ) -> Result<Self> {
         let new = Function {
             name: old.name.clone(),
             diagnostic_filter_leaf: old.diagnostic_filter_leaf,
@@ -287,7 +292,9 @@ impl<'a> Rewriter<'a> {
                         statements.next();
                     }
                 }
-                Statement::Return { value: Some(value) } => self.returned(*value, before, span, &mut block)?,
+                Statement::Return { value: Some(value) } => {
+                    self.returned(*value, before, span, &mut block)?
+                }
                 _ => self.statement(statement, span, &mut block)?,
             }
             before = Some(statement);
@@ -362,7 +369,8 @@ impl<'a> Rewriter<'a> {
             }
             (Tree::Members(_), _) if !self.outs.is_empty() => {
                 // Nothing happens between a load and a return that follows it.
-                let fresh = matches!(before, Some(Statement::Emit(range)) if range.clone().any(|h| h == value));
+                let fresh =
+                    matches!(before, Some(Statement::Emit(range)) if range.clone().any(|h| h == value));
                 for (&pointer, &value) in self.outs.iter().zip(&members) {
                     let loaded = match self.new.expressions[value] {
                         Expression::Load { pointer } => Some(&self.new.expressions[pointer]),
@@ -430,7 +438,9 @@ impl<'a> Rewriter<'a> {
                 block.push(Statement::Call { function, arguments: new, result: None }, span);
                 return Ok(true);
             }
-            Some(Statement::Return { value: Some(value) }) if sole && *value == result && !self.outs.is_empty() => {
+            Some(Statement::Return { value: Some(value) })
+                if sole && *value == result && !self.outs.is_empty() =>
+            {
                 new.extend(&self.outs);
                 block.push(Statement::Call { function, arguments: new, result: None }, span);
                 block.push(Statement::Return { value: None }, span);
@@ -523,7 +533,8 @@ impl<'a> Rewriter<'a> {
                     members.into_iter().nth(*index as usize).map(|(_, m)| m).ok_or("no such member".into())
                 }
                 Tree::Leaf(base) => {
-                    let handle = self.push(Expression::AccessIndex { base: base.handle, index: *index }, span);
+                    let handle =
+                        self.push(Expression::AccessIndex { base: base.handle, index: *index }, span);
                     Ok(match base.points_to {
                         Some(ty) => Tree::Leaf(self.pointer_to(handle, self.member(ty, *index)?)),
                         None => leaf(handle),

@@ -10,7 +10,8 @@ fn translated(wgsl: &str) -> String {
         let info = Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(module);
         info.unwrap_or_else(|e| panic!("{}\n{module:#?}", e.emit_to_string(wgsl)))
     };
-    let mut module = naga::front::wgsl::parse_str(wgsl).unwrap_or_else(|e| panic!("{}", e.emit_to_string(wgsl)));
+    let mut module =
+        naga::front::wgsl::parse_str(wgsl).unwrap_or_else(|e| panic!("{}", e.emit_to_string(wgsl)));
     valid(&module);
     split_structs(&mut module).unwrap();
     let info = valid(&module);
@@ -23,10 +24,17 @@ fn translated(wgsl: &str) -> String {
     let pipeline =
         glsl::PipelineOptions { shader_stage: entry.stage, entry_point: entry.name.clone(), multiview: None };
     let mut text = String::new();
-    glsl::Writer::new(&mut text, &module, &info, &options, &pipeline, naga::proc::BoundsCheckPolicies::default())
-        .unwrap()
-        .write()
-        .unwrap();
+    glsl::Writer::new(
+        &mut text,
+        &module,
+        &info,
+        &options,
+        &pipeline,
+        naga::proc::BoundsCheckPolicies::default(),
+    )
+    .unwrap()
+    .write()
+    .unwrap();
     let text = split_outputs(&text).unwrap();
     let found = struct_values(&text);
     assert!(found.is_empty(), "{found:?} in\n{text}");
@@ -133,9 +141,13 @@ fn values_are_of_the_time_when_they_were_taken() {
     );
     let swapped = function(&text, "swapped");
     // `before` is read before the member changes, and written back after.
-    let place = |what: &str| swapped.iter().position(|l| *l == what).unwrap_or_else(|| panic!("{what}: {text}"));
+    let place =
+        |what: &str| swapped.iter().position(|l| *l == what).unwrap_or_else(|| panic!("{what}: {text}"));
     let read = place("float before_radius = out_radius;");
-    assert!(read < place("out_radius = 7.0;") && place("out_radius = 7.0;") < place("out_radius = before_radius;"));
+    assert!(
+        read < place("out_radius = 7.0;")
+            && place("out_radius = 7.0;") < place("out_radius = before_radius;")
+    );
 }
 
 #[test]
@@ -176,10 +188,14 @@ fn pointers_to_structs_become_pointers_to_members() {
          fn reset(p: ptr<function, Low>) { *p = Low(1.0, 2.0); }",
         "var low: Low; var k = at.x; reset(&low); change(&low, &k); return vec4f(low.t, low.x, k, 0.0);",
     );
-    assert_eq!(function(&text, "change")[0], "void change(inout float p_t, inout float p_x, inout float q) {");
+    assert_eq!(
+        function(&text, "change")[0],
+        "void change(inout float p_t, inout float p_x, inout float q) {"
+    );
     assert_eq!(function(&text, "reset")[1..], ["p_t_1 = 1.0;", "p_x_1 = 2.0;"]);
     assert!(text.contains("change(low_t, low_x, k);"), "{text}");
-    // What a function reads through a pointer is not what it writes as its result, even if the source says so.
+    // What a function reads through a pointer is not what it writes as its result, even if the source says
+    // so.
     let text = fragment(
         "struct Low { t: f32, x: f32 }
          fn turned(p: ptr<function, Low>) -> Low { return Low((*p).x, (*p).t); }",
@@ -222,7 +238,11 @@ fn results_that_nobody_reads_are_not_written() {
         "line(at.y); return vec4f(through(at.x).p);",
     );
     // b is read inside; x nowhere.
-    assert_eq!(function(&text, "line")[0], "void line(float k, inout float out_b, inout float out_p) {", "{text}");
+    assert_eq!(
+        function(&text, "line")[0],
+        "void line(float k, inout float out_b, inout float out_p) {",
+        "{text}"
+    );
     assert!(!text.contains("out_x"), "{text}");
 }
 
@@ -252,7 +272,10 @@ fn entry_points_have_an_input_and_an_output_for_each_member() {
         "struct Out { @builtin(position) clip: vec4f, @location(0) place: vec3f }
          @vertex fn main(@builtin(vertex_index) i: u32) -> Out { return Out(vec4f(f32(i)), vec3f(1.0)); }",
     );
-    assert!(vertex.contains("gl_Position = vec4(") && vertex.contains("_vs2fs_location0 = vec3(1.0);"), "{vertex}");
+    assert!(
+        vertex.contains("gl_Position = vec4(") && vertex.contains("_vs2fs_location0 = vec3(1.0);"),
+        "{vertex}"
+    );
 }
 
 #[test]
@@ -313,7 +336,11 @@ fn outputs_of_another_form_are_an_error() {
         ("struct Out {", "struct Other {", "struct Out comes after its use"),
         ("= Out(", "= make_out(", "another form"),
         ("    vec4 color;\n", "    vec4\n", "struct Out has a member of another form"),
-        ("Out _tmp_return = Out(vec4(a, b, f(c, d), e), depths[1]);", "", "_tmp_return without its declaration"),
+        (
+            "Out _tmp_return = Out(vec4(a, b, f(c, d), e), depths[1]);",
+            "",
+            "_tmp_return without its declaration",
+        ),
     ] {
         assert!(whole.contains(from));
         let error = split_outputs(&whole.replace(from, to)).unwrap_err();

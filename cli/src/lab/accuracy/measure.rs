@@ -172,7 +172,11 @@ impl Times {
     pub const NEVER: Self = Self { sky: f64::INFINITY, copy: f64::INFINITY, once: 0.0 };
 
     pub fn best(self, other: Self) -> Self {
-        Self { sky: self.sky.min(other.sky), copy: self.copy.min(other.copy), once: self.once.max(other.once) }
+        Self {
+            sky: self.sky.min(other.sky),
+            copy: self.copy.min(other.copy),
+            once: self.once.max(other.once),
+        }
     }
 }
 
@@ -186,7 +190,8 @@ fn sky_passes(
 ) -> welkin::Result<(Vec<Pass>, TextureId)> {
     let mut sky = sky;
     sky.look.sun_disk = false;
-    let settings = PictureSettings { sky, terrain: None, radiance: Format::Rgba32Float, ..PictureSettings::default() };
+    let settings =
+        PictureSettings { sky, terrain: None, radiance: Format::Rgba32Float, ..PictureSettings::default() };
     let (passes, drawn) = renderer.passes(backend, scene, &settings, frame.size)?;
     Ok((passes.iter().copied().filter(|p| p.target.color != drawn.display).collect(), drawn.radiance))
 }
@@ -227,9 +232,11 @@ pub fn time(
     let (mut passes, radiance) = sky_passes(backend, renderer, scene, frame, sky)?;
     passes.push(timing::copy(backend, radiance, copy_to)?);
     let times = backend.times(&passes)?;
-    let sum =
-        |of: &dyn Fn(&PassTime) -> bool| times.iter().filter(|t| of(t)).map(|t| t.nanoseconds).sum::<f64>() * 1e-6;
-    let (copy, once) = (|t: &PassTime| t.label == timing::COPY, |t: &PassTime| MEDIUM_LABELS.contains(&t.label));
+    let sum = |of: &dyn Fn(&PassTime) -> bool| {
+        times.iter().filter(|t| of(t)).map(|t| t.nanoseconds).sum::<f64>() * 1e-6
+    };
+    let (copy, once) =
+        (|t: &PassTime| t.label == timing::COPY, |t: &PassTime| MEDIUM_LABELS.contains(&t.label));
     Ok(Times { sky: sum(&|t| !copy(t) && !once(t)), copy: sum(&copy), once: sum(&once) })
 }
 
@@ -246,8 +253,11 @@ mod tests {
 
     #[test]
     fn errors_are_relative_above_the_floor_and_visible_ones_have_a_distance() {
-        let expected =
-            Expected { single: vec![[1.0, 2.0, 4.0], [0.0; 3]], all_orders: vec![[1.0; 3]; 2], exposure: 0.5 };
+        let expected = Expected {
+            single: vec![[1.0, 2.0, 4.0], [0.0; 3]],
+            all_orders: vec![[1.0; 3]; 2],
+            exposure: 0.5,
+        };
         let errors = expected.errors(&[[1.1, 2.0, 3.0], [0.0, 2e-3, 0.0]], Against::Single);
         assert!((errors.relative[0][0] - 0.1).abs() < 1e-12 && errors.relative[0][1] == 0.0);
         assert!((errors.relative[1][1] - 1.0).abs() < 1e-12, "2e-3 over a floor of 2e-3: {errors:?}");

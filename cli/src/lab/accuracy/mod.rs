@@ -62,7 +62,13 @@ pub struct AccuracyArgs {
     write_front: Option<PathBuf>,
 
     /// Pixels of the frames that the presets' times in that file are of [default: 1920x1080]
-    #[arg(long, value_name = "WxH", requires = "write_front", default_value = "1920x1080", hide_default_value = true)]
+    #[arg(
+        long,
+        value_name = "WxH",
+        requires = "write_front",
+        default_value = "1920x1080",
+        hide_default_value = true
+    )]
     #[arg(value_parser = values::size)]
     front_size: [u32; 2],
 
@@ -74,8 +80,9 @@ pub struct AccuracyArgs {
 pub fn run(args: &AccuracyArgs) -> anyhow::Result<()> {
     let folder = args.output.path_or("accuracy");
     let shown = folder.display();
-    std::fs::create_dir_all(folder)
-        .map_err(|e| UsageError::value(OPTION, &shown, format_args!("a folder that exists or can be made: {e}")))?;
+    std::fs::create_dir_all(folder).map_err(|e| {
+        UsageError::value(OPTION, &shown, format_args!("a folder that exists or can be made: {e}"))
+    })?;
     let file = |name: &str| Destination::new(&folder.join(name), OPTION);
     let (markdown, table, picture) = (file("accuracy.md")?, file("accuracy.csv")?, file("accuracy.svg")?);
     let front_file = args.write_front.as_deref().map(|path| Destination::new(path, "--write-front <FILE>"));
@@ -133,7 +140,9 @@ fn investigate(
         let solved = cache.solve(&medium, settings.for_medium(&medium), &progress);
         let solved = solved.with_context(|| format!("solve {name}"))?;
         if !solved.converged() {
-            missing.push(format!("{name}: the all-orders reference did not converge, errors against it are uncertain"));
+            missing.push(format!(
+                "{name}: the all-orders reference did not converge, errors against it are uncertain"
+            ));
         }
         orders.push(solved);
     }
@@ -151,7 +160,8 @@ fn investigate(
         let Some(backend) = gpu.backend() else { continue };
         let mut renderers = Renderers::default();
         let [width, height] = timed.size;
-        let copy_to = backend.create_texture(&TextureDesc::new(timing::COPY, width, height, Format::Rgba32Float))?;
+        let copy_to =
+            backend.create_texture(&TextureDesc::new(timing::COPY, width, height, Format::Rgba32Float))?;
         let first = entries.len();
         for candidate in &candidates {
             let progress = steps.step(&format!("{name}, {}", candidate.quality));
@@ -200,7 +210,11 @@ fn front_of(
         let of = |medium| {
             let mut found = entries.iter().filter(|e| e.backend == name && e.over == Over::Medium(medium));
             let found = found.find(|e| e.candidate.preset == q.preset_name()).ok_or_else(|| {
-                welkin::Error::invalid("quality", q, "one that could be measured; accuracy.md says why it was not")
+                welkin::Error::invalid(
+                    "quality",
+                    q,
+                    "one that could be measured; accuracy.md says why it was not",
+                )
             })?;
             let single = q.is_single_scattering().then(|| found.mean(Against::Single));
             Ok(MeanError { all_orders: found.mean(Against::AllOrders), single })
@@ -208,7 +222,8 @@ fn front_of(
         Ok([of(0)?, of(1)?, of(2)?])
     };
     let today = jiff::Timestamp::now().strftime("%Y-%m-%d").to_string();
-    let scenes = if quick { "quick scenes (welkin-lab accuracy --quick)" } else { "all scenes (welkin-lab accuracy)" };
+    let scenes =
+        if quick { "quick scenes (welkin-lab accuracy --quick)" } else { "all scenes (welkin-lab accuracy)" };
     let from = format!("{today}, welkin {}, {scenes}", env!("CARGO_PKG_VERSION"));
     ParetoFront::measure_with(backend, &presets(), size, &errors, &from)
 }
@@ -257,7 +272,8 @@ fn by_scene(
     // Round after round, so that a disturbance of a moment does not hit every run of a scene.
     for run in 0..=runs {
         for (c, best) in compared.iter().zip(&mut times) {
-            let took = measure::time(backend, &mut renderers.timed[c.setup.medium], &c.scene, timed, sky, copy_to);
+            let took =
+                measure::time(backend, &mut renderers.timed[c.setup.medium], &c.scene, timed, sky, copy_to);
             let took = took.with_context(|| c.setup.name)?;
             // The first round makes pipelines and wakes the machine up; only what is made once counts in it.
             *best = best.best(if run == 0 { Times { once: took.once, ..Times::NEVER } } else { took });

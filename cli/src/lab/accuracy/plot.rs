@@ -85,7 +85,8 @@ fn diagram(findings: &Findings, area: &Area<'_>, title: &str, medium: usize, aga
         chart.draw_series(front.iter().map(|e| dot(e, 4, 1.0)))?;
         chart.draw_series(front.iter().map(|e| {
             let style = ("sans-serif", 11).into_font().color(&color(e));
-            EmptyElement::at(point(e)) + Text::new(e.candidate.quality.numbers().replace(' ', ""), offset, style)
+            EmptyElement::at(point(e))
+                + Text::new(e.candidate.quality.numbers().replace(' ', ""), offset, style)
         }))?;
     }
     for (method, color) in methods.iter().zip(COLORS.into_iter().cycle()) {

@@ -43,7 +43,13 @@ fn front(findings: &Findings, backend: &str, medium: usize, against: Against) ->
     let front = findings.front(backend, medium, against);
     let points = front.iter().map(|e| {
         let c = &e.candidate;
-        format!("{} {}: {:.1} copies, {} %", c.quality.method(), c.numbers(), e.ratio(), percent(e.mean(against)))
+        format!(
+            "{} {}: {:.1} copies, {} %",
+            c.quality.method(),
+            c.numbers(),
+            e.ratio(),
+            percent(e.mean(against))
+        )
     });
     points.collect::<Vec<_>>().join("; ")
 }
@@ -93,8 +99,12 @@ pub fn markdown(f: &Findings) -> Result<String, std::fmt::Error> {
         f.runs
     )?;
     for (backend, adapter) in f.backends().into_iter().zip(&f.adapters) {
-        let copy =
-            f.entries.iter().filter(|e| e.backend == backend).map(|e| e.times.copy).fold(f64::INFINITY, f64::min);
+        let copy = f
+            .entries
+            .iter()
+            .filter(|e| e.backend == backend)
+            .map(|e| e.times.copy)
+            .fold(f64::INFINITY, f64::min);
         writeln!(t, "## {adapter}\n\nA copy takes {copy:.3} ms.\n")?;
         for (medium, name) in MEDIA.into_iter().enumerate() {
             for against in Against::BOTH {
@@ -107,20 +117,30 @@ pub fn markdown(f: &Findings) -> Result<String, std::fmt::Error> {
                 writeln!(t, "\nFront of all methods, by the worst channel's mean: {points}.\n")?;
             }
         }
-        let one_by_one = |e: &&Entry| e.backend == backend && matches!(e.over, Over::Scene(_)) && e.candidate.by_scene;
+        let one_by_one =
+            |e: &&Entry| e.backend == backend && matches!(e.over, Over::Scene(_)) && e.candidate.by_scene;
         for method in f.methods() {
-            let of_method = || f.entries.iter().filter(one_by_one).filter(|e| e.candidate.quality.method() == method);
+            let of_method =
+                || f.entries.iter().filter(one_by_one).filter(|e| e.candidate.quality.method() == method);
             for against in Against::BOTH {
                 let mut scenes = of_method().filter(|e| e.candidate.is_compared_with(against)).peekable();
                 let Some(first) = scenes.peek() else { continue };
-                writeln!(t, "### Scene by scene: {method} {}, {}\n", first.candidate.numbers(), title(against))?;
+                writeln!(
+                    t,
+                    "### Scene by scene: {method} {}, {}\n",
+                    first.candidate.numbers(),
+                    title(against)
+                )?;
                 t += &HEAD.replace("method | settings", "scene").replacen("---|", "", 1);
                 scenes.try_for_each(|e| row(&mut t, &[e.over.name()], e, against))?;
                 writeln!(t)?;
             }
         }
     }
-    writeln!(t, "## Scenes\n\nThe sun's azimuth is 0. No terrain; light from the ground itself is left out.\n")?;
+    writeln!(
+        t,
+        "## Scenes\n\nThe sun's azimuth is 0. No terrain; light from the ground itself is left out.\n"
+    )?;
     writeln!(
         t,
         "| scene | medium | altitude, m | sun zenith | pitch | heading | field of view |\n|---|---|---|---|---|---|---|"

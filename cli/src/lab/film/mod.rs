@@ -154,8 +154,12 @@ impl FilmArgs {
     /// The sun's elevation of a climb (degrees) and the altitude of a day (metres).
     fn fixed(&self) -> Result<(f64, f64), UsageError> {
         let other = match self.kind {
-            FilmKind::Climb => self.altitude.is_some().then_some(("--altitude <LENGTH>", "climb", "altitude")),
-            FilmKind::Day => self.sun_elevation.is_some().then_some(("--sun-elevation <DEGREES>", "day", "sun")),
+            FilmKind::Climb => {
+                self.altitude.is_some().then_some(("--altitude <LENGTH>", "climb", "altitude"))
+            }
+            FilmKind::Day => {
+                self.sun_elevation.is_some().then_some(("--sun-elevation <DEGREES>", "day", "sun"))
+            }
         };
         if let Some((option, film, what)) = other {
             return Err(UsageError::new(format!(
@@ -163,10 +167,14 @@ impl FilmArgs {
             )));
         }
         if self.csv.is_some() && self.steps == 0 {
-            return Err(UsageError::new("'--csv <FILE>' cannot be used with '--steps 0': no step is measured"));
+            return Err(UsageError::new(
+                "'--csv <FILE>' cannot be used with '--steps 0': no step is measured",
+            ));
         }
         let altitude = self.altitude.as_ref().map_or(2.0, |a| a.metres);
-        if let Some(text) = self.altitude.as_ref().filter(|a| !(0.0..=1e6).contains(&a.metres)).map(|a| &a.text) {
+        if let Some(text) =
+            self.altitude.as_ref().filter(|a| !(0.0..=1e6).contains(&a.metres)).map(|a| &a.text)
+        {
             return Err(UsageError::value("--altitude <LENGTH>", text, "from 0 m to 1,000 km"));
         }
         Ok((self.sun_elevation.unwrap_or(25.0), altitude))
@@ -195,7 +203,8 @@ pub fn run(args: &FilmArgs) -> anyhow::Result<()> {
     choices.retain(|c| *c != BackendChoice::Cpu);
     ensure!(!choices.is_empty(), device::NONE);
     let start = Instant::now();
-    let mut gpus = choices.iter().map(|&c| Ok((c.name(), Gpu::open(c)?))).collect::<anyhow::Result<Vec<_>>>()?;
+    let mut gpus =
+        choices.iter().map(|&c| Ok((c.name(), Gpu::open(c)?))).collect::<anyhow::Result<Vec<_>>>()?;
     let mut out = std::io::stdout().lock();
     if let Some((_, gpu)) = gpus.first_mut() {
         let (width, height, pixels) = film.strip(gpu)?;
@@ -303,7 +312,8 @@ impl<'a> Film<'a> {
                 dither: !self.args.no_dither,
                 terrain: Some(terrain),
             };
-            let mut picture = gpu.draw(&request, &progress).with_context(|| format!("cannot draw {caption}"))?;
+            let mut picture =
+                gpu.draw(&request, &progress).with_context(|| format!("cannot draw {caption}"))?;
             if self.kind == FilmKind::Day && self.args.exposure.is_none() {
                 request.exposure = adapted(&picture);
                 picture = gpu.draw(&request, &progress).with_context(|| format!("cannot draw {caption}"))?;
@@ -330,13 +340,15 @@ impl<'a> Film<'a> {
         let frames = self.frames(at);
         let [width, height] = self.args.size;
         let size = [COMPARED_WIDTH, (COMPARED_WIDTH * height).div_ceil(width).clamp(2, 4 * COMPARED_WIDTH)];
-        let scenes = frames.iter().map(|f| self.scene(&f.moment, size)).collect::<anyhow::Result<Vec<_>>>()?;
+        let scenes =
+            frames.iter().map(|f| self.scene(&f.moment, size)).collect::<anyhow::Result<Vec<_>>>()?;
         let expected = self.expected(&scenes, size)?;
         let mut steps = Vec::new();
         for (name, gpu) in gpus.iter_mut() {
             let drawn = self.drawn(gpu, &scenes, size).with_context(|| format!("by {name}"))?;
             let pairs = drawn.windows(2).zip(expected.windows(2));
-            let all = pairs.map(|(ours, want)| Step::between([&ours[0], &ours[1]], [&want[0], &want[1]])).collect();
+            let all =
+                pairs.map(|(ours, want)| Step::between([&ours[0], &ours[1]], [&want[0], &want[1]])).collect();
             steps.push((*name, all));
         }
         self.report(&frames, &steps, size, out)?;
@@ -349,7 +361,11 @@ impl<'a> Film<'a> {
         let settings = Settings::QUICK.for_medium(&self.params);
         let orders = cache.solve(&self.params, settings, &steps.step("solving"))?;
         cache.print_notes();
-        ensure!(orders.converged(), "{}: the reference does not converge in so thick an atmosphere", self.planet);
+        ensure!(
+            orders.converged(),
+            "{}: the reference does not converge in so thick an atmosphere",
+            self.planet
+        );
         scenes
             .iter()
             .enumerate()
@@ -395,8 +411,14 @@ impl<'a> Film<'a> {
                 ("to 1,000,000 km".to_owned(), f64::INFINITY),
             ],
             FilmKind::Day => {
-                let names =
-                    ["night, to -12°", "dawn, to 0°", "morning, to 90°", "afternoon, to 0°", "dusk, to -12°", "night"];
+                let names = [
+                    "night, to -12°",
+                    "dawn, to 0°",
+                    "morning, to 90°",
+                    "afternoon, to 0°",
+                    "dusk, to -12°",
+                    "night",
+                ];
                 let ends = [-12.0, 0.0, 90.0, 180.0, 192.0, f64::INFINITY];
                 names.map(str::to_owned).into_iter().zip(ends).collect()
             }
@@ -433,21 +455,34 @@ impl<'a> Film<'a> {
                 let here: Vec<(&Frame, &Step)> =
                     frames[1..].iter().zip(steps).filter(|(f, _)| f.at > from && f.at <= to).collect();
                 from = to;
-                let Some((worst, _)) = here.iter().max_by(|a, b| a.1.pixel[2].total_cmp(&b.1.pixel[2])) else {
+                let Some((worst, _)) = here.iter().max_by(|a, b| a.1.pixel[2].total_cmp(&b.1.pixel[2]))
+                else {
                     continue;
                 };
                 let most = |of: fn(&Step) -> [f64; 3]| -> [f64; 3] {
-                    here.iter().map(|(_, s)| of(s)).fold([0.0; 3], |m, v| std::array::from_fn(|k| m[k].max(v[k])))
+                    here.iter()
+                        .map(|(_, s)| of(s))
+                        .fold([0.0; 3], |m, v| std::array::from_fn(|k| m[k].max(v[k])))
                 };
-                let [mean, pixel] =
-                    [most(|s| s.mean), most(|s| s.pixel)].map(|v| v.map(|v| format!("{:.3}", 100.0 * v)).join(" | "));
-                writeln!(out, "| {name} | {stretch} | {} | {mean} | {pixel} | {} |", here.len(), self.caption(worst))?;
+                let [mean, pixel] = [most(|s| s.mean), most(|s| s.pixel)]
+                    .map(|v| v.map(|v| format!("{:.3}", 100.0 * v)).join(" | "));
+                writeln!(
+                    out,
+                    "| {name} | {stretch} | {} | {mean} | {pixel} | {} |",
+                    here.len(),
+                    self.caption(worst)
+                )?;
             }
         }
         Ok(())
     }
 
-    fn table(&self, frames: &[Frame], steps: &[(&str, Vec<Step>)], file: &mut dyn Write) -> anyhow::Result<()> {
+    fn table(
+        &self,
+        frames: &[Frame],
+        steps: &[(&str, Vec<Step>)],
+        file: &mut dyn Write,
+    ) -> anyhow::Result<()> {
         let mut writer = csv::Writer::from_writer(file);
         let at = if self.kind == FilmKind::Climb { ["from_m", "to_m"] } else { ["from_deg", "to_deg"] };
         let values = ["mean", "mean_reference", "mean_off", "pixel", "pixel_reference", "pixel_off"];
@@ -466,7 +501,8 @@ impl<'a> Film<'a> {
 
 /// An eye that adapts, but not quite: 0.25 / median^0.85 of the picture's luminance (Rec. 709), at most 1e6.
 fn adapted(picture: &Picture) -> f32 {
-    let mut luminance: Vec<f32> = picture.hdr.iter().map(|p| 0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2]).collect();
+    let mut luminance: Vec<f32> =
+        picture.hdr.iter().map(|p| 0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2]).collect();
     luminance.sort_by(f32::total_cmp);
     let median = luminance.get(luminance.len() / 2).map_or(1.0, |v| f64::from(*v));
     (0.25 / median.max(1e-12).powf(0.85)).min(1e6) as f32

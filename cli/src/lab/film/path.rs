@@ -36,7 +36,13 @@ impl Moment {
         let t = ((altitude / 1e5).max(1.0).ln() / 1e2_f64.ln()).min(1.0);
         let down = t * t * (3.0 - 2.0 * t);
         let fov = (2.4 * edge / aspect.min(1.0)).min(60.0);
-        Self { altitude, pitch: (edge * (1.0 - down) - 90.0).max(-90.0), fov, sun_elevation, sun_azimuth: 0.0 }
+        Self {
+            altitude,
+            pitch: (edge * (1.0 - down) - 90.0).max(-90.0),
+            fov,
+            sun_elevation,
+            sun_azimuth: 0.0,
+        }
     }
 
     /// A moment of a day, `angle` degrees along the sun's way through the zenith: from [`NIGHT`] to 180 -

@@ -179,7 +179,11 @@ impl<'a> Flight<'a> {
             sun_azimuth: 290.0,
             ..views::DEFAULT
         };
-        Ok(view.scene(Place::DEFAULT, f64::from(width) / f64::from(height), self.settings.terrain.as_ref())?)
+        Ok(view.scene(
+            Place::DEFAULT,
+            f64::from(width) / f64::from(height),
+            self.settings.terrain.as_ref(),
+        )?)
     }
 
     fn fly(&self) -> anyhow::Result<(Vec<FlightFrame>, String, f64)> {
@@ -250,8 +254,11 @@ impl<'a> Flight<'a> {
             let texels = backend.texture(p.target.color).map_or(0, |desc| desc.texels()) as f64;
             if p.program.is_none() { 0.0 } else { texels * if p.label == "sun" { sun } else { 1.0 } }
         };
-        let mut cost =
-            Cost { passes: sky.len(), pixels: sky.iter().map(pixels).sum::<f64>() + 0.0, time: f64::INFINITY };
+        let mut cost = Cost {
+            passes: sky.len(),
+            pixels: sky.iter().map(pixels).sum::<f64>() + 0.0,
+            time: f64::INFINITY,
+        };
         // Once in whole: that fills the depth buffer, makes pipelines and warms caches. Then the sky's passes
         // alone.
         backend.run(&passes)?;
@@ -322,13 +329,19 @@ fn report(args: &FlightArgs, frames: &[FlightFrame], ahead: f64) -> String {
             if before.on != now.on {
                 let (altitude, sun) = (views::length(pair[1].moment.altitude), pair[1].moment.sun_elevation);
                 let state = if now.on { "on" } else { "off" };
-                let _ =
-                    writeln!(text, "| {} | {altitude} | {sun:.0}° | {} | {state} | {} |", at + 1, now.name, now.reason);
+                let _ = writeln!(
+                    text,
+                    "| {} | {altitude} | {sun:.0}° | {} | {state} | {} |",
+                    at + 1,
+                    now.name,
+                    now.reason
+                );
             }
         }
     }
     let sum = |of: fn(&FlightFrame) -> f64| frames.iter().map(of).sum::<f64>();
-    let most = |of: fn(&FlightFrame) -> f64| frames.iter().map(of).enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
+    let most =
+        |of: fn(&FlightFrame) -> f64| frames.iter().map(of).enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
     let (planned, all) = (sum(|f| f.planned.time), sum(|f| f.everything.time));
     let _ = write!(
         text,

@@ -1,7 +1,8 @@
 //#include probe_case
 //#include disk_overlap
-// The visible fraction of the sun behind a moon, one case at a time. A case's direction holds the moon's position
-// less the point's, its altitude the moon's radius, both km; its fraction the tangent of the sun's radius.
+// The visible fraction of the sun behind a moon, one case at a time. A case's direction holds the moon's
+// position less the point's, its altitude the moon's radius, both km; its fraction the tangent of the sun's
+// radius.
 
 const ANSWERS: i32 = 1;
 
