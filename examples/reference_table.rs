@@ -16,6 +16,7 @@ use welkin::reference::multiple::{Orders, Settings};
 use welkin::reference::single::{Sun, Tolerance, single_scattering};
 
 #[path = "../tests/harness/tables.rs"]
+#[allow(dead_code)] // The tests compare; this example only reads and writes.
 mod tables;
 use tables::{Table, against_noise, medium, ray};
 

@@ -516,8 +516,6 @@ fn each_mode_draws_in_a_users_own_frame() {
 }
 
 /// How many passes fill tables.
-
-/// How many passes fill tables.
 fn tables_in(passes: &[Pass]) -> usize {
     passes.iter().filter(|p| p.label.ends_with("LUT")).count()
 }

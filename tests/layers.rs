@@ -232,7 +232,6 @@ fn arrows() -> Vec<Arrow> {
 }
 
 #[test]
-#[ignore = "fails until the arrows that it names are turned around"]
 fn layers_import_in_one_direction() {
     let all = arrows();
     let mut counts: BTreeMap<(&str, &str), usize> = BTreeMap::new();

@@ -95,8 +95,6 @@ fn a_kept_renderer_draws_what_a_fresh_one_does() {
     });
 }
 
-/// After a device was lost, a renderer that was kept draws on a new one what a fresh one draws.
-
 /// Labels of the passes that fill tables, without repetitions.
 fn filled(passes: &[Pass]) -> Vec<&'static str> {
     let mut labels: Vec<_> = passes.iter().map(|p| p.label).filter(|l| l.ends_with("LUT")).collect();

@@ -183,8 +183,9 @@ impl Frame {
             let was_on = |effect: &dyn Effect| previous.is_some_and(|p| p.is_on(effect));
             frame.omission = Omission::new(&frame, frame.sun.is_seen(), was_on);
         }
-        for i in 0..EFFECT_COUNT {
-            let (on, reason) = EFFECTS[i].decide(&frame);
+        // Each decision reads those before it.
+        for (i, effect) in EFFECTS.iter().enumerate() {
+            let (on, reason) = effect.decide(&frame);
             (frame.effects[i].on, frame.effects[i].reason) = (on, reason);
         }
         Ok(frame)

@@ -38,6 +38,7 @@ pub fn limb_darkening(r: f64) -> [f64; 3] {
 }
 
 /// The mean of [`limb_darkening`] over a ring of radius `r` and half width `half`, sun radii.
+#[cfg(all(feature = "reference", not(target_arch = "wasm32")))]
 pub(crate) fn limb_darkening_of_ring(r: f64, half: f64) -> [f64; 3] {
     let (inner, outer) = ((r - half).clamp(0.0, 1.0), (r + half).clamp(0.0, 1.0));
     let area = (outer - inner) * (outer + inner);

@@ -197,8 +197,8 @@ pub(crate) fn fixed(mut f: impl FnMut(f64) -> [f64; 3], breaks: &[f64]) -> Integ
         let (middle, half) = (0.5 * (w[0] + w[1]), 0.5 * (w[1] - w[0]));
         for &(x, weight) in gauss_6() {
             let y = f(middle + half * x);
-            for c in 0..3 {
-                sum.value[c] += half * weight * y[c];
+            for (sum, y) in sum.value.iter_mut().zip(y) {
+                *sum += half * weight * y;
             }
         }
         sum.evaluations += 6;
@@ -229,8 +229,8 @@ mod tests {
         let peak = |x: f64| [1.0 / (1e-4 + (x - 0.3).powi(2)), x.sqrt(), f64::from(u8::from(x > 0.7321))];
         let exact = [((0.7f64 / 1e-2).atan() + (0.3f64 / 1e-2).atan()) / 1e-2, 2.0 / 3.0, 0.2679];
         let got = integrate(peak, &[0.0, 1.0], 1e-8, 0.0, 400);
-        for c in 0..3 {
-            assert!((got.value[c] / exact[c] - 1.0).abs() < 1e-8, "{c}: {} {}", got.value[c], exact[c]);
+        for (c, (got, exact)) in got.value.into_iter().zip(exact).enumerate() {
+            assert!((got / exact - 1.0).abs() < 1e-8, "{c}: {got} {exact}");
         }
     }
 }

@@ -123,8 +123,9 @@ static PARTS: &[&str] = &[
     "float zenith_to_v(float a, float b, float c, bool d, float e, float f, float g, float h, vec4 i) {\nif (d) {\nfloat j = min((sqrt(max(-(c), 0.0)) / g), 1.0);\nfloat k = crowded((0.5 * j), ((b / g) / sqrt((2.0 + (2.0 * j)))), SQRT_HALF);\nreturn k;\n}\nif ((e >= 0.0)) {\nfloat l = ((b / (g + f)) / sqrt((2.0 + (2.0 * e))));\nfloat m = crowded((0.5 * (e + i.w)), l, sqrt((0.5 + (0.5 * i.w))));\nreturn (i.x + (((1.0 - i.x) * max((m - i.z), 0.0)) / (1.0 - i.z)));\n}\nfloat n = max(min(f, h), 1e-20);\nfloat o = (max(c, 0.0) / (g + b));\nfloat p = min((o / n), 1.0);\nfloat q = top_half_chord2_(a, c, f, g, h);\nfloat r = ((f > h) ? q : (a * a));\nfloat s = sqrt(clamp((r / (n * (((2.0 * g) + n) + o))), 0.0, 1.0));\nreturn (i.x * sqrt(((p * (1.0 + (i.y * s))) / (1.0 + s))));\n}\n",
 ];
 
-/// The visible fraction of the sun behind a moon, one case at a time. A case's direction holds the moon's position
-/// less the point's, its altitude the moon's radius, both km; its fraction the tangent of the sun's radius.
+/// The visible fraction of the sun behind a moon, one case at a time. A case's direction holds the moon's
+/// position less the point's, its altitude the moon's radius, both km; its fraction the tangent of the sun's
+/// radius.
 pub mod probe_eclipse {
     use super::*;
 

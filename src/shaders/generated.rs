@@ -466,14 +466,14 @@ pub mod aerial_perspective {
     };
 }
 
-/// Airglow: a thin layer of air that shines by itself, alike in all directions. A ray sees the emission integrated along
-/// its way. For a layer without thickness seen from the ground that is van Rhijn's factor (1921),
-/// 1 / sqrt(1 - (R sin z / (R + h))^2); from orbit the limb of the layer is some thirty times as bright as its zenith.
-/// Out: radiance that is added to what is there.
+/// Airglow: a thin layer of air that shines by itself, alike in all directions. A ray sees the emission
+/// integrated along its way. For a layer without thickness seen from the ground that is van Rhijn's factor
+/// (1921), 1 / sqrt(1 - (R sin z / (R + h))^2); from orbit the limb of the layer is some fifty times as bright
+/// as its zenith. Out: radiance that is added to what is there.
 pub mod airglow {
     use super::*;
 
-    /// 
+    /// What a ray enters before the air; off: what it leaves last, behind the air.
     pub const BEFORE: u32 = 1 << 0;
     /// The row of the table.
     pub static INFO: ProgramInfo = ProgramInfo {

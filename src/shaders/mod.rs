@@ -18,6 +18,7 @@ macro_rules! wgsl {
         }
     }};
 }
+#[cfg(any(feature = "wgpu", feature = "translate"))]
 pub(crate) use wgsl;
 
 #[rustfmt::skip]

@@ -439,7 +439,7 @@ fn words(text: &str) -> impl Iterator<Item = (&str, bool)> {
         let dot = rest[..start].ends_with('.');
         rest = &rest[start..];
         let number = rest.starts_with(|c: char| c.is_ascii_digit());
-        let end = rest.find(|c| !is_word(c) && !(number && c == '.')).unwrap_or(rest.len());
+        let end = rest.find(|c| !(is_word(c) || number && c == '.')).unwrap_or(rest.len());
         let (word, tail) = rest.split_at(end);
         rest = tail;
         Some((word, dot))

@@ -18,9 +18,7 @@ struct Uniforms {
 @group(0) @binding(0) var<uniform> uniforms: Uniforms;
 @group(0) @binding(1) var scene_depth: texture_2d<f32>;
 
-// The part of the layer that a ray from above enters first; off: the part that a ray leaves last, behind the
-// air.
-const BEFORE: bool = true;
+const BEFORE: bool = true; // What a ray enters before the air; off: what it leaves last, behind the air.
 
 // Abscissas and weights of Gauss-Legendre's rule with 4 points on 0..1 (Abramowitz & Stegun 1964, table
 // 25.4).

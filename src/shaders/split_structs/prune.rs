@@ -185,11 +185,11 @@ impl Live {
             | Statement::Switch { selector: one, .. }
             | Statement::Loop { break_if: Some(one), .. }
             | Statement::Return { value: Some(one) } => mark(*one),
-            Statement::Store { pointer, value } => {
-                if stores(target(&function.expressions, *pointer), own, own_used, &self.locals) {
-                    mark(*pointer);
-                    mark(*value);
-                }
+            Statement::Store { pointer, value }
+                if stores(target(&function.expressions, *pointer), own, own_used, &self.locals) =>
+            {
+                mark(*pointer);
+                mark(*value);
             }
             Statement::Call { function, arguments, .. } => {
                 let first_out = facts.functions[function].first_out;
