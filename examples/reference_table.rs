@@ -101,7 +101,8 @@ fn compare(name: &str, albedo: f64, orders: &Orders) -> welkin::Result<()> {
     }
     for ((file, sun, c), line) in &lines {
         println!(
-            "{file:34} sun {sun:2}° {}  n {:3}  mean {:.1e}  max {:.1e}  {:5.1} σ  outside max(0.5 %, 4 σ): {}",
+            "{file:34} sun {sun:2}° {}  n {:3}  mean {:.1e}  max {:.1e}  {:5.1} σ  outside max(0.5 %, 4 \
+             σ): {}",
             ["R", "G", "B"][*c],
             line.rows,
             line.sum / line.rows as f64,

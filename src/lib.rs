@@ -20,7 +20,8 @@
 //!     moon: None,
 //! };
 //! let mut backend = WgpuBackend::headless()?;
-//! let drawn = PictureRenderer::default().draw(&mut backend, &scene, &PictureSettings::default(), [640, 360])?;
+//! let settings = PictureSettings::default();
+//! let drawn = PictureRenderer::default().draw(&mut backend, &scene, &settings, [640, 360])?;
 //! let rgba = backend.read(drawn.display)?;
 //! # }
 //! # Ok::<(), welkin::Error>(())
@@ -59,7 +60,8 @@
 //!
 //! let mut backend = WebGlBackend::new(gl)?;
 //! let mut sky = SkyRenderer::new(SkySettings::default())?;
-//! let desc = TextureDesc { rows: RowOrder::BottomUp, ..TextureDesc::new("screen", 1280, 720, Format::Rgba8) };
+//! let desc = TextureDesc::new("screen", 1280, 720, Format::Rgba8);
+//! let desc = TextureDesc { rows: RowOrder::BottomUp, ..desc };
 //! let target = backend.import_framebuffer(None, desc)?;
 //! let frame = sky.frame(&mut backend, &scene, &FrameTargets::background(Target::color(target)))?;
 //! backend.run(frame.background)?;
@@ -76,6 +78,10 @@
 //!
 //! Three wavelengths stand for the spectrum; no polarisation, no refraction.
 
+#[cfg(feature = "probe")]
+pub mod count;
+#[cfg(not(feature = "probe"))]
+mod count;
 pub mod error;
 pub mod frame;
 pub mod gpu;

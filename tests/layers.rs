@@ -8,7 +8,8 @@ use std::path::{Path, PathBuf};
 
 /// From the ground up: a layer imports only what stands before it. `reference` is beside them: see
 /// [`may_import`].
-const LAYERS: [&str; 8] = ["error", "model", "settings", "gpu", "shaders", "frame", "render", "probe"];
+const LAYERS: [&str; 9] =
+    ["count", "error", "model", "settings", "gpu", "shaders", "frame", "render", "probe"];
 const REFERENCE: &str = "reference";
 
 /// Characters that a line may have.

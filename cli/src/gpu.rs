@@ -155,7 +155,8 @@ pub fn check_samples(adapter: &AdapterInfo, method: &Quality) -> Result<(), Usag
         return Ok(());
     }
     Err(UsageError::new(format!(
-        "'--samples {view}' and '--light-samples {light}' are too many for {}, which silently ends a shader's loops \
+        "'--samples {view}' and '--light-samples {light}' are too many for {}, which silently ends a \
+         shader's loops \
          after {MOST} rounds in all: samples × (light samples + 2) must be less",
         adapter.adapter
     )))

@@ -11,7 +11,8 @@ const WELKIN: [&str; 5] = ["render", "plan", "radiance", "eclipse", "info"];
 pub fn command(program: &str, name: &str) -> Option<String> {
     if program == "welkin" && LAB.contains(&name) {
         Some(format!(
-            "'welkin {name}' is now 'welkin-lab {name}'; in the repository run 'cargo lab {name}', which is\n  \
+            "'welkin {name}' is now 'welkin-lab {name}'; in the repository run 'cargo lab {name}', which \
+             is\n  \
              cargo run --release -p welkin-cli --features lab --bin welkin-lab -- {name}"
         ))
     } else if program == "welkin-lab" && WELKIN.contains(&name) {

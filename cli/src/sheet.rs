@@ -165,7 +165,8 @@ mod tests {
 
     #[test]
     fn long_texts_stay_on_the_sheet() {
-        let adapter = "webgl2: NVIDIA GeForce RTX 4090 Laptop GPU/PCIe/SSE2, driver 570.133.20, OpenGL ES 3.2, no timer ";
+        let adapter = "webgl2: NVIDIA GeForce RTX 4090 Laptop GPU/PCIe/SSE2, driver 570.133.20, OpenGL ES \
+         3.2, no timer ";
         for (title, subtitle) in [
             ("welkin 0.1.0".to_owned(), adapter.repeat(9)),
             ("t".repeat(500), "s".repeat(500)),

@@ -170,7 +170,8 @@ void main() {
     if (BEFORE) {
         if ((_e35 < 0.0)) {
             vec4 _e62 = texelFetch(_group_0_binding_1_fs, ivec2(position.xy), 0);
-            float _e64 = depth_distance(f_depth_scale, f_depth_bias, f_depth_log, f_depth_background, _e62.x, ray_length_1);
+            float depth_2 = _e62.x;
+            float _e64 = depth_distance(f_depth_scale, f_depth_bias, f_depth_log, f_depth_background, depth_2, ray_length_1);
             float _e65 = rise_to_distance(camera, _e36);
             float _e68 = _group_0_binding_0_fs.middle;
             float _e73 = rise_to_distance(sqrt(max((_e68 - _e49), 0.0)), _e36);

@@ -7,6 +7,7 @@
 //! bytes of the node's block, of its program and constants, and of the keys of what it reads. So nothing is
 //! stale, and nothing is made twice.
 
+use crate::count;
 use crate::error::Result;
 use crate::gpu::{
     Backend, DepthUse, Format, Inputs, Pass, PoolKey, Program, TEXTURES_MAX, Target, TextureDesc, TextureId,
@@ -365,6 +366,7 @@ impl Graph {
     /// they run: a LUT that nobody reads is left out. `given`: which targets there are; `scene`: draws the
     /// scene itself, if we do.
     pub fn list(&mut self, frame: &super::Frame, given: impl Fn(Resource) -> bool, scene: Option<Node>) {
+        count::one(|c| &mut c.node_lists);
         self.nodes.clear();
         frame.push_nodes(&mut self.nodes);
         scene.into_iter().for_each(|node| self.insert(node));

@@ -49,6 +49,7 @@ pub mod tone_map;
 pub mod uniforms;
 mod visibility;
 
+use crate::count;
 use crate::error::{Error, Result};
 use crate::gpu::{Program, RowOrder};
 use crate::model::scene::{Scene, ZenithView};
@@ -134,6 +135,7 @@ impl Frame {
         rows: RowOrder,
         previous: Option<&Self>,
     ) -> Result<Self> {
+        count::one(|c| &mut c.frames);
         let view = scene.validate()?;
         for (name, side) in ["width", "height"].into_iter().zip(size) {
             if side == 0 {

@@ -381,6 +381,7 @@ impl WebGlBackend {
             }
             let bytes = pass.uniform.bytes();
             if !bytes.is_empty() {
+                crate::count::one(|c| &mut c.uniform_uploads);
                 let offset = (self.ring_next * self.ring_stride) as i32;
                 gl.bind_buffer(glow::UNIFORM_BUFFER, Some(self.ring));
                 gl.buffer_sub_data_u8_slice(glow::UNIFORM_BUFFER, offset, bytes);

@@ -425,6 +425,7 @@ impl WgpuBackend {
         if pass.uniform.bytes().is_empty() {
             render.set_bind_group(0, group, &[]);
         } else {
+            crate::count::one(|c| &mut c.uniform_uploads);
             self.queue.write_buffer(&self.ring, u64::from(offset), pass.uniform.bytes());
             render.set_bind_group(0, group, &[offset]);
         }

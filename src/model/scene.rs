@@ -288,6 +288,7 @@ pub struct ZenithView {
 impl Scene {
     /// Checks everything; see [`AtmosphereParams::validate`] for the medium. Returns the zenith view.
     pub fn validate(&self) -> Result<ZenithView> {
+        crate::count::one(|c| &mut c.scene_checks);
         self.atmosphere.validate()?;
         self.depth.validate()?;
         for (name, v) in [("camera.position", self.camera.position), ("planet_center", self.planet_center)] {

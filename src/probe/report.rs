@@ -113,7 +113,8 @@ impl Record {
 /// each of them.
 pub fn side_by_side(records: &[Record]) -> String {
     let mut text = String::from(
-        "| | driver | seed | cases | numbers | non-finite | steep | broken |\n|---|---|---:|---:|---:|---:|---:|---:|\n",
+        "| | driver | seed | cases | numbers | non-finite | steep | broken \
+         |\n|---|---|---:|---:|---:|---:|---:|---:|\n",
     );
     let column = |i: usize| char::from(b'A' + (i % 26) as u8);
     for (i, r) in records.iter().enumerate() {
@@ -166,7 +167,8 @@ impl Finding {
 }
 
 /// The head of a table of [`Finding::line`]s.
-pub const NUMBERS: &str = "quantity                                   shader               f64  neighbours from              to   allowed";
+pub const NUMBERS: &str = "quantity                                   shader               f64  \
+                           neighbours from              to   allowed";
 
 impl Finding {
     /// As a line of a table of numbers, see [`NUMBERS`].

@@ -137,6 +137,7 @@ impl SkySettings {
     /// # Errors
     /// [`crate::ErrorKind::Invalid`] for the first field that is out of range.
     pub fn validate(&self) -> Result<()> {
+        crate::count::one(|c| &mut c.settings_checks);
         self.quality.validate()?;
         self.look.airglow.map_or(Ok(()), |airglow| airglow.validate())?;
         in_range("render_scale", self.render_scale, 0.125, 1.0, "")?;

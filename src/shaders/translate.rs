@@ -285,7 +285,8 @@ fn rust_table(programs: &[Source]) -> String {
     let identifier = |module: &str| module.replace('/', "_").to_uppercase();
     let parts = Parts::new(programs);
     let mut out = String::from(
-        "// Made by `cargo run -- shaders` from shaders/wgsl/; do not edit. Readable shaders are in shaders/glsl/.\n\n\
+        "// Made by `cargo run -- shaders` from shaders/wgsl/; do not edit. Readable shaders are in \
+         shaders/glsl/.\n\n\
          #[allow(unused_imports)]\n\
          use crate::gpu::{ProgramInfo, TextureSlot, Vertices};\n\n\
          /// Every program.\n\
@@ -332,7 +333,8 @@ fn rust_table(programs: &[Source]) -> String {
         let vertices =
             strip.map_or("Vertices::Triangle".to_owned(), |(_, count)| format!("Vertices::Strip({count})"));
         if !p.numbers.is_empty() {
-            out += "    /// Whole numbers that the shader calls by these names.\n    #[allow(missing_docs)]\n    pub mod numbers {\n";
+            out += "    /// Whole numbers that the shader calls by these \
+             names.\n    #[allow(missing_docs)]\n    pub mod numbers {\n";
             for (name, value) in &p.numbers {
                 let _ = writeln!(out, "        pub const {name}: u32 = {value};");
             }
@@ -344,10 +346,12 @@ fn rust_table(programs: &[Source]) -> String {
             out,
             "    /// The row of the table.\n    \
              pub static INFO: ProgramInfo = ProgramInfo {{\n        \
-             name: {:?},\n        uniform_size: {},\n        textures: &[{}],\n        constants: &{names:?},\n        \
+             name: {:?},\n        uniform_size: {},\n        textures: &[{}],\n        constants: \
+             &{names:?},\n        \
              vertices: {vertices},\n        \
              #[cfg(any(feature = \"wgpu\", feature = \"translate\"))]\n        wgsl: &[{}],\n        \
-             #[cfg(feature = \"webgl\")]\n        glsl: crate::gpu::Glsl {{\n            parts: PARTS,\n            \
+             #[cfg(feature = \"webgl\")]\n        glsl: crate::gpu::Glsl {{\n            parts: \
+             PARTS,\n            \
              vertex: &{vertex:?},\n            fragment: &{fragment:?},\n            \
              blocks: {:?},\n            samplers: &{samplers:?},\n        }},\n    }};\n}}\n",
             p.name,

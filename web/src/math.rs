@@ -1,6 +1,8 @@
 //! The functions that Rust's `f64::sin` and its like call, done by the browser: its own come with every page,
 //! and Rust's are 5 kB of a module, gzipped. Both are right to the last digit or two.
-#![allow(unsafe_code)] // The linker finds these by name, which Rust cannot check: they replace the weak symbols of the same signature.
+// The linker finds these by name, which Rust cannot check: they replace the weak symbols of the same
+// signature.
+#![allow(unsafe_code)]
 
 macro_rules! by_the_browser {
     ($($name:ident($($x:ident),+) = $function:path;)*) => {$(

@@ -99,11 +99,17 @@ pub struct SceneArgs {
     /// Latitude north and longitude east in degrees, as in 46.5,8.0; needs --time
     ///
     /// The sun then stands where the ephemeris has it, without refraction.
-    #[arg(long, value_name = "LAT,LON", help_heading = SUN, allow_hyphen_values = true, value_parser = values::place)]
+    #[arg(
+        long, value_name = "LAT,LON", help_heading = SUN, allow_hyphen_values = true,
+        value_parser = values::place
+    )]
     place: Option<Place>,
 
     /// Time in RFC 3339, as in 2024-06-20T20:51:00Z; needs --place
-    #[arg(long, value_name = "TIME", help_heading = SUN, allow_hyphen_values = true, value_parser = values::time)]
+    #[arg(
+        long, value_name = "TIME", help_heading = SUN, allow_hyphen_values = true,
+        value_parser = values::time
+    )]
     time: Option<jiff::Timestamp>,
 
     /// Put the moon where it stood, too; needs --place and --time, years 1900 to 2099
@@ -114,7 +120,10 @@ pub struct SceneArgs {
     moon: bool,
 
     /// Pixels, as in 1920x1080; each side 1 to 8192 [default: 1280x720]
-    #[arg(long, value_name = "WxH", help_heading = PICTURE, allow_hyphen_values = true, value_parser = values::size)]
+    #[arg(
+        long, value_name = "WxH", help_heading = PICTURE, allow_hyphen_values = true,
+        value_parser = values::size
+    )]
     size: Option<[u32; 2]>,
 
     /// Multiplies radiance before tone mapping, 1e-6 to 1e6: 2 is one stop brighter [default: the view's, or

@@ -80,7 +80,8 @@ pub fn size(text: &str) -> Result<[u32; 2], String> {
     let size = size.filter(|[w, h]| u64::from(*w) * u64::from(*h) <= MAX_PIXELS);
     size.ok_or_else(|| {
         format!(
-            "must be WIDTHxHEIGHT, each from 1 to {MAX_SIDE} and at most {MAX_PIXELS} pixels in all, as in 1920x1080"
+            "must be WIDTHxHEIGHT, each from 1 to {MAX_SIDE} and at most {MAX_PIXELS} pixels in all, as \
+             in 1920x1080"
         )
     })
 }

@@ -15,13 +15,13 @@ use crate::views::Place;
 
 const ECLIPSE_DETAILS: &str = "\
 elevation, azimuth  of the disks' middles, without refraction; 0° is north, 90° east
-magnitude           fraction of the sun's diameter that is covered; where one disk lies within the other, the ratio
-                    of their diameters
+magnitude           fraction of the sun's diameter that is covered; where one disk lies within the other,
+                    the ratio of their diameters
 obscuration         fraction of the sun's disk that is covered
 sunlight            what is left of the sun's light, its edge being darker than its middle
 Contacts are for a moon without mountains: k = 0.2725076 for partial, 0.272281 for total and annular phases.
-Places are heights above the ellipsoid WGS 84. Times are good to a second or two from 1972 to the next leap second,
-beyond by as much as the Earth's turning was guessed wrong.
+Places are heights above the ellipsoid WGS 84. Times are good to a second or two from 1972 to the next leap
+second, beyond by as much as the Earth's turning was guessed wrong.
 
 Examples:
   welkin eclipse --place 25.29,-104.14 --time 2024-04-08T18:17:16Z
@@ -46,7 +46,10 @@ pub struct EclipseArgs {
     time: Timestamp,
 
     /// Height above sea level: metres, or as in 2km
-    #[arg(long, value_name = "LENGTH", default_value = "0m", allow_hyphen_values = true, value_parser = values::length)]
+    #[arg(
+        long, value_name = "LENGTH", default_value = "0m", allow_hyphen_values = true,
+        value_parser = values::length
+    )]
     height: Length,
 
     /// As JSON
@@ -146,7 +149,8 @@ fn json(time: Timestamp, bodies: &Bodies, eclipse: Option<&Eclipse>) -> anyhow::
     let eclipse = eclipse.map(|e| {
         json!({
             "greatest": e.greatest.to_string(), "at_greatest": disks_json(&e.bodies),
-            "partial": e.partial.map(|t| t.to_string()), "central": e.central.map(|c| c.map(|t| t.to_string())),
+            "partial": e.partial.map(|t| t.to_string()),
+            "central": e.central.map(|c| c.map(|t| t.to_string())),
         })
     });
     let all = json!({

@@ -55,8 +55,8 @@ What is included:
   reference-single  the same light in f64 on the CPU, relative error 1e-6.
   reference         light of all orders of scattering in f64 on the CPU, with the light that the ground
                     reflects: into the air, and to the eye where a ray meets the ground. About 0.2 % by
-                    day, 0.5 % in twilight. Solves once for each medium and albedo, up to some minutes each, and
-                    keeps the solution: up to 11 MB each.
+                    day, 0.5 % in twilight. Solves once for each medium and albedo, up to some minutes each,
+                    and keeps the solution: up to 11 MB each.
 
 Example:
   welkin radiance --cases sky.csv --method single --samples 256 --light-samples 64 -o radiance.csv
@@ -433,7 +433,8 @@ fn reference(cases: &[Case], cache: &mut Cache) -> anyhow::Result<Vec<[f64; 3]>>
         let orders = cache.solve(&first.atmosphere, settings, &progress)?;
         ensure!(
             orders.converged(),
-            "{}: the reference does not converge in so thick an atmosphere; reference-single is what can be had",
+            "{}: the reference does not converge in so thick an atmosphere; reference-single is what can \
+             be had",
             first.medium
         );
         let solved: Vec<_> = members

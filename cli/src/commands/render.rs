@@ -55,7 +55,8 @@ pub const QUALITY_AND_OUTPUT: &str = "Quality and output";
 #[command(long_about = RENDER_ABOUT, after_long_help = RENDER_EXAMPLES)]
 #[command(after_help = "Examples and more words: welkin render --help")]
 #[command(mut_arg("output", |arg| arg.help(
-    "Where to write; the ending decides: .png is 8-bit sRGB, .exr and .hdr are linear radiance [default: welkin.png]"
+    "Where to write; the ending decides: .png is 8-bit sRGB, .exr and .hdr are linear radiance [default: \
+     welkin.png]"
 )))]
 pub struct RenderArgs {
     /// `None` asks for the contact sheet.

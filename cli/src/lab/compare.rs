@@ -30,7 +30,10 @@ pub struct CompareArgs {
     time_size: [u32; 2],
 
     /// Rounds of timing, of which the best counts, 0 to 1000; 0 does not time
-    #[arg(long, value_name = "N", default_value = "3", value_parser = clap::value_parser!(u32).range(0..=1000))]
+    #[arg(
+        long, value_name = "N", default_value = "3",
+        value_parser = clap::value_parser!(u32).range(0..=1000)
+    )]
     repeat: u32,
 
     #[command(flatten)]

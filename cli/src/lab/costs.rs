@@ -31,14 +31,19 @@ textures are freed after each. The table has the difference: bytes of textures, 
 programs), milliseconds of the GPU in a frame in which camera and sun move, and milliseconds once for \
 each medium. The last columns count what of the effect was there when it was off: passes, and textures \
 or programs more than the plan without it names.")]
-#[command(mut_arg("backend", |arg| arg.help("What draws: auto, webgpu or webgl2").hide_possible_values(true)))]
+#[command(mut_arg("backend", |arg| {
+    arg.help("What draws: auto, webgpu or webgl2").hide_possible_values(true)
+}))]
 pub struct CostsArgs {
     /// Pixels of the pictures
     #[arg(long, value_name = "WxH", default_value = "960x540", value_parser = values::size)]
     size: [u32; 2],
 
     /// Rounds of timing, of which the best counts, 1 to 100
-    #[arg(long, value_name = "N", default_value = "5", value_parser = clap::value_parser!(u32).range(1..=100))]
+    #[arg(
+        long, value_name = "N", default_value = "5",
+        value_parser = clap::value_parser!(u32).range(1..=100)
+    )]
     repeat: u32,
 
     #[command(flatten)]
@@ -93,7 +98,8 @@ pub fn run(args: &CostsArgs) -> anyhow::Result<()> {
     let steps = Progress::of("measuring", 2 * rows.len());
     let [width, height] = args.size;
     let mut text = format!("{describe}\n\n{width}×{height}, {}; on less off:\n\n", quality);
-    text += "| effect | off because | bytes | pipelines | ms a frame | ms a medium | left when off: passes, pipelines, textures |\n";
+    text += "| effect | off because | bytes | pipelines | ms a frame | ms a medium | left when off: \
+     passes, pipelines, textures |\n";
     text += "|---|---|---:|---:|---:|---:|---|\n";
     for row in &rows {
         let mut found = Vec::with_capacity(2);

@@ -28,8 +28,8 @@ The table, a line for each quantity:
   non-finite  NaN or infinite ones
   steep       numbers that depend on digits of the inputs that 32-bit floats do not have, such as the length
               of a ray that touches the planet; they must be right for some inputs within 2^-22 of the case's
-  worst       largest error of all others, over the true value (or over what counts as small beside it); a little
-              above the promise where the last digits of the inputs explain the rest
+  worst       largest error of all others, over the true value (or over what counts as small beside it); a
+              little above the promise where the last digits of the inputs explain the rest
   promise     what that may be
   used        largest part of what is allowed that any number used, the last digits of its inputs counted in
   by case     which one that was
@@ -51,7 +51,8 @@ Examples:
   welkin-lab stress --save here.tsv && welkin-lab stress --table here.tsv there.tsv
       Drivers side by side
 
-Exit status: 0 every promise was kept; 1 one was broken, or a backend failed; 2 the request was not accepted.";
+Exit status: 0 every promise was kept; 1 one was broken, or a backend failed; 2 the request was not \
+accepted.";
 
 /// Options of `welkin-lab stress`.
 #[derive(Args, Debug)]
@@ -86,7 +87,10 @@ pub struct StressArgs {
     save: Option<PathBuf>,
 
     /// Instead of trying anything, print what such files hold side by side, as Markdown
-    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with_all = ["cases", "case", "frames", "save"])]
+    #[arg(
+        long, value_name = "FILE", num_args = 1..,
+        conflicts_with_all = ["cases", "case", "frames", "save"]
+    )]
     table: Vec<PathBuf>,
 }
 

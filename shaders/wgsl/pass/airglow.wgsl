@@ -63,7 +63,8 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     var column = 0.0;
     if BEFORE {
         if line.r_mu < 0.0 {
-            let distance = depth_distance(f.depth, textureLoad(scene_depth, vec2i(position.xy), 0).x, ray_length);
+            let depth = textureLoad(scene_depth, vec2i(position.xy), 0).x;
+            let distance = depth_distance(f.depth, depth, ray_length);
             let middle = rise_to_distance(camera, line.perigee)
                 - rise_to_distance(sqrt(max(uniforms.middle - h, 0.0)), line.perigee);
             // What stands before the layer hides it.

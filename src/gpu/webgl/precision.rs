@@ -174,7 +174,8 @@ fn judge([excess, part, struct_excess, struct_part]: [f32; 4]) -> Result<Precisi
         return Err(Error::unavailable(
             NAME,
             format!(
-                "the driver computes fragment shaders with too few bits, though 32 are asked for (highp): it finds \
+                "the driver computes fragment shaders with too few bits, though 32 are asked for (highp): \
+                 it finds \
                  {excess:?} for {expected_excess:?} and {part:?} for {expected_part:?}"
             ),
         ));

@@ -248,12 +248,15 @@ fn results_that_nobody_reads_are_not_written() {
 
 #[test]
 fn entry_points_have_an_input_and_an_output_for_each_member() {
-    let io = "struct In { @builtin(position) clip: vec4f, @location(0) place: vec3f, @location(1) @interpolate(flat) n: u32 }
+    let io = "struct In { @builtin(position) clip: vec4f, @location(0) place: vec3f,
+                   @location(1) @interpolate(flat) n: u32 }
          struct Out { @location(0) color: vec4f, @builtin(frag_depth) depth: f32 }";
     let text = translated(&format!(
         "{BLOCK}{io}
          @fragment fn main(in: In) -> Out {{
-             if in.n == 3u {{ return Out(vec4f(f32(in.n), max(in.place.x, 1.0), 2.0, 3.0), clamp(in.clip.x, 0.0, 1.0)); }}
+             if in.n == 3u {{
+                 return Out(vec4f(f32(in.n), max(in.place.x, 1.0), 2.0, 3.0), clamp(in.clip.x, 0.0, 1.0));
+             }}
              var out: Out;
              out.color = vec4f(in.place, frame.height);
              return out;
@@ -289,7 +292,8 @@ fn textures_and_samplers_pass_through() {
              return Corner(vec2i(floor(size)), fract(size));
          }
          fn load(t: texture_2d<f32>, s: sampler, c: Corner) -> vec4f {
-             return textureLoad(t, c.at + vec2i(1, 0), 0) * c.weight.x + textureSampleLevel(t, s, c.weight, 0.0);
+             return textureLoad(t, c.at + vec2i(1, 0), 0) * c.weight.x
+                 + textureSampleLevel(t, s, c.weight, 0.0);
          }",
         "return load(table, linear, corner(at, table));",
     );
@@ -319,11 +323,14 @@ fn what_cannot_be_split_is_an_error_that_says_so() {
 
 #[test]
 fn outputs_of_another_form_are_an_error() {
-    let whole = "struct Out {\n    vec4 color;\n    float depth;\n};\nvoid main() {\n    Out _tmp_return = Out(vec4(a, b, f(c, d), e), depths[1]);\n    \
-                 _fs2p_location0 = _tmp_return.color;\n    gl_FragDepth = _tmp_return.depth;\n    return;\n}\n";
+    let whole = "struct Out {\n    vec4 color;\n    float depth;\n};\nvoid main() {\n    \
+                 Out _tmp_return = Out(vec4(a, b, f(c, d), e), depths[1]);\n    \
+                 _fs2p_location0 = _tmp_return.color;\n    \
+                 gl_FragDepth = _tmp_return.depth;\n    return;\n}\n";
     assert_eq!(
         split_outputs(whole).unwrap(),
-        "void main() {\n    _fs2p_location0 = vec4(a, b, f(c, d), e);\n    gl_FragDepth = depths[1];\n    return;\n}\n"
+        "void main() {\n    _fs2p_location0 = vec4(a, b, f(c, d), e);\n    gl_FragDepth = \
+         depths[1];\n    return;\n}\n"
     );
     let none = "struct Frame {\n    float x;\n};\nvoid main() {\n}\n";
     assert_eq!(split_outputs(none).unwrap(), none);

@@ -18,7 +18,8 @@ fn three(s: [Statistics; 3], of: impl Fn(&Statistics) -> f64) -> String {
 }
 
 const HEAD: &str = "\
-| method | settings | time | time / copy | mean, % (R / G / B) | 95th percentile, % | maximum, % | ΔE mean / 95th / max |
+| method | settings | time | time / copy | mean, % (R / G / B) | 95th percentile, % | maximum, % | ΔE mean / \
+95th / max |
 |---|---|---|---|---|---|---|---|
 ";
 
@@ -86,12 +87,18 @@ pub fn markdown(f: &Findings) -> Result<String, std::fmt::Error> {
     writeln!(t, "# Accuracy and time\n\nWritten by `{command}`, welkin {}.\n", env!("CARGO_PKG_VERSION"))?;
     writeln!(
         t,
-        "{} scenes, {w} × {h} pixels in 32-bit floats, {} pixels of each compared. An error is the difference from \
-         the reference over the reference's radiance, or over {FLOOR} of the picture's brightest where that is \
-         more. ΔE is CIEDE2000 after ACES tone mapping, exposed so that the 95th percentile of the all-orders \
-         luminance comes out at 0.5. Time is that of the sky's passes in frames of {tw} × {th} pixels, and beside it \
-         that of a full-screen copy of the same target, timed in the same submissions: the best of {} for each scene, \
-         then the mean over the scenes; for the copy, the best of all. Every frame makes the LUTs of its altitude \
+        "{} scenes, {w} × {h} pixels in 32-bit floats, {} pixels of each compared. An error is the \
+         difference from \
+         the reference over the reference's radiance, or over {FLOOR} of the picture's brightest where \
+         that is \
+         more. ΔE is CIEDE2000 after ACES tone mapping, exposed so that the 95th percentile of the \
+         all-orders \
+         luminance comes out at 0.5. Time is that of the sky's passes in frames of {tw} × {th} pixels, \
+         and beside it \
+         that of a full-screen copy of the same target, timed in the same submissions: the best of {} for \
+         each scene, \
+         then the mean over the scenes; for the copy, the best of all. Every frame makes the LUTs of its \
+         altitude \
          and sun anew; those of the medium are made once and stand apart (`once_ms` in accuracy.csv).\n\n\
          ![Error against time](accuracy.svg)\n",
         f.scenes.len(),
@@ -143,7 +150,8 @@ pub fn markdown(f: &Findings) -> Result<String, std::fmt::Error> {
     )?;
     writeln!(
         t,
-        "| scene | medium | altitude, m | sun zenith | pitch | heading | field of view |\n|---|---|---|---|---|---|---|"
+        "| scene | medium | altitude, m | sun zenith | pitch | heading | field of view \
+         |\n|---|---|---|---|---|---|---|"
     )?;
     for s in &f.scenes {
         let medium = MEDIA[s.medium];
@@ -155,7 +163,8 @@ pub fn markdown(f: &Findings) -> Result<String, std::fmt::Error> {
     }
     writeln!(
         t,
-        "\n`earth` and `mars` are the presets; `haze` is Earth with 400 times the aerosol and g = 0.7 (vertical \
+        "\n`earth` and `mars` are the presets; `haze` is Earth with 400 times the aerosol and g = 0.7 \
+         (vertical \
          optical depth 2.1).\n\n## Not measured\n"
     )?;
     for what in &f.missing {
@@ -164,7 +173,8 @@ pub fn markdown(f: &Findings) -> Result<String, std::fmt::Error> {
     if f.adapters.iter().any(|a| a.contains("llvmpipe")) {
         writeln!(
             t,
-            "- A GPU, on the backends that llvmpipe drew: it is a software renderer. Times and ratios are this \
+            "- A GPU, on the backends that llvmpipe drew: it is a software renderer. Times and ratios are \
+             this \
              processor's; errors are those of 32-bit floats anywhere."
         )?;
     }

@@ -89,7 +89,8 @@ enum FilmKind {
 #[command(long_about = FILM_ABOUT, after_long_help = FILM_DETAILS)]
 #[command(after_help = "What the table says, and examples: welkin-lab film --help")]
 #[command(mut_arg("backend", |arg| arg.hide_possible_values(true).help(
-    "What draws: webgpu, webgl2 or auto, which is the best for the strip and each that can be had for the table"
+    "What draws: webgpu, webgl2 or auto, which is the best for the strip and each that can be had for the \
+     table"
 )))]
 #[command(mut_arg("output", |arg| arg.help("Where to write the strip (.png) [default: film.png]")))]
 pub struct FilmArgs {
@@ -109,7 +110,10 @@ pub struct FilmArgs {
     altitude: Option<Length>,
 
     /// Frames of the strip, 2 to 64
-    #[arg(long, value_name = "N", default_value = "16", value_parser = clap::value_parser!(u32).range(2..=64))]
+    #[arg(
+        long, value_name = "N", default_value = "16",
+        value_parser = clap::value_parser!(u32).range(2..=64)
+    )]
     frames: u32,
 
     /// Pixels of each frame, 8x8 to 1000x1000
@@ -437,7 +441,8 @@ impl<'a> Film<'a> {
     ) -> anyhow::Result<()> {
         writeln!(
             out,
-            "\n{} steps, {} × {} pixels, {}: largest change from one frame to the next, as % of each channel's\n\
+            "\n{} steps, {} × {} pixels, {}: largest change from one frame to the next, as % of each \
+             channel's\n\
              brightest value, of the frame's mean and of a single value; off: of ours less the reference's\n",
             frames.len() - 1,
             size[0],
@@ -446,7 +451,8 @@ impl<'a> Film<'a> {
         )?;
         writeln!(
             out,
-            "| backend | stretch | steps | mean: ours | reference | off | pixel: ours | reference | off | worst at |"
+            "| backend | stretch | steps | mean: ours | reference | off | pixel: ours | reference | off | \
+             worst at |"
         )?;
         writeln!(out, "|---|---|---:|---:|---:|---:|---:|---:|---:|---:|")?;
         for (name, steps) in steps {

@@ -54,11 +54,18 @@ MESA_SHADER_CACHE_DIR=an empty folder).
 Examples:
   welkin-lab flight
   welkin-lab flight --frames 400 --size 1920x1080 -o flight.svg --csv flight.csv")]
-#[command(mut_arg("backend", |arg| arg.help("What draws: auto, webgpu or webgl2").hide_possible_values(true)))]
-#[command(mut_arg("output", |arg| arg.help("Draw times, pixels and passes along the flight to this file (SVG)")))]
+#[command(mut_arg("backend", |arg| {
+    arg.help("What draws: auto, webgpu or webgl2").hide_possible_values(true)
+}))]
+#[command(mut_arg("output", |arg| {
+    arg.help("Draw times, pixels and passes along the flight to this file (SVG)")
+}))]
 pub struct FlightArgs {
     /// Frames, 16 to 4000
-    #[arg(long, value_name = "N", default_value = "120", value_parser = clap::value_parser!(u32).range(16..=4000))]
+    #[arg(
+        long, value_name = "N", default_value = "120",
+        value_parser = clap::value_parser!(u32).range(16..=4000)
+    )]
     frames: u32,
 
     /// Pixels of the frames that are timed
@@ -70,7 +77,10 @@ pub struct FlightArgs {
     compare_size: [u32; 2],
 
     /// Rounds of timing, of which the best counts, 1 to 100
-    #[arg(long, value_name = "N", default_value = "3", value_parser = clap::value_parser!(u32).range(1..=100))]
+    #[arg(
+        long, value_name = "N", default_value = "3",
+        value_parser = clap::value_parser!(u32).range(1..=100)
+    )]
     repeat: u32,
 
     #[command(flatten)]
@@ -302,7 +312,8 @@ fn report(args: &FlightArgs, frames: &[FlightFrame], ahead: f64) -> String {
         args.planet.or("earth"),
         args.preset.quality()
     );
-    text += "| frame | altitude | sun | passes | all on | megapixels | all on | GPU ms | all on | effects off |\n";
+    text += "| frame | altitude | sun | passes | all on | megapixels | all on | GPU ms | all on | effects \
+     off |\n";
     text += "|---:|---:|---:|---:|---:|---:|---:|---:|---:|---|\n";
     let stations = 17.min(frames.len());
     for i in 0..stations {
@@ -345,7 +356,8 @@ fn report(args: &FlightArgs, frames: &[FlightFrame], ahead: f64) -> String {
     let (planned, all) = (sum(|f| f.planned.time), sum(|f| f.everything.time));
     let _ = write!(
         text,
-        "\nThe sky's passes over the whole flight: {planned:.1} ms of the GPU, {all:.1} ms with everything on ({:.2}×)\n",
+        "\nThe sky's passes over the whole flight: {planned:.1} ms of the GPU, {all:.1} ms with \
+         everything on ({:.2}×)\n",
         all / planned
     );
     // A frame's clock holds its own work: what is compiled in it stands out against a flight that compiles
@@ -357,7 +369,8 @@ fn report(args: &FlightArgs, frames: &[FlightFrame], ahead: f64) -> String {
         clocks.sort_by(f64::total_cmp);
         let _ = writeln!(
             text,
-            "By the clock, {name}: first frame {:.0} ms; after it the slowest {worst:.1} ms (frame {at}), the middle one {:.1} ms",
+            "By the clock, {name}: first frame {:.0} ms; after it the slowest {worst:.1} ms (frame {at}), \
+             the middle one {:.1} ms",
             frames[0].clock[which],
             clocks[clocks.len() / 2],
         );
@@ -366,7 +379,8 @@ fn report(args: &FlightArgs, frames: &[FlightFrame], ahead: f64) -> String {
     if let (Some((a, of_bound)), Some((b, display))) = (most(|f| f.change[0]), most(|f| f.change[1])) {
         let _ = writeln!(
             text,
-            "Largest change by what is left out: {of_bound:.3} of the bound (frame {a}), {display:.0} of 255 on the display (frame {b})"
+            "Largest change by what is left out: {of_bound:.3} of the bound (frame {a}), {display:.0} of \
+             255 on the display (frame {b})"
         );
     }
     text
