@@ -38,6 +38,7 @@ export const SETTINGS = [
   { key: 'lightSamples', usual: 8, group: 'Picture', label: 'Light samples', set: 'quality', min: 2, max: 32, step: 1 },
   { key: 'sky', usual: true, group: 'Picture', label: 'Sky', set: 'set_enabled' },
   { key: 'terrain', usual: true, group: 'Picture', label: 'Terrain', set: 'set_terrain' },
+  { key: 'airglow', usual: true, group: 'Picture', label: 'Airglow', set: 'set_airglow' },
   { key: 'half', usual: false, group: 'Picture', label: 'Half resolution', set: 'quality' },
 ];
 

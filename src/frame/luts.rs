@@ -4,7 +4,7 @@
 //! |---|---|---|
 //! | transmittance | medium | logarithms of densities up to the top (Bruneton & Neyret 2008, section 4) |
 //! | multi-scattering | medium, ground | light of all orders, as angular moments per altitude and sun angle |
-//! | sky view | + camera's altitude, sun's elevation | light of every whole ray (Hillaire 2020, section 5.3) |
+//! | sky view | + altitude of the camera, the sun's | light of every whole ray (Hillaire 2020, section 5.3) |
 //! | aerial | the same | fractions of that light, and transmittance, along each ray |
 //!
 //! Nothing depends on where the camera looks. In a spherical atmosphere under a parallel sun, light at a

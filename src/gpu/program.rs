@@ -8,6 +8,8 @@ use std::fmt;
 use std::hash::{Hash, Hasher};
 
 use super::{Error, Result, TextureId};
+#[cfg(any(feature = "wgpu", feature = "webgl"))]
+use crate::error::Quoted;
 
 /// Most textures that a program reads.
 pub const TEXTURES_MAX: usize = 6;
@@ -239,13 +241,13 @@ impl Inputs {
         let mut bound = [None; TEXTURES_MAX];
         for (texture, slot) in bound.iter_mut().zip(info.textures) {
             let found = self.iter().find(|(name, _)| *name == slot.name);
-            *texture = found.ok_or_else(|| format!("no texture given for {:?}", slot.name))?.1;
+            *texture = found.ok_or_else(|| format!("no texture given for {}", Quoted(slot.name)))?.1;
         }
         // All slots have a name in the list: one more is unknown or a repetition.
         if self.len > info.textures.len() {
             let known = |name| info.textures.iter().any(|slot| slot.name == name);
             let reason = match self.iter().find(|(name, _)| !known(*name)) {
-                Some((name, _)) => format!("it reads no texture {name:?}"),
+                Some((name, _)) => format!("it reads no texture {}", Quoted(name)),
                 None => "a texture is given twice".to_owned(),
             };
             return Err(reason);

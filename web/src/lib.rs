@@ -23,11 +23,11 @@ use std::rc::Rc;
 use glam::DVec3;
 use wasm_bindgen::prelude::*;
 
+use welkin::model::airglow::Airglow;
 use welkin::render::picture::{Drawn, PictureRenderer, PictureSettings};
-use welkin::shaders::ToneMap;
 use welkin::{
-    AtmosphereParams, Bound, Camera, DepthConvention, EffectPlan, Error, Method, Mode, Pose, Quality, Result,
-    Scene, SkySettings, TerrainStyle, WarmUp,
+    AtmosphereParams, Bound, Camera, DepthConvention, Error, Frame, Look, Mode, Pose, Quality, Result, Scene,
+    SkySettings, TerrainStyle, ToneMap, WarmUp,
 };
 
 use args::{canvas, flag, name, number, whole};
@@ -59,6 +59,7 @@ pub struct Viewer {
     params: AtmosphereParams,
     dry: bool,
     terrain: bool,
+    airglow: bool,
     size: [u32; 2],
     pose: Pose,
     sun: (f64, f64),
@@ -90,6 +91,7 @@ impl Viewer {
             params: AtmosphereParams::earth(),
             dry: false,
             terrain: true,
+            airglow: true,
             size,
             pose: Pose { altitude: 100.0, pitch: 0.0, heading: 0.0, fov_y: 1.0 },
             sun: (0.5, 0.0),
@@ -150,11 +152,11 @@ impl Viewer {
 
     /// Single scattering with steps along the view ray (1 to 1024) and towards the sun (1 to 256).
     pub fn set_samples(&mut self, view: JsValue, light: JsValue) -> Answer<()> {
-        let method = Method::Single {
+        let quality = Quality::March {
             view_samples: whole("view_samples", &view, 1024)?,
             light_samples: whole("light_samples", &light, 256)?,
         };
-        self.set_sky(|s| s.method = method)
+        self.set_sky(|s| s.quality = quality)
     }
 
     /// The modes' names.
@@ -164,37 +166,37 @@ impl Viewer {
 
     /// Which passes draw, as in a mode, by its name. The method stays: see `set_quality` and `set_samples`.
     pub fn set_mode(&mut self, mode: JsValue) -> Answer<()> {
-        let composition = Mode::from_name(&name(&mode))?.settings().composition;
-        self.set_sky(|s| s.composition = composition)
+        let composition = Mode::from_name(&name(&mode))?.composition();
+        self.set_sky(|s| s.look.composition = composition)
     }
 
     /// The method in use and its numbers: `lut 100 × 100 × 32`.
     #[wasm_bindgen(getter)]
     pub fn method(&self) -> String {
-        self.settings.sky.method.to_string()
+        self.settings.sky.quality.to_string()
     }
 
     /// The presets' names, the cheapest of a method first.
     pub fn qualities() -> Vec<String> {
-        Quality::ALL.iter().map(|q| q.name.to_owned()).collect()
+        Quality::PRESETS.iter().map(|(name, _)| (*name).to_owned()).collect()
     }
 
     /// Method and render scale of a preset, by its name.
     pub fn set_quality(&mut self, quality: JsValue) -> Answer<()> {
         let quality = Quality::from_name(&name(&quality))?;
-        self.set_sky(|s| (s.method, s.render_scale) = (quality.method, quality.render_scale))
+        self.set_sky(|s| (s.quality, s.render_scale) = (quality, 1.0))
     }
 
     /// Turns the whole atmosphere on or off.
     pub fn set_enabled(&mut self, on: JsValue) -> Answer<()> {
-        self.settings.sky.enabled = flag("enabled", &on)?;
+        self.settings.sky.look.enabled = flag("enabled", &on)?;
         Ok(())
     }
 
     /// Whether the atmosphere is on.
     #[wasm_bindgen(getter)]
     pub fn enabled(&self) -> bool {
-        self.settings.sky.enabled
+        self.settings.sky.look.enabled
     }
 
     /// Display units per unit of radiance.
@@ -221,6 +223,12 @@ impl Viewer {
         Ok(())
     }
 
+    /// Turns the night sky's own light on or off; planets other than the Earth have none.
+    pub fn set_airglow(&mut self, on: JsValue) -> Answer<()> {
+        self.airglow = flag("airglow", &on)?;
+        Ok(())
+    }
+
     /// Follows the canvas to a new size in whole pixels.
     pub fn resize(&mut self, width: JsValue, height: JsValue) -> Answer<()> {
         let mut canvas = self.canvas.borrow_mut();
@@ -233,10 +241,10 @@ impl Viewer {
     /// What the view calls for: for each effect its name, `on` or `off`, and why.
     pub fn plan(&self) -> Answer<Vec<String>> {
         let bound = Some(Bound::eight_bit(self.settings.exposure));
-        let sky = SkySettings { foreground: self.terrain, bound, ..self.settings.sky };
-        let plan = EffectPlan::new(&self.scene()?, &sky, self.size)?;
+        let look = Look { foreground: self.terrain, ..self.look() };
+        let frame = Frame::new(&self.scene()?, &SkySettings { look, bound, ..self.settings.sky }, self.size)?;
         let state = |on| if on { "on" } else { "off" };
-        Ok(plan
+        Ok(frame
             .effects()
             .iter()
             .flat_map(|e| [e.name.into(), state(e.on).into(), e.reason.to_string()])
@@ -247,6 +255,7 @@ impl Viewer {
     pub fn render(&mut self) -> Answer<()> {
         let scene = self.scene()?;
         self.settings.terrain = self.style();
+        self.settings.sky.look = self.look();
         self.settings.sky.bound = Some(Bound::eight_bit(self.settings.exposure));
         let mut canvas = self.canvas.borrow_mut();
         if let Some(reason) = canvas.lost() {
@@ -310,6 +319,10 @@ impl Viewer {
     /// For tests: loses the device or the context on purpose.
     pub fn lose(&mut self) {
         self.canvas.borrow_mut().lose();
+    }
+
+    fn look(&self) -> Look {
+        Look { airglow: (self.airglow && !self.dry).then_some(Airglow::EARTH), ..self.settings.sky.look }
     }
 
     fn style(&self) -> Option<TerrainStyle> {

@@ -381,7 +381,7 @@ for (const backend of BACKENDS) {
         const right = {
           set_planet: ['earth'], set_camera: [100, 0, 0, 60], set_sun: [20, 0], set_mode: ['lut'], set_quality: ['medium'],
           set_samples: [24, 8], set_exposure: [1], set_tone_map: ['aces'], set_render_scale: [1], set_enabled: [true],
-          set_terrain: [true], resize: [320, 200],
+          set_terrain: [true], set_airglow: [true], resize: [320, 200],
         };
         const wrong = [5, 'five', true, null, undefined, {}, [], Symbol('s'), 5n, () => 5, NaN];
         const out = [];

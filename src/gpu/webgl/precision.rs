@@ -13,7 +13,7 @@
 use glow::HasContext as _;
 
 use super::{NAME, PLAIN_PIXELS, SWITCHES, driver, store_pixels};
-use crate::error::{Error, Result};
+use crate::error::{Decimal, Error, Result};
 use crate::gpu::{Precision, UNIFORM_MAX};
 
 const VERTEX: &str = "#version 300 es
@@ -171,12 +171,17 @@ fn judge([excess, part, struct_excess, struct_part]: [f32; 4]) -> Result<Precisi
         (excess - expected_excess).abs() <= 2.0 && (part - expected_part).abs() <= 1.0 / 2048.0
     };
     if !whole(excess, part) {
+        let decimal = |v: f32| Decimal(f64::from(v));
         return Err(Error::unavailable(
             NAME,
             format!(
                 "the driver computes fragment shaders with too few bits, though 32 are asked for (highp): \
                  it finds \
-                 {excess:?} for {expected_excess:?} and {part:?} for {expected_part:?}"
+                 {} for {} and {} for {}",
+                decimal(excess),
+                decimal(expected_excess),
+                decimal(part),
+                decimal(expected_part)
             ),
         ));
     }
@@ -252,8 +257,14 @@ mod tests {
                     panic!("{error}")
                 };
                 assert!(reason.contains("highp"), "{reason}");
-                assert!(reason.contains(&format!("{:?} for 13720002.0", reduced[0])), "{reason}");
-                assert!(reason.contains(&format!("{:?} for 0.25097656", reduced[1])), "{reason}");
+                assert!(
+                    reason.contains(&format!("{} for 13720002 ", Decimal(f64::from(reduced[0])))),
+                    "{reason}"
+                );
+                assert!(
+                    reason.contains(&format!("{} for 0.2509765625", Decimal(f64::from(reduced[1])))),
+                    "{reason}"
+                );
             }
         }
     }
