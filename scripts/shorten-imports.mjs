@@ -1,8 +1,8 @@
 // Usage: node scripts/shorten-imports.mjs GLUE.js MODULE.wasm
 //
-// wasm-bindgen names each import of the module after what it calls and ends that in 16 random digits, which no
-// compression makes smaller. This gives them names of one or two letters, in both files, and takes comments and
-// indentation out of the glue.
+// wasm-bindgen names each import of the module after what it calls and ends that in 16 random digits, which
+// no compression makes smaller. This gives them names of one or two letters, in both files, and takes
+// comments and indentation out of the glue.
 import { readFileSync, writeFileSync } from 'node:fs';
 
 const [glueFile, moduleFile] = process.argv.slice(2);
@@ -32,7 +32,8 @@ function encoded(value) {
 const encodedText = (string) => Buffer.concat([encoded(Buffer.byteLength(string)), Buffer.from(string)]);
 
 const LETTERS = 'abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ';
-const short = (i) => (i < LETTERS.length ? '' : short(Math.floor(i / LETTERS.length) - 1)) + LETTERS[i % LETTERS.length];
+const short = (i) =>
+  (i < LETTERS.length ? '' : short(Math.floor(i / LETTERS.length) - 1)) + LETTERS[i % LETTERS.length];
 
 const names = new Map();
 const sections = [module.subarray(0, 8)];
@@ -51,7 +52,8 @@ while (at < module.length) {
     const [space, name] = [text(), text()];
     const from = at;
     const what = bytes(1)[0];
-    if (space !== SPACE || what !== 0) throw new Error(`${moduleFile} imports ${space} ${name}: has wasm-bindgen changed?`);
+    if (space !== SPACE || what !== 0)
+      throw new Error(`${moduleFile} imports ${space} ${name}: has wasm-bindgen changed?`);
     number(); // its type
     if (!names.has(name)) names.set(name, short(names.size));
     parts.push(encodedText('w'), encodedText(names.get(name)), module.subarray(from, at));

@@ -273,7 +273,6 @@ fn the_reader_of_imports_reads() {
 }
 
 #[test]
-#[ignore = "fails until the tree is formatted with max_width = 110"]
 fn lines_are_short_enough_to_read() {
     let mut long = Vec::new();
     let mut count = 0;
@@ -294,7 +293,7 @@ fn lines_are_short_enough_to_read() {
     for file in all {
         let name = relative(&file);
         let web = name.starts_with("web/") && !name.starts_with("web/src/");
-        // Written by `welkin shaders`.
+        // Written by `cargo lab shaders`.
         let generated = name.starts_with("src/shaders/generated");
         if generated || (web && !name.ends_with(".js") && !name.ends_with(".mjs")) {
             continue;

@@ -21,7 +21,7 @@ fn committed_glsl_is_fresh() {
     assert!(files.len() > 25, "only {} files were generated", files.len());
     for (path, text) in &files {
         let found = std::fs::read_to_string(root.join(path)).unwrap_or_default();
-        assert!(found == *text, "{path} is stale: run `cargo run -- shaders`");
+        assert!(found == *text, "{path} is stale: run `cargo lab shaders`");
     }
     for entry in std::fs::read_dir(root.join("shaders/glsl")).unwrap() {
         let path = format!("shaders/glsl/{}", entry.unwrap().file_name().into_string().unwrap());

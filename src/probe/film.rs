@@ -1,5 +1,5 @@
-//! Where a film's camera and sun go, and how far neighbouring frames lie apart: `welkin film` and the tests
-//! share it.
+//! Where a film's camera and sun go, and how far neighbouring frames lie apart: `cargo lab film` and the
+//! tests share it.
 
 use crate::AtmosphereParams;
 use crate::frame::HAND_OVER;

@@ -1,7 +1,7 @@
 //! The shaders' own functions, one case at a time, against f64 (feature `probe`).
 //!
 //! Tens of thousands of [`Case`]s go into a texture, one draw runs the library's WGSL on each of them, and
-//! [`judge()`] compares what comes back with the same quantity in f64. `welkin stress` does it a million
+//! [`judge()`] compares what comes back with the same quantity in f64. `cargo lab stress` does it a million
 //! times; `tests/probe.rs` does it on both backends.
 //!
 //! Both sides start from the same f32 numbers, so what differs is what the shader's arithmetic loses.

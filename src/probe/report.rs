@@ -20,7 +20,7 @@ pub struct Record {
     pub tally: Tally,
 }
 
-/// The table that `welkin stress` prints, a line for each quantity.
+/// The table that `cargo lab stress` prints, a line for each quantity.
 impl Display for Record {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         writeln!(

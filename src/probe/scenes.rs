@@ -1,4 +1,4 @@
-//! The fixed scenes of the accuracy report: `welkin accuracy` measures over them, and the tests measure
+//! The fixed scenes of the accuracy report: `cargo lab accuracy` measures over them, and the tests measure
 //! again.
 
 use crate::{AtmosphereParams, Camera, DepthConvention, Pose, Scene};

@@ -1,9 +1,9 @@
 //! The shader programs: a table made from `shaders/wgsl/`, which is the only source.
 //!
-//! A file in `shaders/wgsl/pass/` is a program; it includes functions from `shaders/wgsl/lib/`. `welkin
-//! shaders` translates each program to GLSL ES 3.00 and writes the table with what naga's reflection tells: a
-//! module here for every program, with its [`ProgramInfo`](crate::gpu::ProgramInfo) and the bits of its
-//! constants. Lines `const NAME: bool = true;` are what may be turned off: see [`crate::gpu::Program`].
+//! A file in `shaders/wgsl/pass/` is a program; it includes functions from `shaders/wgsl/lib/`. `cargo
+//! lab shaders` translates each program to GLSL ES 3.00 and writes the table with what naga's reflection
+//! tells: a module here for every program, with its [`ProgramInfo`](crate::gpu::ProgramInfo) and the bits of
+//! its constants. Lines `const NAME: bool = true;` are what may be turned off: see [`crate::gpu::Program`].
 
 /// Text of a WGSL module below `shaders/wgsl/` without its comments. The compiler takes them out: they stay
 /// in the source, drivers and the wasm module need none.

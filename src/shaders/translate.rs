@@ -285,7 +285,7 @@ fn rust_table(programs: &[Source]) -> String {
     let identifier = |module: &str| module.replace('/', "_").to_uppercase();
     let parts = Parts::new(programs);
     let mut out = String::from(
-        "// Made by `cargo run -- shaders` from shaders/wgsl/; do not edit. Readable shaders are in \
+        "// Made by `cargo lab shaders` from shaders/wgsl/; do not edit. Readable shaders are in \
          shaders/glsl/.\n\n\
          #[allow(unused_imports)]\n\
          use crate::gpu::{ProgramInfo, TextureSlot, Vertices};\n\n\

@@ -1,4 +1,5 @@
-//! What `welkin stress` does, in a page (feature `probe`): part of the module of `web/test/probe.html` only.
+//! What `cargo lab stress` does, in a page (feature `probe`): part of the module of `web/test/probe.html`
+//! only.
 
 use wasm_bindgen::prelude::*;
 
@@ -74,7 +75,7 @@ impl Stress {
         self.record.to_string()
     }
 
-    /// The table as a file for `welkin stress --table`.
+    /// The table as a file for `cargo lab stress --table`.
     pub fn save(&self) -> String {
         self.record.save()
     }

@@ -16,18 +16,27 @@ export const SIZE = { width: 320, height: 200 };
 export const BACKENDS = ['webgl2', 'webgpu'];
 
 const TYPES = {
-  '.html': 'text/html; charset=utf-8', '.css': 'text/css', '.js': 'text/javascript', '.wasm': 'application/wasm',
+  '.html': 'text/html; charset=utf-8',
+  '.css': 'text/css',
+  '.js': 'text/javascript',
+  '.wasm': 'application/wasm',
 };
 
 /** Serve a folder on a free port of this machine. */
 async function serve(folder) {
   const server = createServer(async (request, response) => {
-    const path = normalize(decodeURIComponent(new URL(request.url, 'http://localhost').pathname)).replace(/[/\\]$/, '/index.html');
+    const path = normalize(decodeURIComponent(new URL(request.url, 'http://localhost').pathname)).replace(
+      /[/\\]$/,
+      '/index.html',
+    );
     const file = join(folder, path);
     try {
       if (!file.startsWith(folder + sep)) throw new Error('outside');
       const body = await readFile(file);
-      response.writeHead(200, { 'content-type': TYPES[extname(file)] ?? 'application/octet-stream', 'cache-control': 'no-store' });
+      response.writeHead(200, {
+        'content-type': TYPES[extname(file)] ?? 'application/octet-stream',
+        'cache-control': 'no-store',
+      });
       response.end(body);
     } catch {
       response.writeHead(404).end('not found');
@@ -42,7 +51,9 @@ function chromiumPath() {
   for (const name of ['chromium', 'chromium-browser', 'google-chrome']) {
     try {
       return execFileSync('sh', ['-c', `command -v ${name}`], { encoding: 'utf8' }).trim();
-    } catch { /* next */ }
+    } catch {
+      /* next */
+    }
   }
   throw new Error('no Chromium: run scripts/setup, or set CHROMIUM');
 }
@@ -50,17 +61,26 @@ function chromiumPath() {
 // Software rendering for both backends. Without the three that name SwiftShader for Vulkan and ANGLE,
 // presenting a WebGPU canvas loses the device.
 const FLAGS = [
-  '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync',
-  '--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader', '--enable-unsafe-swiftshader',
-  '--enable-features=Vulkan', '--use-vulkan=swiftshader', '--use-angle=swiftshader',
+  '--disable-quic',
+  '--no-first-run',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+  '--enable-unsafe-webgpu',
+  '--use-webgpu-adapter=swiftshader',
+  '--enable-unsafe-swiftshader',
+  '--enable-features=Vulkan',
+  '--use-vulkan=swiftshader',
+  '--use-angle=swiftshader',
 ];
 
 /** The files of the module that the page downloads for a backend. */
-export const moduleFiles = (backend) => ['welkin.js', 'welkin_bg.wasm'].map((file) => join(web, 'pkg', backend, file));
+export const moduleFiles = (backend) =>
+  ['welkin.js', 'welkin_bg.wasm'].map((file) => join(web, 'pkg', backend, file));
 
 /**
- * A running browser, its `version`, with `open` for pages of the viewer. Call `close` at the end. `folders` are served
- * beside web/, each at a place of its own.
+ * A running browser, its `version`, with `open` for pages of the viewer. Call `close` at the end. `folders`
+ * are served beside web/, each at a place of its own.
  */
 export async function launch({ folders = [] } = {}) {
   const missing = BACKENDS.flatMap(moduleFiles).filter((file) => !existsSync(file));
@@ -71,14 +91,25 @@ export async function launch({ folders = [] } = {}) {
     args: FLAGS,
     chromiumSandbox: process.getuid?.() !== 0, // Chromium's sandbox does not start as root
   });
-  const bases = new Map([web, ...folders].map((folder, i) => [folder, `http://localhost:${servers[i].address().port}/`]));
+  const bases = new Map(
+    [web, ...folders].map((folder, i) => [folder, `http://localhost:${servers[i].address().port}/`]),
+  );
 
   /**
-   * Open the viewer, or another page by its `path`, of web/ or one of the `folders`. `page.lines` holds every console line
-   * as {type, text}, `page.problems` what went wrong in it: uncaught errors and console errors, `page.downloads` the paths
-   * that it asked the server for.
+   * Open the viewer, or another page by its `path`, of web/ or one of the `folders`. `page.lines` holds every
+   * console line as {type, text}, `page.problems` what went wrong in it: uncaught errors and console errors,
+   * `page.downloads` the paths that it asked the server for.
    */
-  async function open({ folder = web, path = '', backend, hash = '', query = {}, prepare, ready = true, context: settings = {} } = {}) {
+  async function open({
+    folder = web,
+    path = '',
+    backend,
+    hash = '',
+    query = {},
+    prepare,
+    ready = true,
+    context: settings = {},
+  } = {}) {
     const context = await browser.newContext({ viewport: { width: 900, height: 600 }, ...settings });
     const page = await context.newPage();
     page.lines = [];
@@ -114,7 +145,10 @@ export async function waitForLine(page, wanted, { seconds = 60, from = 0 } = {})
     if (line) return line;
     if (Date.now() > end) {
       const said = page.lines.map((l) => `  ${l.type}: ${l.text}`).join('\n');
-      throw new Error(`no console line ${wanted} in ${seconds} s; the page said:\n${said || '  nothing'}\n${page.problems.join('\n')}`);
+      throw new Error(
+        `no console line ${wanted} in ${seconds} s; the page said:\n` +
+          `${said || '  nothing'}\n${page.problems.join('\n')}`,
+      );
     }
     await new Promise((done) => setTimeout(done, 50));
   }
@@ -137,7 +171,9 @@ export async function pixels(page, changes = {}) {
 
 /** What the canvas shows, as bytes r g b a, rows from the top. */
 export async function shown(page) {
-  const png = await page.locator('#stage canvas').screenshot({ animations: 'disabled', style: '#panel, #readout, #messages { display: none }' });
+  const png = await page
+    .locator('#stage canvas')
+    .screenshot({ animations: 'disabled', style: '#panel, #readout, #messages { display: none }' });
   return decode(page, png);
 }
 
@@ -147,7 +183,11 @@ export function decode(page, png) {
     const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${base64}`)).blob());
     const paper = new OffscreenCanvas(image.width, image.height).getContext('2d');
     paper.drawImage(image, 0, 0);
-    return { width: image.width, height: image.height, data: Array.from(paper.getImageData(0, 0, image.width, image.height).data) };
+    return {
+      width: image.width,
+      height: image.height,
+      data: Array.from(paper.getImageData(0, 0, image.width, image.height).data),
+    };
   }, png.toString('base64'));
 }
 
@@ -167,7 +207,8 @@ export const luminance = ([r, g, b]) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
 
 /** Largest and mean absolute difference of two pictures. */
 export function difference(a, b) {
-  if (a.length !== b.length) throw new Error(`pictures of different size: ${a.length} and ${b.length} values`);
+  if (a.length !== b.length)
+    throw new Error(`pictures of different size: ${a.length} and ${b.length} values`);
   let max = 0;
   let sum = 0;
   for (let i = 0; i < a.length; i++) {
@@ -184,7 +225,8 @@ export function difference(a, b) {
  */
 export function relativeDifference(a, b) {
   const colour = Array.from(a.filter((_, i) => i % 4 !== 3)).sort((x, y) => x - y);
-  const usual = colour.slice(0, Math.floor(colour.length * 0.99)).reduce((s, x) => s + x, 0) / (colour.length * 0.99);
+  const usual =
+    colour.slice(0, Math.floor(colour.length * 0.99)).reduce((s, x) => s + x, 0) / (colour.length * 0.99);
   let worst = 0;
   for (let i = 0; i < a.length; i++) {
     const share = Math.abs(a[i] - b[i]) / Math.max(Math.abs(a[i]), Math.abs(b[i]), 0.01 * usual);
