@@ -440,9 +440,9 @@ vec2 shadow_stretch(float ray_sun_r_mu_1, float ray_nu_1, float ray_sin2_1, floa
             return none;
         }
         float q_2 = -((ray_shadow_b_1 + (((ray_shadow_b_1 >= 0.0) ? 1.0 : -1.0) * sqrt((ray_sin2_1 * ray_shadow_half2_1)))));
-        float t0_4 = (q_2 / ray_sin2_1);
-        float t1_1 = ((q_2 != 0.0) ? (ray_shadow_c_1 / q_2) : t0_4);
-        stretch = vec2(min(t0_4, t1_1), max(t0_4, t1_1));
+        float t0_5 = (q_2 / ray_sin2_1);
+        float t1_2 = ((q_2 != 0.0) ? (ray_shadow_c_1 / q_2) : t0_5);
+        stretch = vec2(min(t0_5, t1_2), max(t0_5, t1_2));
     } else {
         if ((ray_shadow_c_1 >= 0.0)) {
             return none;
@@ -556,21 +556,20 @@ vec3 mean_transmittance(vec3 tau) {
     return mix(((vec3(1.0) - exp(-(tau))) / tau), series, lessThan(tau, vec3(0.01)));
 }
 
-vec2 lit_part(vec2 shadow, float perigee_2, float t0_1, float t1_, float mid) {
-    float dark0_ = clamp(shadow.x, t0_1, t1_);
-    float dark1_ = clamp(shadow.y, t0_1, t1_);
-    float dark = ((shadow.y > shadow.x) ? max((dark1_ - dark0_), 0.0) : 0.0);
-    if ((dark <= 0.0)) {
-        return vec2((t1_ - t0_1), mid);
-    }
-    bool first = ((dark0_ - t0_1) > (t1_ - dark1_));
-    float lit0_ = (first ? t0_1 : dark1_);
-    float lit1_ = (first ? dark0_ : t1_);
-    float _e26 = distance_to_u(perigee_2, lit0_);
-    float _e27 = distance_to_u(perigee_2, lit1_);
-    float middle = (0.5 * (_e26 + _e27));
-    float _e33 = u_to_distance(perigee_2, middle);
-    return vec2(((t1_ - t0_1) - dark), _e33);
+vec3 dark_part(vec2 shadow, float t0_1, float t1_) {
+    float begin = clamp(shadow.x, t0_1, t1_);
+    float end = clamp(shadow.y, t0_1, t1_);
+    return vec3(begin, end, ((shadow.y > shadow.x) ? max((end - begin), 0.0) : 0.0));
+}
+
+float lit_middle(vec3 dark, float perigee_2, float t0_2, float t1_1) {
+    bool first = ((dark.x - t0_2) > (t1_1 - dark.y));
+    float lit0_ = (first ? t0_2 : dark.y);
+    float lit1_ = (first ? dark.x : t1_1);
+    float _e13 = distance_to_u(perigee_2, lit0_);
+    float _e14 = distance_to_u(perigee_2, lit1_);
+    float _e18 = u_to_distance(perigee_2, (0.5 * (_e13 + _e14)));
+    return _e18;
 }
 
 void corner(vec2 position_1, ivec2 size_1, inout ivec2 out_first, inout ivec2 out_last, inout vec2 out_between) {
@@ -838,8 +837,9 @@ vec3 sun_visibility_around(vec3 dir_5, float distance_4) {
 }
 
 void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_lut, vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, float m_ozone_center_1, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_thickness, vec3 luts_mie_extinction, float luts_altitude_steepness, vec3 luts_mie_moment0_, float luts_altitude_growth, vec3 luts_mie_moment1_, float luts_sun_middle_1, vec3 luts_mie_moment2_, float luts_sun_width_1, float luts_sun_first_1, float luts_sun_span_1, uint luts_steps, float ray_start_1, float ray_sun_r_mu_2, float ray_nu_2, float ray_sin2_2, float ray_shadow_b_2, float ray_shadow_c_2, float ray_shadow_half2_2, vec3 dir_6, float perigee_distance, float perigee_excess, float perigee_r_mu, float u_from, float u_to, vec3 gas_1, vec3 aerosol_1, float multiple, inout vec3 out_radiance, inout vec3 out_transmittance, inout vec3 out_optical_path) {
-    float t0_2 = 0.0;
+    float t0_3 = 0.0;
     uint i_1 = 0u;
+    float lit = 0.0;
     vec3 source = vec3(0.0);
     vec3 before_gas = vec3(0.0);
     vec3 before_aerosol = vec3(0.0);
@@ -854,12 +854,12 @@ void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_
     mat3x3 moments = mat3x3((m_mie_scattering * luts_mie_moment0_), (m_mie_scattering * luts_mie_moment1_), (m_mie_scattering * luts_mie_moment2_));
     float du_1 = ((u_to - u_from) / float(luts_steps));
     float _e55 = u_to_distance(perigee_distance, u_from);
-    t0_2 = _e55;
+    t0_3 = _e55;
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            uint _e172 = i_1;
-            i_1 = (_e172 + 1u);
+            uint _e178 = i_1;
+            i_1 = (_e178 + 1u);
         }
         loop_init_1 = false;
         uint _e58 = i_1;
@@ -871,7 +871,7 @@ void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_
             uint _e60 = i_1;
             float u_3 = (u_from + (du_1 * float(_e60)));
             float _e65 = u_to_distance(perigee_distance, (u_3 + du_1));
-            float _e66 = t0_2;
+            float _e66 = t0_3;
             float step_ = (_e65 - _e66);
             float _e71 = u_to_distance(perigee_distance, (u_3 + (0.5 * du_1)));
             float _e73 = altitude_after(perigee_excess, perigee_r_mu, (_e71 - perigee_distance), m_radius);
@@ -881,44 +881,53 @@ void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_
             vec3 _e80 = out_transmittance;
             vec3 _e81 = mean_transmittance(tau_1);
             vec3 weight = (_e80 * _e81);
-            float _e83 = t0_2;
-            vec2 _e84 = lit_part(_e39, perigee_distance, _e83, _e65, _e71);
-            if ((_e84.x > 0.0)) {
-                float past = (_e84.y - perigee_distance);
+            float _e83 = t0_3;
+            vec3 _e84 = dark_part(_e39, _e83, _e65);
+            if ((_e84.z < step_)) {
+                lit = _e71;
+                if ((_e84.z > 0.0)) {
+                    float _e91 = t0_3;
+                    float _e92 = lit_middle(_e84, perigee_distance, _e91, _e65);
+                    lit = _e92;
+                }
+                float _e93 = lit;
+                float past = (_e93 - perigee_distance);
                 float lit_excess = max((perigee_excess + (past * ((2.0 * perigee_r_mu) + past))), 0.0);
-                float _e97 = altitude_of(lit_excess, m_radius);
-                vec3 _e98 = densities(_e19, _e97);
-                float sun_r_mu_1 = (ray_sun_r_mu_2 + (ray_nu_2 * _e84.y));
-                vec3 _e103 = optical_path_to_top(transmittance_lut, m_radius, m_thickness, lit_excess, _e97, sun_r_mu_1);
-                vec3 _e111 = extinction(coefficients_2, _e103);
-                source = (((gas_1 * _e98.x) + (aerosol_1 * _e98.y)) * exp(-(_e111)));
-                vec3 _e116 = source;
-                vec3 _e120 = sun_visibility(dir_6, (ray_start_1 + _e84.y));
-                source = (_e116 * _e120);
-                vec3 _e122 = out_radiance;
-                vec3 _e123 = source;
-                out_radiance = (_e122 + ((weight * _e123) * _e84.x));
+                float _e102 = altitude_of(lit_excess, m_radius);
+                vec3 _e103 = densities(_e19, _e102);
+                float _e104 = lit;
+                float sun_r_mu_1 = (ray_sun_r_mu_2 + (ray_nu_2 * _e104));
+                vec3 _e108 = optical_path_to_top(transmittance_lut, m_radius, m_thickness, lit_excess, _e102, sun_r_mu_1);
+                vec3 _e116 = extinction(coefficients_2, _e108);
+                source = (((gas_1 * _e103.x) + (aerosol_1 * _e103.y)) * exp(-(_e116)));
+                vec3 _e121 = source;
+                float _e122 = lit;
+                vec3 _e125 = sun_visibility(dir_6, (ray_start_1 + _e122));
+                source = (_e121 * _e125);
+                vec3 _e127 = out_radiance;
+                vec3 _e128 = source;
+                out_radiance = (_e127 + ((weight * _e128) * (step_ - _e84.z)));
             }
             if (MULTI_SCATTERING) {
                 float r_4 = (m_radius + _e73);
                 float mu_3 = clamp((((perigee_r_mu + _e71) - perigee_distance) / r_4), -1.0, 1.0);
                 float mu_sun_2 = clamp(((ray_sun_r_mu_2 + (ray_nu_2 * _e71)) / r_4), -1.0, 1.0);
-                float _e142 = altitude_to_v(luts_altitude_steepness, luts_altitude_growth, _e73, m_thickness);
-                float _e143 = mu_sun_to_u(_e40, mu_sun_2);
-                vec2 node_1 = (vec2(_e143, _e142) * _e42);
+                float _e148 = altitude_to_v(luts_altitude_steepness, luts_altitude_growth, _e73, m_thickness);
+                float _e149 = mu_sun_to_u(_e40, mu_sun_2);
+                vec2 node_1 = (vec2(_e149, _e148) * _e42);
                 multi_scattering_source(multi_scattering_lut, node_1, m_rayleigh_1, moments, mu_3, mu_sun_2, ray_nu_2, before_gas, before_aerosol);
-                vec3 _e148 = before_gas;
-                vec3 _e149 = before_aerosol;
-                vec3 _e151 = sun_visibility_around(dir_6, (ray_start_1 + _e71));
-                vec3 source_2 = (((_e148 * _e151) * _e74.x) + ((_e149 * _e151) * _e74.y));
-                vec3 _e159 = out_radiance;
-                out_radiance = (_e159 + ((weight * (step_ * multiple)) * source_2));
+                vec3 _e154 = before_gas;
+                vec3 _e155 = before_aerosol;
+                vec3 _e157 = sun_visibility_around(dir_6, (ray_start_1 + _e71));
+                vec3 source_2 = (((_e154 * _e157) * _e74.x) + ((_e155 * _e157) * _e74.y));
+                vec3 _e165 = out_radiance;
+                out_radiance = (_e165 + ((weight * (step_ * multiple)) * source_2));
             }
-            vec3 _e165 = out_transmittance;
-            out_transmittance = (_e165 * exp(-(tau_1)));
-            vec3 _e169 = out_optical_path;
-            out_optical_path = (_e169 + (_e74 * step_));
-            t0_2 = _e65;
+            vec3 _e171 = out_transmittance;
+            out_transmittance = (_e171 * exp(-(tau_1)));
+            vec3 _e175 = out_optical_path;
+            out_optical_path = (_e175 + (_e74 * step_));
+            t0_3 = _e65;
         }
     }
 }
@@ -968,8 +977,9 @@ void single_scattering(vec3 m_rayleigh_2, float m_rayleigh_inv_height_2, vec3 m_
     vec3 rayleigh = vec3(0.0);
     vec3 mie = vec3(0.0);
     vec2 shadow_1 = vec2(0.0);
-    float t0_3 = 0.0;
+    float t0_4 = 0.0;
     uint i_2 = 0u;
+    float lit_1 = 0.0;
     vec3 source_1 = vec3(0.0);
     float perigee_distance_1 = 0.0;
     float perigee_excess_1 = 0.0;
@@ -1000,8 +1010,8 @@ void single_scattering(vec3 m_rayleigh_2, float m_rayleigh_inv_height_2, vec3 m_
     bool loop_init_2 = true;
     while(true) {
         if (!loop_init_2) {
-            uint _e158 = i_2;
-            i_2 = (_e158 + 1u);
+            uint _e164 = i_2;
+            i_2 = (_e164 + 1u);
         }
         loop_init_2 = false;
         uint _e77 = i_2;
@@ -1015,47 +1025,57 @@ void single_scattering(vec3 m_rayleigh_2, float m_rayleigh_inv_height_2, vec3 m_
             float _e84 = u_to_distance(nearest, (u_4 + du_2));
             float _e88 = u_to_distance(nearest, (u_4 + (0.5 * du_2)));
             float _e90 = altitude_after(_e66, _e67, (_e88 - nearest), m_radius_1);
-            vec3 _e91 = densities(_e59, _e90);
-            vec3 _e92 = extinction(_e60, _e91);
-            float _e94 = t0_3;
-            vec3 tau_2 = (_e92 * (_e84 - _e94));
+            float _e92 = t0_4;
+            float step_1 = (_e84 - _e92);
+            vec3 _e94 = densities(_e59, _e90);
+            vec3 _e95 = extinction(_e60, _e94);
+            vec3 tau_2 = (_e95 * step_1);
             if (SUNLIGHT) {
                 vec2 _e98 = shadow_1;
-                float _e99 = t0_3;
-                vec2 _e100 = lit_part(_e98, nearest, _e99, _e84, _e88);
-                if ((_e100.x > 0.0)) {
-                    float past_1 = (_e100.y - nearest);
+                float _e99 = t0_4;
+                vec3 _e100 = dark_part(_e98, _e99, _e84);
+                if ((_e100.z < step_1)) {
+                    lit_1 = _e88;
+                    if ((_e100.z > 0.0)) {
+                        float _e107 = t0_4;
+                        float _e108 = lit_middle(_e100, nearest, _e107, _e84);
+                        lit_1 = _e108;
+                    }
+                    float _e109 = lit_1;
+                    float past_1 = (_e109 - nearest);
                     float excess_9 = (_e66 + (past_1 * ((2.0 * _e67) + past_1)));
-                    float _e111 = altitude_of(excess_9, m_radius_1);
-                    vec3 _e114 = densities(_e59, max(_e111, 0.0));
+                    float _e116 = altitude_of(excess_9, m_radius_1);
+                    vec3 _e119 = densities(_e59, max(_e116, 0.0));
                     source_1 = vec3(0.0);
                     if (RAYLEIGH) {
-                        vec3 _e119 = source_1;
-                        vec3 _e120 = rayleigh;
-                        source_1 = (_e119 + (_e120 * _e114.x));
+                        vec3 _e124 = source_1;
+                        vec3 _e125 = rayleigh;
+                        source_1 = (_e124 + (_e125 * _e119.x));
                     }
                     if (MIE) {
-                        vec3 _e125 = source_1;
-                        vec3 _e126 = mie;
-                        source_1 = (_e125 + (_e126 * _e114.y));
+                        vec3 _e130 = source_1;
+                        vec3 _e131 = mie;
+                        source_1 = (_e130 + (_e131 * _e119.y));
                     }
-                    float sun_r_mu_2 = (ray_sun_r_mu_3 + (ray_nu_3 * _e100.y));
-                    vec3 _e133 = source_1;
-                    vec3 _e135 = sun_transmittance(_e60, _e59, m_radius_1, m_thickness_1, excess_9, sun_r_mu_2, light_samples);
-                    source_1 = (_e133 * _e135);
-                    vec3 _e137 = source_1;
-                    vec3 _e141 = sun_visibility(dir_8, (ray_start_2 + _e100.y));
-                    source_1 = (_e137 * _e141);
-                    vec3 _e145 = out_radiance_1;
-                    vec3 _e146 = out_transmittance_1;
-                    vec3 _e147 = mean_transmittance(tau_2);
-                    vec3 _e149 = source_1;
-                    out_radiance_1 = (_e145 + (((_e146 * _e147) * _e149) * _e100.x));
+                    float _e135 = lit_1;
+                    float sun_r_mu_2 = (ray_sun_r_mu_3 + (ray_nu_3 * _e135));
+                    vec3 _e138 = source_1;
+                    vec3 _e140 = sun_transmittance(_e60, _e59, m_radius_1, m_thickness_1, excess_9, sun_r_mu_2, light_samples);
+                    source_1 = (_e138 * _e140);
+                    vec3 _e142 = source_1;
+                    float _e143 = lit_1;
+                    vec3 _e146 = sun_visibility(dir_8, (ray_start_2 + _e143));
+                    source_1 = (_e142 * _e146);
+                    vec3 _e150 = out_radiance_1;
+                    vec3 _e151 = out_transmittance_1;
+                    vec3 _e152 = mean_transmittance(tau_2);
+                    vec3 _e154 = source_1;
+                    out_radiance_1 = (_e150 + (((_e151 * _e152) * _e154) * (step_1 - _e100.z)));
                 }
             }
-            vec3 _e154 = out_transmittance_1;
-            out_transmittance_1 = (_e154 * exp(-(tau_2)));
-            t0_3 = _e84;
+            vec3 _e160 = out_transmittance_1;
+            out_transmittance_1 = (_e160 * exp(-(tau_2)));
+            t0_4 = _e84;
         }
     }
 }

@@ -220,9 +220,9 @@ vec2 shadow_stretch(float ray_sun_r_mu_1, float ray_nu_1, float ray_sin2_1, floa
             return none;
         }
         float q_1 = -((ray_shadow_b_1 + (((ray_shadow_b_1 >= 0.0) ? 1.0 : -1.0) * sqrt((ray_sin2_1 * ray_shadow_half2_1)))));
-        float t0_2 = (q_1 / ray_sin2_1);
-        float t1_1 = ((q_1 != 0.0) ? (ray_shadow_c_1 / q_1) : t0_2);
-        stretch = vec2(min(t0_2, t1_1), max(t0_2, t1_1));
+        float t0_3 = (q_1 / ray_sin2_1);
+        float t1_2 = ((q_1 != 0.0) ? (ray_shadow_c_1 / q_1) : t0_3);
+        stretch = vec2(min(t0_3, t1_2), max(t0_3, t1_2));
     } else {
         if ((ray_shadow_c_1 >= 0.0)) {
             return none;
@@ -296,21 +296,20 @@ vec3 mean_transmittance(vec3 tau) {
     return mix(((vec3(1.0) - exp(-(tau))) / tau), series, lessThan(tau, vec3(0.01)));
 }
 
-vec2 lit_part(vec2 shadow, float perigee_2, float t0_, float t1_, float mid) {
-    float dark0_ = clamp(shadow.x, t0_, t1_);
-    float dark1_ = clamp(shadow.y, t0_, t1_);
-    float dark = ((shadow.y > shadow.x) ? max((dark1_ - dark0_), 0.0) : 0.0);
-    if ((dark <= 0.0)) {
-        return vec2((t1_ - t0_), mid);
-    }
-    bool first = ((dark0_ - t0_) > (t1_ - dark1_));
-    float lit0_ = (first ? t0_ : dark1_);
-    float lit1_ = (first ? dark0_ : t1_);
-    float _e26 = distance_to_u(perigee_2, lit0_);
-    float _e27 = distance_to_u(perigee_2, lit1_);
-    float middle = (0.5 * (_e26 + _e27));
-    float _e33 = u_to_distance(perigee_2, middle);
-    return vec2(((t1_ - t0_) - dark), _e33);
+vec3 dark_part(vec2 shadow, float t0_, float t1_) {
+    float begin = clamp(shadow.x, t0_, t1_);
+    float end = clamp(shadow.y, t0_, t1_);
+    return vec3(begin, end, ((shadow.y > shadow.x) ? max((end - begin), 0.0) : 0.0));
+}
+
+float lit_middle(vec3 dark, float perigee_2, float t0_1, float t1_1) {
+    bool first = ((dark.x - t0_1) > (t1_1 - dark.y));
+    float lit0_ = (first ? t0_1 : dark.y);
+    float lit1_ = (first ? dark.x : t1_1);
+    float _e13 = distance_to_u(perigee_2, lit0_);
+    float _e14 = distance_to_u(perigee_2, lit1_);
+    float _e18 = u_to_distance(perigee_2, (0.5 * (_e13 + _e14)));
+    return _e18;
 }
 
 void corner(vec2 position_1, ivec2 size, inout ivec2 out_first, inout ivec2 out_last, inout vec2 out_between) {
@@ -490,8 +489,9 @@ vec3 sun_visibility_around(vec3 dir_3, float distance_1) {
 }
 
 void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_lut, vec3 m_rayleigh, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, float m_ozone_center_1, float m_ozone_inv_half_width_1, vec3 m_ozone, float m_radius, float m_thickness, vec3 luts_mie_extinction, float luts_altitude_steepness_1, vec3 luts_mie_moment0_, float luts_altitude_growth_1, vec3 luts_mie_moment1_, float luts_sun_middle_3, vec3 luts_mie_moment2_, float luts_sun_width_3, float luts_sun_first_3, float luts_sun_span_3, uint luts_steps, float ray_start_1, float ray_sun_r_mu_2, float ray_nu_2, float ray_sin2_2, float ray_shadow_b_2, float ray_shadow_c_2, float ray_shadow_half2_2, vec3 dir_4, float perigee_distance_1, float perigee_excess_1, float perigee_r_mu_1, float u_from, float u_to, vec3 gas_1, vec3 aerosol_1, float multiple, inout vec3 out_radiance, inout vec3 out_transmittance) {
-    float t0_1 = 0.0;
+    float t0_2 = 0.0;
     uint i = 0u;
+    float lit = 0.0;
     vec3 source = vec3(0.0);
     vec3 before_gas = vec3(0.0);
     vec3 before_aerosol = vec3(0.0);
@@ -505,12 +505,12 @@ void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_
     mat3x3 moments = mat3x3((m_mie_scattering * luts_mie_moment0_), (m_mie_scattering * luts_mie_moment1_), (m_mie_scattering * luts_mie_moment2_));
     float du = ((u_to - u_from) / float(luts_steps));
     float _e52 = u_to_distance(perigee_distance_1, u_from);
-    t0_1 = _e52;
+    t0_2 = _e52;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e165 = i;
-            i = (_e165 + 1u);
+            uint _e171 = i;
+            i = (_e171 + 1u);
         }
         loop_init = false;
         uint _e55 = i;
@@ -522,7 +522,7 @@ void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_
             uint _e57 = i;
             float u_2 = (u_from + (du * float(_e57)));
             float _e62 = u_to_distance(perigee_distance_1, (u_2 + du));
-            float _e63 = t0_1;
+            float _e63 = t0_2;
             float step_ = (_e62 - _e63);
             float _e68 = u_to_distance(perigee_distance_1, (u_2 + (0.5 * du)));
             float _e70 = altitude_after(perigee_excess_1, perigee_r_mu_1, (_e68 - perigee_distance_1), m_radius);
@@ -532,42 +532,51 @@ void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_
             vec3 _e76 = out_transmittance;
             vec3 _e77 = mean_transmittance(tau_1);
             vec3 weight = (_e76 * _e77);
-            float _e79 = t0_1;
-            vec2 _e80 = lit_part(_e36, perigee_distance_1, _e79, _e62, _e68);
-            if ((_e80.x > 0.0)) {
-                float past = (_e80.y - perigee_distance_1);
+            float _e79 = t0_2;
+            vec3 _e80 = dark_part(_e36, _e79, _e62);
+            if ((_e80.z < step_)) {
+                lit = _e68;
+                if ((_e80.z > 0.0)) {
+                    float _e87 = t0_2;
+                    float _e88 = lit_middle(_e80, perigee_distance_1, _e87, _e62);
+                    lit = _e88;
+                }
+                float _e89 = lit;
+                float past = (_e89 - perigee_distance_1);
                 float lit_excess = max((perigee_excess_1 + (past * ((2.0 * perigee_r_mu_1) + past))), 0.0);
-                float _e93 = altitude_of(lit_excess, m_radius);
-                vec3 _e94 = densities(_e16, _e93);
-                float sun_r_mu_1 = (ray_sun_r_mu_2 + (ray_nu_2 * _e80.y));
-                vec3 _e99 = optical_path_to_top(transmittance_lut, m_radius, m_thickness, lit_excess, _e93, sun_r_mu_1);
-                vec3 _e107 = extinction(coefficients_1, _e99);
-                source = (((gas_1 * _e94.x) + (aerosol_1 * _e94.y)) * exp(-(_e107)));
-                vec3 _e112 = source;
-                vec3 _e116 = sun_visibility(dir_4, (ray_start_1 + _e80.y));
-                source = (_e112 * _e116);
-                vec3 _e118 = out_radiance;
-                vec3 _e119 = source;
-                out_radiance = (_e118 + ((weight * _e119) * _e80.x));
+                float _e98 = altitude_of(lit_excess, m_radius);
+                vec3 _e99 = densities(_e16, _e98);
+                float _e100 = lit;
+                float sun_r_mu_1 = (ray_sun_r_mu_2 + (ray_nu_2 * _e100));
+                vec3 _e104 = optical_path_to_top(transmittance_lut, m_radius, m_thickness, lit_excess, _e98, sun_r_mu_1);
+                vec3 _e112 = extinction(coefficients_1, _e104);
+                source = (((gas_1 * _e99.x) + (aerosol_1 * _e99.y)) * exp(-(_e112)));
+                vec3 _e117 = source;
+                float _e118 = lit;
+                vec3 _e121 = sun_visibility(dir_4, (ray_start_1 + _e118));
+                source = (_e117 * _e121);
+                vec3 _e123 = out_radiance;
+                vec3 _e124 = source;
+                out_radiance = (_e123 + ((weight * _e124) * (step_ - _e80.z)));
             }
             if (MULTI_SCATTERING) {
                 float r_3 = (m_radius + _e70);
                 float mu_3 = clamp((((perigee_r_mu_1 + _e68) - perigee_distance_1) / r_3), -1.0, 1.0);
                 float mu_sun_3 = clamp(((ray_sun_r_mu_2 + (ray_nu_2 * _e68)) / r_3), -1.0, 1.0);
-                float _e138 = altitude_to_v(luts_altitude_steepness_1, luts_altitude_growth_1, _e70, m_thickness);
-                float _e139 = mu_sun_to_u(_e37, mu_sun_3);
-                vec2 node_1 = (vec2(_e139, _e138) * _e39);
+                float _e144 = altitude_to_v(luts_altitude_steepness_1, luts_altitude_growth_1, _e70, m_thickness);
+                float _e145 = mu_sun_to_u(_e37, mu_sun_3);
+                vec2 node_1 = (vec2(_e145, _e144) * _e39);
                 multi_scattering_source(multi_scattering_lut, node_1, m_rayleigh, moments, mu_3, mu_sun_3, ray_nu_2, before_gas, before_aerosol);
-                vec3 _e144 = before_gas;
-                vec3 _e145 = before_aerosol;
-                vec3 _e147 = sun_visibility_around(dir_4, (ray_start_1 + _e68));
-                vec3 source_1 = (((_e144 * _e147) * _e71.x) + ((_e145 * _e147) * _e71.y));
-                vec3 _e155 = out_radiance;
-                out_radiance = (_e155 + ((weight * (step_ * multiple)) * source_1));
+                vec3 _e150 = before_gas;
+                vec3 _e151 = before_aerosol;
+                vec3 _e153 = sun_visibility_around(dir_4, (ray_start_1 + _e68));
+                vec3 source_1 = (((_e150 * _e153) * _e71.x) + ((_e151 * _e153) * _e71.y));
+                vec3 _e161 = out_radiance;
+                out_radiance = (_e161 + ((weight * (step_ * multiple)) * source_1));
             }
-            vec3 _e161 = out_transmittance;
-            out_transmittance = (_e161 * exp(-(tau_1)));
-            t0_1 = _e62;
+            vec3 _e167 = out_transmittance;
+            out_transmittance = (_e167 * exp(-(tau_1)));
+            t0_2 = _e62;
         }
     }
 }

@@ -311,9 +311,9 @@ vec2 shadow_stretch(float ray_sun_r_mu_1, float ray_nu_1, float ray_sin2_1, floa
             return none;
         }
         float q_2 = -((ray_shadow_b_1 + (((ray_shadow_b_1 >= 0.0) ? 1.0 : -1.0) * sqrt((ray_sin2_1 * ray_shadow_half2_1)))));
-        float t0_3 = (q_2 / ray_sin2_1);
-        float t1_1 = ((q_2 != 0.0) ? (ray_shadow_c_1 / q_2) : t0_3);
-        stretch = vec2(min(t0_3, t1_1), max(t0_3, t1_1));
+        float t0_4 = (q_2 / ray_sin2_1);
+        float t1_2 = ((q_2 != 0.0) ? (ray_shadow_c_1 / q_2) : t0_4);
+        stretch = vec2(min(t0_4, t1_2), max(t0_4, t1_2));
     } else {
         if ((ray_shadow_c_1 >= 0.0)) {
             return none;
@@ -427,21 +427,20 @@ vec3 mean_transmittance(vec3 tau) {
     return mix(((vec3(1.0) - exp(-(tau))) / tau), series, lessThan(tau, vec3(0.01)));
 }
 
-vec2 lit_part(vec2 shadow, float perigee_2, float t0_1, float t1_, float mid) {
-    float dark0_ = clamp(shadow.x, t0_1, t1_);
-    float dark1_ = clamp(shadow.y, t0_1, t1_);
-    float dark = ((shadow.y > shadow.x) ? max((dark1_ - dark0_), 0.0) : 0.0);
-    if ((dark <= 0.0)) {
-        return vec2((t1_ - t0_1), mid);
-    }
-    bool first_1 = ((dark0_ - t0_1) > (t1_ - dark1_));
-    float lit0_ = (first_1 ? t0_1 : dark1_);
-    float lit1_ = (first_1 ? dark0_ : t1_);
-    float _e26 = distance_to_u(perigee_2, lit0_);
-    float _e27 = distance_to_u(perigee_2, lit1_);
-    float middle = (0.5 * (_e26 + _e27));
-    float _e33 = u_to_distance(perigee_2, middle);
-    return vec2(((t1_ - t0_1) - dark), _e33);
+vec3 dark_part(vec2 shadow, float t0_1, float t1_) {
+    float begin = clamp(shadow.x, t0_1, t1_);
+    float end = clamp(shadow.y, t0_1, t1_);
+    return vec3(begin, end, ((shadow.y > shadow.x) ? max((end - begin), 0.0) : 0.0));
+}
+
+float lit_middle(vec3 dark, float perigee_2, float t0_2, float t1_1) {
+    bool first_1 = ((dark.x - t0_2) > (t1_1 - dark.y));
+    float lit0_ = (first_1 ? t0_2 : dark.y);
+    float lit1_ = (first_1 ? dark.x : t1_1);
+    float _e13 = distance_to_u(perigee_2, lit0_);
+    float _e14 = distance_to_u(perigee_2, lit1_);
+    float _e18 = u_to_distance(perigee_2, (0.5 * (_e13 + _e14)));
+    return _e18;
 }
 
 float rayleigh_phase(float mu) {
@@ -486,8 +485,9 @@ void single_scattering(vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_
     vec3 rayleigh = vec3(0.0);
     vec3 mie = vec3(0.0);
     vec2 shadow_1 = vec2(0.0);
-    float t0_2 = 0.0;
+    float t0_3 = 0.0;
     uint i_1 = 0u;
+    float lit = 0.0;
     vec3 source = vec3(0.0);
     float perigee_distance = 0.0;
     float perigee_excess = 0.0;
@@ -518,8 +518,8 @@ void single_scattering(vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            uint _e158 = i_1;
-            i_1 = (_e158 + 1u);
+            uint _e164 = i_1;
+            i_1 = (_e164 + 1u);
         }
         loop_init_1 = false;
         uint _e77 = i_1;
@@ -533,47 +533,57 @@ void single_scattering(vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_
             float _e84 = u_to_distance(nearest, (u_2 + du_1));
             float _e88 = u_to_distance(nearest, (u_2 + (0.5 * du_1)));
             float _e90 = altitude_after(_e66, _e67, (_e88 - nearest), m_radius);
-            vec3 _e91 = densities(_e59, _e90);
-            vec3 _e92 = extinction(_e60, _e91);
-            float _e94 = t0_2;
-            vec3 tau_1 = (_e92 * (_e84 - _e94));
+            float _e92 = t0_3;
+            float step_ = (_e84 - _e92);
+            vec3 _e94 = densities(_e59, _e90);
+            vec3 _e95 = extinction(_e60, _e94);
+            vec3 tau_1 = (_e95 * step_);
             if (SUNLIGHT) {
                 vec2 _e98 = shadow_1;
-                float _e99 = t0_2;
-                vec2 _e100 = lit_part(_e98, nearest, _e99, _e84, _e88);
-                if ((_e100.x > 0.0)) {
-                    float past = (_e100.y - nearest);
+                float _e99 = t0_3;
+                vec3 _e100 = dark_part(_e98, _e99, _e84);
+                if ((_e100.z < step_)) {
+                    lit = _e88;
+                    if ((_e100.z > 0.0)) {
+                        float _e107 = t0_3;
+                        float _e108 = lit_middle(_e100, nearest, _e107, _e84);
+                        lit = _e108;
+                    }
+                    float _e109 = lit;
+                    float past = (_e109 - nearest);
                     float excess_7 = (_e66 + (past * ((2.0 * _e67) + past)));
-                    float _e111 = altitude_of(excess_7, m_radius);
-                    vec3 _e114 = densities(_e59, max(_e111, 0.0));
+                    float _e116 = altitude_of(excess_7, m_radius);
+                    vec3 _e119 = densities(_e59, max(_e116, 0.0));
                     source = vec3(0.0);
                     if (RAYLEIGH) {
-                        vec3 _e119 = source;
-                        vec3 _e120 = rayleigh;
-                        source = (_e119 + (_e120 * _e114.x));
+                        vec3 _e124 = source;
+                        vec3 _e125 = rayleigh;
+                        source = (_e124 + (_e125 * _e119.x));
                     }
                     if (MIE) {
-                        vec3 _e125 = source;
-                        vec3 _e126 = mie;
-                        source = (_e125 + (_e126 * _e114.y));
+                        vec3 _e130 = source;
+                        vec3 _e131 = mie;
+                        source = (_e130 + (_e131 * _e119.y));
                     }
-                    float sun_r_mu_1 = (ray_sun_r_mu_2 + (ray_nu_2 * _e100.y));
-                    vec3 _e133 = source;
-                    vec3 _e135 = sun_transmittance(_e60, _e59, m_radius, m_thickness, excess_7, sun_r_mu_1, light_samples);
-                    source = (_e133 * _e135);
-                    vec3 _e137 = source;
-                    vec3 _e141 = sun_visibility(dir_5, (ray_start_1 + _e100.y));
-                    source = (_e137 * _e141);
-                    vec3 _e145 = out_radiance;
-                    vec3 _e146 = out_transmittance;
-                    vec3 _e147 = mean_transmittance(tau_1);
-                    vec3 _e149 = source;
-                    out_radiance = (_e145 + (((_e146 * _e147) * _e149) * _e100.x));
+                    float _e135 = lit;
+                    float sun_r_mu_1 = (ray_sun_r_mu_2 + (ray_nu_2 * _e135));
+                    vec3 _e138 = source;
+                    vec3 _e140 = sun_transmittance(_e60, _e59, m_radius, m_thickness, excess_7, sun_r_mu_1, light_samples);
+                    source = (_e138 * _e140);
+                    vec3 _e142 = source;
+                    float _e143 = lit;
+                    vec3 _e146 = sun_visibility(dir_5, (ray_start_1 + _e143));
+                    source = (_e142 * _e146);
+                    vec3 _e150 = out_radiance;
+                    vec3 _e151 = out_transmittance;
+                    vec3 _e152 = mean_transmittance(tau_1);
+                    vec3 _e154 = source;
+                    out_radiance = (_e150 + (((_e151 * _e152) * _e154) * (step_ - _e100.z)));
                 }
             }
-            vec3 _e154 = out_transmittance;
-            out_transmittance = (_e154 * exp(-(tau_1)));
-            t0_2 = _e84;
+            vec3 _e160 = out_transmittance;
+            out_transmittance = (_e160 * exp(-(tau_1)));
+            t0_3 = _e84;
         }
     }
 }

@@ -281,9 +281,9 @@ vec2 shadow_stretch(float ray_sun_r_mu, float ray_nu, float ray_sin2_, float ray
             return none;
         }
         float q_2 = -((ray_shadow_b + (((ray_shadow_b >= 0.0) ? 1.0 : -1.0) * sqrt((ray_sin2_ * ray_shadow_half2_)))));
-        float t0_2 = (q_2 / ray_sin2_);
-        float t1_1 = ((q_2 != 0.0) ? (ray_shadow_c / q_2) : t0_2);
-        stretch = vec2(min(t0_2, t1_1), max(t0_2, t1_1));
+        float t0_3 = (q_2 / ray_sin2_);
+        float t1_2 = ((q_2 != 0.0) ? (ray_shadow_c / q_2) : t0_3);
+        stretch = vec2(min(t0_3, t1_2), max(t0_3, t1_2));
     } else {
         if ((ray_shadow_c >= 0.0)) {
             return none;
@@ -361,21 +361,20 @@ vec3 mean_transmittance(vec3 tau) {
     return mix(((vec3(1.0) - exp(-(tau))) / tau), series, lessThan(tau, vec3(0.01)));
 }
 
-vec2 lit_part(vec2 shadow, float perigee_2, float t0_, float t1_, float mid) {
-    float dark0_ = clamp(shadow.x, t0_, t1_);
-    float dark1_ = clamp(shadow.y, t0_, t1_);
-    float dark = ((shadow.y > shadow.x) ? max((dark1_ - dark0_), 0.0) : 0.0);
-    if ((dark <= 0.0)) {
-        return vec2((t1_ - t0_), mid);
-    }
-    bool first = ((dark0_ - t0_) > (t1_ - dark1_));
-    float lit0_ = (first ? t0_ : dark1_);
-    float lit1_ = (first ? dark0_ : t1_);
-    float _e26 = distance_to_u(perigee_2, lit0_);
-    float _e27 = distance_to_u(perigee_2, lit1_);
-    float middle = (0.5 * (_e26 + _e27));
-    float _e33 = u_to_distance(perigee_2, middle);
-    return vec2(((t1_ - t0_) - dark), _e33);
+vec3 dark_part(vec2 shadow, float t0_, float t1_) {
+    float begin = clamp(shadow.x, t0_, t1_);
+    float end = clamp(shadow.y, t0_, t1_);
+    return vec3(begin, end, ((shadow.y > shadow.x) ? max((end - begin), 0.0) : 0.0));
+}
+
+float lit_middle(vec3 dark, float perigee_2, float t0_1, float t1_1) {
+    bool first = ((dark.x - t0_1) > (t1_1 - dark.y));
+    float lit0_ = (first ? t0_1 : dark.y);
+    float lit1_ = (first ? dark.x : t1_1);
+    float _e13 = distance_to_u(perigee_2, lit0_);
+    float _e14 = distance_to_u(perigee_2, lit1_);
+    float _e18 = u_to_distance(perigee_2, (0.5 * (_e13 + _e14)));
+    return _e18;
 }
 
 void corner(vec2 position_1, ivec2 size, inout ivec2 out_first, inout ivec2 out_last, inout vec2 out_between) {
@@ -529,8 +528,9 @@ vec3 sun_visibility_around(vec3 dir_4, float distance_1) {
 }
 
 void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_lut, vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, float m_ozone_center_1, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_thickness, vec3 luts_mie_extinction, float luts_altitude_steepness, vec3 luts_mie_moment0_, float luts_altitude_growth, vec3 luts_mie_moment1_, float luts_sun_middle_1, vec3 luts_mie_moment2_, float luts_sun_width_1, float luts_sun_first_1, float luts_sun_span_1, uint luts_steps, float ray_start, float ray_sun_r_mu_1, float ray_nu_1, float ray_sin2_1, float ray_shadow_b_1, float ray_shadow_c_1, float ray_shadow_half2_1, vec3 dir_5, float perigee_distance_1, float perigee_excess_1, float perigee_r_mu_1, float u_from, float u_to, vec3 gas_2, vec3 aerosol_2, float multiple, inout vec3 out_radiance, inout vec3 out_transmittance, inout vec3 out_optical_path) {
-    float t0_1 = 0.0;
+    float t0_2 = 0.0;
     uint i = 0u;
+    float lit = 0.0;
     vec3 source = vec3(0.0);
     vec3 before_gas = vec3(0.0);
     vec3 before_aerosol = vec3(0.0);
@@ -545,12 +545,12 @@ void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_
     mat3x3 moments = mat3x3((m_mie_scattering * luts_mie_moment0_), (m_mie_scattering * luts_mie_moment1_), (m_mie_scattering * luts_mie_moment2_));
     float du = ((u_to - u_from) / float(luts_steps));
     float _e55 = u_to_distance(perigee_distance_1, u_from);
-    t0_1 = _e55;
+    t0_2 = _e55;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e172 = i;
-            i = (_e172 + 1u);
+            uint _e178 = i;
+            i = (_e178 + 1u);
         }
         loop_init = false;
         uint _e58 = i;
@@ -562,7 +562,7 @@ void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_
             uint _e60 = i;
             float u_3 = (u_from + (du * float(_e60)));
             float _e65 = u_to_distance(perigee_distance_1, (u_3 + du));
-            float _e66 = t0_1;
+            float _e66 = t0_2;
             float step_ = (_e65 - _e66);
             float _e71 = u_to_distance(perigee_distance_1, (u_3 + (0.5 * du)));
             float _e73 = altitude_after(perigee_excess_1, perigee_r_mu_1, (_e71 - perigee_distance_1), m_radius);
@@ -572,44 +572,53 @@ void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_
             vec3 _e80 = out_transmittance;
             vec3 _e81 = mean_transmittance(tau_1);
             vec3 weight = (_e80 * _e81);
-            float _e83 = t0_1;
-            vec2 _e84 = lit_part(_e39, perigee_distance_1, _e83, _e65, _e71);
-            if ((_e84.x > 0.0)) {
-                float past = (_e84.y - perigee_distance_1);
+            float _e83 = t0_2;
+            vec3 _e84 = dark_part(_e39, _e83, _e65);
+            if ((_e84.z < step_)) {
+                lit = _e71;
+                if ((_e84.z > 0.0)) {
+                    float _e91 = t0_2;
+                    float _e92 = lit_middle(_e84, perigee_distance_1, _e91, _e65);
+                    lit = _e92;
+                }
+                float _e93 = lit;
+                float past = (_e93 - perigee_distance_1);
                 float lit_excess = max((perigee_excess_1 + (past * ((2.0 * perigee_r_mu_1) + past))), 0.0);
-                float _e97 = altitude_of(lit_excess, m_radius);
-                vec3 _e98 = densities(_e19, _e97);
-                float sun_r_mu = (ray_sun_r_mu_1 + (ray_nu_1 * _e84.y));
-                vec3 _e103 = optical_path_to_top(transmittance_lut, m_radius, m_thickness, lit_excess, _e97, sun_r_mu);
-                vec3 _e111 = extinction(coefficients_1, _e103);
-                source = (((gas_2 * _e98.x) + (aerosol_2 * _e98.y)) * exp(-(_e111)));
-                vec3 _e116 = source;
-                vec3 _e120 = sun_visibility(dir_5, (ray_start + _e84.y));
-                source = (_e116 * _e120);
-                vec3 _e122 = out_radiance;
-                vec3 _e123 = source;
-                out_radiance = (_e122 + ((weight * _e123) * _e84.x));
+                float _e102 = altitude_of(lit_excess, m_radius);
+                vec3 _e103 = densities(_e19, _e102);
+                float _e104 = lit;
+                float sun_r_mu = (ray_sun_r_mu_1 + (ray_nu_1 * _e104));
+                vec3 _e108 = optical_path_to_top(transmittance_lut, m_radius, m_thickness, lit_excess, _e102, sun_r_mu);
+                vec3 _e116 = extinction(coefficients_1, _e108);
+                source = (((gas_2 * _e103.x) + (aerosol_2 * _e103.y)) * exp(-(_e116)));
+                vec3 _e121 = source;
+                float _e122 = lit;
+                vec3 _e125 = sun_visibility(dir_5, (ray_start + _e122));
+                source = (_e121 * _e125);
+                vec3 _e127 = out_radiance;
+                vec3 _e128 = source;
+                out_radiance = (_e127 + ((weight * _e128) * (step_ - _e84.z)));
             }
             if (MULTI_SCATTERING) {
                 float r_4 = (m_radius + _e73);
                 float mu_4 = clamp((((perigee_r_mu_1 + _e71) - perigee_distance_1) / r_4), -1.0, 1.0);
                 float mu_sun_2 = clamp(((ray_sun_r_mu_1 + (ray_nu_1 * _e71)) / r_4), -1.0, 1.0);
-                float _e142 = altitude_to_v(luts_altitude_steepness, luts_altitude_growth, _e73, m_thickness);
-                float _e143 = mu_sun_to_u(_e40, mu_sun_2);
-                vec2 node_1 = (vec2(_e143, _e142) * _e42);
+                float _e148 = altitude_to_v(luts_altitude_steepness, luts_altitude_growth, _e73, m_thickness);
+                float _e149 = mu_sun_to_u(_e40, mu_sun_2);
+                vec2 node_1 = (vec2(_e149, _e148) * _e42);
                 multi_scattering_source(multi_scattering_lut, node_1, m_rayleigh_1, moments, mu_4, mu_sun_2, ray_nu_1, before_gas, before_aerosol);
-                vec3 _e148 = before_gas;
-                vec3 _e149 = before_aerosol;
-                vec3 _e151 = sun_visibility_around(dir_5, (ray_start + _e71));
-                vec3 source_1 = (((_e148 * _e151) * _e74.x) + ((_e149 * _e151) * _e74.y));
-                vec3 _e159 = out_radiance;
-                out_radiance = (_e159 + ((weight * (step_ * multiple)) * source_1));
+                vec3 _e154 = before_gas;
+                vec3 _e155 = before_aerosol;
+                vec3 _e157 = sun_visibility_around(dir_5, (ray_start + _e71));
+                vec3 source_1 = (((_e154 * _e157) * _e74.x) + ((_e155 * _e157) * _e74.y));
+                vec3 _e165 = out_radiance;
+                out_radiance = (_e165 + ((weight * (step_ * multiple)) * source_1));
             }
-            vec3 _e165 = out_transmittance;
-            out_transmittance = (_e165 * exp(-(tau_1)));
-            vec3 _e169 = out_optical_path;
-            out_optical_path = (_e169 + (_e74 * step_));
-            t0_1 = _e65;
+            vec3 _e171 = out_transmittance;
+            out_transmittance = (_e171 * exp(-(tau_1)));
+            vec3 _e175 = out_optical_path;
+            out_optical_path = (_e175 + (_e74 * step_));
+            t0_2 = _e65;
         }
     }
 }

@@ -1,4 +1,4 @@
-// Made by `cargo run -- shaders` from shaders/wgsl/; do not edit. Readable shaders are in shaders/glsl/.
+// Made by `cargo lab shaders` from shaders/wgsl/; do not edit. Readable shaders are in shaders/glsl/.
 
 #[allow(unused_imports)]
 use crate::gpu::{ProgramInfo, TextureSlot, Vertices};
@@ -60,6 +60,7 @@ static PARTS: &[&str] = &[
     "mat3x3 coefficients_of(vec3 a, vec3 b, vec3 c) {\nreturn mat3x3(a, b, c);\n}\n",
     "vec3 cornette_shanks_phase(float a, float b, vec3 c) {\nfloat d = (1.0 - a);\nvec3 e = henyey_greenstein_phase(a, b, c);\nreturn ((vec3((1.5 * (1.0 + (d * d)))) / (vec3(2.0) + (c * c))) * e);\n}\n",
     "float crowded(float a, float b, float c) {\nreturn sqrt((max(a, 0.0) / (c * (b + c))));\n}\n",
+    "vec3 dark_part(vec2 a, float b, float c) {\nfloat d = clamp(a.x, b, c);\nfloat e = clamp(a.y, b, c);\nreturn vec3(d, e, ((a.y > a.x) ? max((e - d), 0.0) : 0.0));\n}\n",
     "vec3 densities(vec4 a, float b) {\nvec3 c = vec3(0.0);\nif (RAYLEIGH) {\nc.x = exp((-(b) * a.x));\n}\nif (MIE) {\nc.y = exp((-(b) * a.y));\n}\nif (OZONE) {\nc.z = max(0.0, (1.0 - (abs((b - a.z)) * a.w)));\n}\nvec3 d = c;\nreturn d;\n}\n",
     "vec4 direction_answer(int a, float b, float c, vec4 d, vec4 e, vec4 f) {\nfloat g = 0.0;\nbool h = false;\nfloat i = 0.0;\nfloat j = 0.0;\nfloat k = 0.0;\nbool l = false;\nvec3 m = vec3(0.0);\nfloat n = 0.0;\nfloat o = 0.0;\nfloat p = 0.0;\nfloat q = 0.0;\nfloat r = 0.0;\nfloat s = 0.0;\nfloat t = 0.0;\nfloat u = 0.0;\nair_ray(d.xyz, d.w, b, c, e.xyz, g, h);\nfloat v = g;\nbool w = h;\nline_past(d.xyz, d.w, b, i, j, k, l);\nfloat x = i;\nfloat y = j;\nfloat z = k;\nbool aa = l;\nvec2 ab = view_uv(x, y, z, aa, d.xyz, b, c, d, f);\nif ((a == 0)) {\nreturn vec4(ab, v, float(w));\n}\nview_ray(ab, w, b, c, d, e, f, m, n, o, p, q, r, s, t, u);\nvec3 ac = m;\nreturn vec4(ac, 0.0);\n}\n",
     "float distance_to_ground(float a, float b, float c) {\nreturn min((a / (c - b)), -(b));\n}\n",
@@ -76,7 +77,7 @@ static PARTS: &[&str] = &[
     "vec4 layers_of(float a, float b, float c, float d) {\nreturn vec4(a, b, c, d);\n}\n",
     "void line_past(vec3 a, float b, float c, inout float d, inout float e, inout bool f) {\nbool g = false;\nfloat h = (c + b);\nfloat i = (h * a.z);\nfloat j = (h * sqrt(dot(a.xy, a.xy)));\nfloat k = excess_of(b, c);\nfloat l = half_chord2_(i, k, (c - j), j);\nif ((i < 0.0)) {\ng = (l >= 0.0);\n} else {\ng = false;\n}\nbool m = g;\nd = i;\ne = -(l);\nf = m;\n}\n",
     "void line_past(vec3 a, float b, float c, inout float d, inout float e, inout float f, inout bool g) {\nbool h = false;\nfloat i = (c + b);\nfloat j = (i * a.z);\nfloat k = (i * sqrt(dot(a.xy, a.xy)));\nfloat l = excess_of(b, c);\nfloat m = half_chord2_(j, l, (c - k), k);\nif ((j < 0.0)) {\nh = (m >= 0.0);\n} else {\nh = false;\n}\nbool n = h;\nd = j;\ne = k;\nf = -(m);\ng = n;\n}\n",
-    "vec2 lit_part(vec2 a, float b, float c, float d, float e) {\nfloat f = clamp(a.x, c, d);\nfloat g = clamp(a.y, c, d);\nfloat h = ((a.y > a.x) ? max((g - f), 0.0) : 0.0);\nif ((h <= 0.0)) {\nreturn vec2((d - c), e);\n}\nbool i = ((f - c) > (d - g));\nfloat j = (i ? c : g);\nfloat k = (i ? f : d);\nfloat l = distance_to_u(b, j);\nfloat m = distance_to_u(b, k);\nfloat n = (0.5 * (l + m));\nfloat o = u_to_distance(b, n);\nreturn vec2(((d - c) - h), o);\n}\n",
+    "float lit_middle(vec3 a, float b, float c, float d) {\nbool e = ((a.x - c) > (d - a.y));\nfloat f = (e ? c : a.y);\nfloat g = (e ? a.x : d);\nfloat h = distance_to_u(b, f);\nfloat i = distance_to_u(b, g);\nfloat j = u_to_distance(b, (0.5 * (h + i)));\nreturn j;\n}\n",
     "void main() {\nuint a = uint(gl_VertexID);\nvec2 b = vec2(float(((a << 1u) & 2u)), float((a & 2u)));\ngl_Position = vec4(((b * 2.0) - vec2(1.0)), 0.0, 1.0);\ngl_Position.yz = vec2(-gl_Position.y, gl_Position.z * 2.0 - gl_Position.w);\nreturn;\n}\n",
     "void main() {\nvec4 a = gl_FragCoord;\nfloat b = 0.0;\nfloat c = 0.0;\nvec4 d = vec4(0.0);\nvec4 e = vec4(0.0);\nvec4 f = vec4(0.0);\nfloat g = 0.0;\nfloat h = 0.0;\nfloat i = 0.0;\nfloat j = 0.0;\nfloat k = 0.0;\nfloat l = 0.0;\nfloat m = 0.0;\nfloat n = 0.0;\nfloat o = 0.0;\nfloat p = 0.0;\nfloat q = 0.0;\nbool r = false;\nfloat s = 0.0;\nfloat t = 0.0;\nfloat u = 0.0;\nivec2 v = ivec2(a.xy);\ncase_of(v, ANSWERS, b, c, d, e, f);\nfloat w = b;\nfloat x = c;\nvec4 y = d;\nvec4 z = e;\nvec4 aa = f;\nair_ray(y.xyz, y.w, w, x, z.xyz, g, h, i, j, k, l, m, n, o, p, q, r);\nfloat ab = g;\nfloat ac = h;\nfloat ad = i;\nfloat ae = j;\nfloat af = k;\nfloat ag = l;\nfloat ah = m;\nfloat ai = n;\nfloat aj = o;\nfloat ak = p;\nfloat al = q;\nbool am = r;\nswitch((v.x % ANSWERS)) {\ncase 0: {\n_fs2p_location0 = vec4(ab, ac, ad, ae);\nreturn;\n}\ncase 1: {\n_fs2p_location0 = vec4(ag, ah, ai, float(am));\nreturn;\n}\ncase 2: {\nfloat an = max(ac, 0.0);\nvec2 ao = shadow_stretch(ag, ah, ai, aj, ak, al);\nvec2 ap = clamp(ao, vec2(0.0), vec2(an));\nbool aq = hits_planet(y.xyz, y.w, w);\nfloat ar = float(aq);\nperigee_of(ac, ad, ae, af, am, an, w, s, t, u);\nfloat as = s;\nfloat at = t;\nfloat au = u;\nfloat av = ((z.w * an) - as);\nfloat aw = altitude_after(at, au, av, w);\n_fs2p_location0 = vec4(aw, ar, ap);\nreturn;\n}\ndefault: {\nfloat ax = excess_of(y.w, w);\nfloat ay = excess_of(x, w);\nfloat az = distance_to_top(aa.x, aa.y, ay);\nfloat ba = altitude_of(ax, w);\n_fs2p_location0 = vec4(ax, ba, az, 0.0);\nreturn;\n}\n}\n}\n",
     "void main() {\nvec4 a = gl_FragCoord;\nfloat b = 0.0;\nfloat c = 0.0;\nvec4 d = vec4(0.0);\nvec4 e = vec4(0.0);\nvec4 f = vec4(0.0);\nvec4 g = vec4(0.0);\nvec4 h = vec4(0.0);\nvec4 i = vec4(0.0);\nvec4 j = vec4(0.0);\nivec2 k = ivec2(a.xy);\ncase_of(k, ANSWERS, b, c, d, e, f, g, h, i, j);\nfloat l = b;\nfloat m = c;\nvec4 n = d;\nvec4 o = e;\nvec4 p = f;\nvec4 q = g;\nvec4 r = h;\nvec4 s = i;\nvec4 t = j;\nint u = (k.x % ANSWERS);\nswitch(u) {\ncase 0:\ncase 1: {\nvec4 v = direction_answer(u, l, m, n, o, t);\n_fs2p_location0 = v;\nreturn;\n}\ncase 2:\ncase 3:\ncase 4:\ncase 5: {\nvec4 w = ray_answer(u, l, m, n, o, r, t);\n_fs2p_location0 = w;\nreturn;\n}\ncase 6:\ncase 7: {\nvec4 x = axes_answer(u, m, n, o, q, r, s);\n_fs2p_location0 = x;\nreturn;\n}\ncase 8:\ncase 9: {\nvec4 y = transmittance_answer(u, l, m, p, r);\n_fs2p_location0 = y;\nreturn;\n}\ncase 10: {\nvec4 z = node_answer(l, m, n, r);\n_fs2p_location0 = z;\nreturn;\n}\ndefault: {\nvec4 aa = step_answer(p, r);\n_fs2p_location0 = aa;\nreturn;\n}\n}\n}\n",
@@ -98,7 +99,7 @@ static PARTS: &[&str] = &[
     "float segment(vec2 a) {\nfloat b = quarter_atan(a.x, a.y);\nfloat c = (2.0 * b);\nif ((c < 0.5)) {\nfloat d = ((4.0 * c) * c);\nfloat e = (1.0 - ((d * 0.05) * (1.0 - ((d * 0.023809524) * (1.0 - (d * 0.013888889))))));\nreturn (((c * d) * 0.16666667) * e);\n}\nfloat f = dot(a, a);\nreturn (c - ((((2.0 * a.x) * a.y) * ((a.y * a.y) - (a.x * a.x))) / (f * f)));\n}\n",
     "float shadow_half2_(float a, float b, float c, float d, float e, float f) {\nfloat g = max(sqrt(a), 1e-18);\nfloat h = ((e * abs(d)) / g);\nfloat i = half_chord2_((b / g), c, (f - h), h);\nreturn i;\n}\n",
     "vec2 shadow_stretch(float a, float b, float c, float d, float e, float f) {\nvec2 g = vec2(0.0);\nvec2 h = vec2(1.0, 0.0);\ng = vec2(-(1e30), 1e30);\nif ((c > 1e-30)) {\nif ((f <= 0.0)) {\nreturn h;\n}\nfloat i = -((d + (((d >= 0.0) ? 1.0 : -1.0) * sqrt((c * f)))));\nfloat j = (i / c);\nfloat k = ((i != 0.0) ? (e / i) : j);\ng = vec2(min(j, k), max(j, k));\n} else {\nif ((e >= 0.0)) {\nreturn h;\n}\n}\nif ((abs(b) < 1e-12)) {\nif ((a >= 0.0)) {\nreturn h;\n}\n} else {\nfloat l = (-(a) / b);\nif ((b > 0.0)) {\nfloat m = g.y;\ng.y = min(m, l);\n} else {\nfloat n = g.x;\ng.x = max(n, l);\n}\n}\nvec2 o = g;\nreturn o;\n}\n",
-    "void single_scattering(vec3 a, float b, vec3 c, float d, vec3 e, float f, vec3 g, float h, vec3 i, float j, float k, float l, float m, float n, float o, float p, float q, float r, float s, float t, float u, float v, bool w, vec3 x, float y, float z, uint aa, uint ab, inout vec3 ac, inout vec3 ad) {\nvec3 ae = vec3(0.0);\nvec3 af = vec3(0.0);\nvec2 ag = vec2(0.0);\nfloat ah = 0.0;\nuint ai = 0u;\nvec3 aj = vec3(0.0);\nfloat ak = 0.0;\nfloat al = 0.0;\nfloat am = 0.0;\nac = vec3(0.0);\nad = vec3(1.0);\nif (SUNLIGHT) {\nvec2 an = shadow_stretch(q, r, s, t, u, v);\nag = an;\nif (RAYLEIGH) {\nfloat ao = rayleigh_phase((1.0 - z));\nae = (a * ao);\n}\nif (MIE) {\nfloat ap = ((z > 1.0) ? (s / max(z, 1.0)) : (2.0 - z));\nvec3 aq = mie_phase(z, ap, g);\naf = (c * aq);\n}\n}\nvec4 ar = layers_of(b, d, f, h);\nmat3x3 as = coefficients_of(a, e, i);\nperigee_of(m, n, o, p, w, y, j, ak, al, am);\nfloat at = ak;\nfloat au = al;\nfloat av = am;\nfloat aw = -(sqrt(at));\nfloat ax = ((sqrt((y - at)) - aw) / float(aa));\nbool ay = true;\nwhile(true) {\nif (!ay) {\nuint az = ai;\nai = (az + 1u);\n}\nay = false;\nuint ba = ai;\nif ((ba < aa)) {\n} else {\nbreak;\n}\n{\nuint bb = ai;\nfloat bc = (aw + (ax * float(bb)));\nfloat bd = u_to_distance(at, (bc + ax));\nfloat be = u_to_distance(at, (bc + (0.5 * ax)));\nfloat bf = altitude_after(au, av, (be - at), j);\nvec3 bg = densities(ar, bf);\nvec3 bh = extinction(as, bg);\nfloat bi = ah;\nvec3 bj = (bh * (bd - bi));\nif (SUNLIGHT) {\nvec2 bk = ag;\nfloat bl = ah;\nvec2 bm = lit_part(bk, at, bl, bd, be);\nif ((bm.x > 0.0)) {\nfloat bn = (bm.y - at);\nfloat bo = (au + (bn * ((2.0 * av) + bn)));\nfloat bp = altitude_of(bo, j);\nvec3 bq = densities(ar, max(bp, 0.0));\naj = vec3(0.0);\nif (RAYLEIGH) {\nvec3 br = aj;\nvec3 bs = ae;\naj = (br + (bs * bq.x));\n}\nif (MIE) {\nvec3 bt = aj;\nvec3 bu = af;\naj = (bt + (bu * bq.y));\n}\nfloat bv = (q + (r * bm.y));\nvec3 bw = aj;\nvec3 bx = sun_transmittance(as, ar, j, k, bo, bv, ab);\naj = (bw * bx);\nvec3 by = aj;\nvec3 bz = sun_visibility(x, (l + bm.y));\naj = (by * bz);\nvec3 ca = ac;\nvec3 cb = ad;\nvec3 cc = mean_transmittance(bj);\nvec3 cd = aj;\nac = (ca + (((cb * cc) * cd) * bm.x));\n}\n}\nvec3 ce = ad;\nad = (ce * exp(-(bj)));\nah = bd;\n}\n}\n}\n",
+    "void single_scattering(vec3 a, float b, vec3 c, float d, vec3 e, float f, vec3 g, float h, vec3 i, float j, float k, float l, float m, float n, float o, float p, float q, float r, float s, float t, float u, float v, bool w, vec3 x, float y, float z, uint aa, uint ab, inout vec3 ac, inout vec3 ad) {\nvec3 ae = vec3(0.0);\nvec3 af = vec3(0.0);\nvec2 ag = vec2(0.0);\nfloat ah = 0.0;\nuint ai = 0u;\nfloat aj = 0.0;\nvec3 ak = vec3(0.0);\nfloat al = 0.0;\nfloat am = 0.0;\nfloat an = 0.0;\nac = vec3(0.0);\nad = vec3(1.0);\nif (SUNLIGHT) {\nvec2 ao = shadow_stretch(q, r, s, t, u, v);\nag = ao;\nif (RAYLEIGH) {\nfloat ap = rayleigh_phase((1.0 - z));\nae = (a * ap);\n}\nif (MIE) {\nfloat aq = ((z > 1.0) ? (s / max(z, 1.0)) : (2.0 - z));\nvec3 ar = mie_phase(z, aq, g);\naf = (c * ar);\n}\n}\nvec4 as = layers_of(b, d, f, h);\nmat3x3 at = coefficients_of(a, e, i);\nperigee_of(m, n, o, p, w, y, j, al, am, an);\nfloat au = al;\nfloat av = am;\nfloat aw = an;\nfloat ax = -(sqrt(au));\nfloat ay = ((sqrt((y - au)) - ax) / float(aa));\nbool az = true;\nwhile(true) {\nif (!az) {\nuint ba = ai;\nai = (ba + 1u);\n}\naz = false;\nuint bb = ai;\nif ((bb < aa)) {\n} else {\nbreak;\n}\n{\nuint bc = ai;\nfloat bd = (ax + (ay * float(bc)));\nfloat be = u_to_distance(au, (bd + ay));\nfloat bf = u_to_distance(au, (bd + (0.5 * ay)));\nfloat bg = altitude_after(av, aw, (bf - au), j);\nfloat bh = ah;\nfloat bi = (be - bh);\nvec3 bj = densities(as, bg);\nvec3 bk = extinction(at, bj);\nvec3 bl = (bk * bi);\nif (SUNLIGHT) {\nvec2 bm = ag;\nfloat bn = ah;\nvec3 bo = dark_part(bm, bn, be);\nif ((bo.z < bi)) {\naj = bf;\nif ((bo.z > 0.0)) {\nfloat bp = ah;\nfloat bq = lit_middle(bo, au, bp, be);\naj = bq;\n}\nfloat br = aj;\nfloat bs = (br - au);\nfloat bt = (av + (bs * ((2.0 * aw) + bs)));\nfloat bu = altitude_of(bt, j);\nvec3 bv = densities(as, max(bu, 0.0));\nak = vec3(0.0);\nif (RAYLEIGH) {\nvec3 bw = ak;\nvec3 bx = ae;\nak = (bw + (bx * bv.x));\n}\nif (MIE) {\nvec3 by = ak;\nvec3 bz = af;\nak = (by + (bz * bv.y));\n}\nfloat ca = aj;\nfloat cb = (q + (r * ca));\nvec3 cc = ak;\nvec3 cd = sun_transmittance(at, as, j, k, bt, cb, ab);\nak = (cc * cd);\nvec3 ce = ak;\nfloat cf = aj;\nvec3 cg = sun_visibility(x, (l + cf));\nak = (ce * cg);\nvec3 ch = ac;\nvec3 ci = ad;\nvec3 cj = mean_transmittance(bl);\nvec3 ck = ak;\nac = (ch + (((ci * cj) * ck) * (bi - bo.z)));\n}\n}\nvec3 cl = ad;\nad = (cl * exp(-(bl)));\nah = be;\n}\n}\n}\n",
     "void sky_view_ray(float a, float b, bool c, float d, float e, float f, vec4 g, vec3 h, inout vec3 i, inout float j, inout float k, inout float l, inout float m, inout float n, inout float o, inout float p, inout float q) {\nbool r = false;\nfloat s = 0.0;\nfloat t = 0.0;\nfloat u = 0.0;\nfloat v = 0.0;\nfloat w = 0.0;\nfloat x = 0.0;\nfloat y = 0.0;\nfloat z = 0.0;\nfloat aa = 0.0;\nfloat ab = 0.0;\nvec2 ac = u_to_azimuth(a);\nif (!(c)) {\nr = (b > g.x);\n} else {\nr = false;\n}\nbool ad = r;\nif (ad) {\nupward_ray(ac, b, d, e, f, g, h, i, j, k, l, m, n, o, p, q);\nreturn;\n}\nfloat ae = (e + d);\nfloat af = excess_of(d, e);\nfloat ag = excess_of(f, e);\nbool ah = (d > f);\nfloat ai = (ah ? ag : af);\nif (c) {\nfloat aj = ((1.0 - b) * (1.0 + b));\nfloat ak = (SQRT_HALF * aj);\nv = ((b * b) * (1.0 + aj));\nfloat al = v;\nfloat am = v;\ns = (((-(e) * e) * al) * am);\nt = (e * ((2.0 * ak) * sqrt((1.0 - (ak * ak)))));\nfloat an = s;\nu = (ai - an);\n} else {\nfloat ao = min(d, f);\nfloat ap = min((b / max(g.x, 1e-20)), 1.0);\nfloat aq = ((1.0 - ap) * (1.0 + ap));\nfloat ar = (1.0 - g.y);\nfloat as = ((2.0 * aq) / max((ar + sqrt(((ar * ar) + ((4.0 * g.y) * aq)))), 1e-20));\nfloat at = (ao * min((((ap * ap) * (1.0 + as)) / (1.0 + (g.y * as))), 1.0));\nfloat au = excess_of(at, e);\ns = au;\nt = (e + at);\nu = (((ao * as) * as) * (((2.0 * e) + ao) + at));\n}\nfloat av = ((d - f) * (((2.0 * e) + f) + d));\nfloat aw = u;\nfloat ax = -(sqrt(max(aw, 0.0)));\nfloat ay = u;\nfloat az = ((ah ? -(sqrt(max((av + ay), 0.0))) : ax) / ae);\nfloat ba = t;\nvec3 bb = vec3((ac * min((ba / ae), 1.0)), az);\nif (ah) {\nab = (av / (-(ax) - (ae * az)));\nfloat bc = ab;\nsun_side_outside(bb, h, ae, bc, -(ax), ag, e, w, x, y, z, aa);\n} else {\nsun_side_inside(bb, h, ae, af, e, w, x, y, z, aa);\n}\nfloat bd = distance_to_top(ai, ax, ag);\nfloat be = v;\nfloat bf = (c ? (ai / max(((e * be) - ax), 1e-20)) : bd);\nfloat bg = ab;\nfloat bh = s;\nfloat bi = w;\nfloat bj = x;\nfloat bk = y;\ni = bb;\nj = bg;\nk = bf;\nl = ai;\nm = ax;\nn = bh;\no = bi;\np = bj;\nq = bk;\n}\n",
     "vec4 step_answer(vec4 a, vec4 b) {\nfloat c = clamp(-(a.y), 0.0, a.z);\nfloat d = distance_to_u(c, 0.0);\nfloat e = distance_to_u(c, a.z);\nfloat f = u_to_distance(c, (d + ((e - d) * b.x)));\nfloat g = distance_to_u(c, f);\nfloat h = u_to_distance(c, g);\nreturn vec4(d, e, f, h);\n}\n",
     "vec4 sun_axis(float a, float b, float c, float d) {\nreturn vec4(a, b, c, d);\n}\n",
@@ -148,8 +149,8 @@ pub mod probe_eclipse {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 7, 43],
-            fragment: &[0, 7, 4, 8, 6, 22, 58, 34, 61, 85, 52, 49],
+            vertex: &[0, 7, 44],
+            fragment: &[0, 7, 4, 8, 6, 22, 59, 35, 62, 86, 53, 50],
             blocks: ["", ""],
             samplers: &["_group_0_binding_1_fs"],
         },
@@ -179,8 +180,8 @@ pub mod probe_geometry {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 7, 43],
-            fragment: &[0, 7, 5, 8, 6, 17, 13, 31, 12, 29, 35, 62, 69, 71, 40, 74, 28, 9, 11, 57, 37, 63, 44],
+            vertex: &[0, 7, 44],
+            fragment: &[0, 7, 5, 8, 6, 17, 13, 32, 12, 30, 36, 63, 70, 72, 41, 75, 29, 9, 11, 58, 38, 64, 45],
             blocks: ["", ""],
             samplers: &["_group_0_binding_1_fs"],
         },
@@ -213,8 +214,8 @@ pub mod probe_luts {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 7, 43],
-            fragment: &[0, 7, 3, 8, 6, 18, 13, 31, 29, 35, 62, 68, 70, 41, 74, 28, 9, 10, 38, 79, 30, 76, 77, 14, 82, 67, 53, 80, 25, 16, 78, 86, 81, 65, 33, 55, 84, 83, 27, 59, 15, 75, 54, 66, 45],
+            vertex: &[0, 7, 44],
+            fragment: &[0, 7, 3, 8, 6, 18, 13, 32, 30, 36, 63, 69, 71, 42, 75, 29, 9, 10, 39, 80, 31, 77, 78, 14, 83, 68, 54, 81, 25, 16, 79, 87, 82, 66, 34, 56, 85, 84, 28, 60, 15, 76, 55, 67, 46],
             blocks: ["", ""],
             samplers: &["_group_0_binding_1_fs"],
         },
@@ -250,8 +251,8 @@ pub mod probe_medium {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 7, 43],
-            fragment: &[0, 7, 2, 8, 6, 20, 39, 23, 26, 32, 50, 60, 36, 24, 47],
+            vertex: &[0, 7, 44],
+            fragment: &[0, 7, 2, 8, 6, 20, 40, 23, 27, 33, 51, 61, 37, 24, 48],
             blocks: ["", ""],
             samplers: &["_group_0_binding_1_fs"],
         },
@@ -287,8 +288,8 @@ pub mod probe_path {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 7, 43],
-            fragment: &[0, 7, 1, 8, 6, 19, 13, 31, 12, 29, 39, 23, 26, 32, 79, 56, 72, 46],
+            vertex: &[0, 7, 44],
+            fragment: &[0, 7, 1, 8, 6, 19, 13, 32, 12, 30, 40, 23, 27, 33, 80, 57, 73, 47],
             blocks: ["", ""],
             samplers: &["_group_0_binding_1_fs"],
         },
@@ -328,8 +329,8 @@ pub mod probe_scatter {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 7, 43],
-            fragment: &[0, 7, 1, 8, 6, 21, 13, 31, 12, 29, 35, 62, 69, 71, 40, 74, 28, 9, 11, 57, 63, 39, 23, 26, 32, 79, 30, 56, 50, 42, 60, 36, 24, 51, 72, 73, 64, 48],
+            vertex: &[0, 7, 44],
+            fragment: &[0, 7, 1, 8, 6, 21, 13, 32, 12, 30, 36, 63, 70, 72, 41, 75, 29, 9, 11, 58, 64, 40, 23, 27, 33, 80, 31, 57, 51, 26, 43, 61, 37, 24, 52, 73, 74, 65, 49],
             blocks: ["", ""],
             samplers: &["_group_0_binding_1_fs"],
         },

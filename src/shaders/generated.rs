@@ -1,4 +1,4 @@
-// Made by `cargo run -- shaders` from shaders/wgsl/; do not edit. Readable shaders are in shaders/glsl/.
+// Made by `cargo lab shaders` from shaders/wgsl/; do not edit. Readable shaders are in shaders/glsl/.
 
 #[allow(unused_imports)]
 use crate::gpu::{ProgramInfo, TextureSlot, Vertices};
@@ -127,6 +127,7 @@ static PARTS: &[&str] = &[
     "void corner(vec2 a, ivec2 b, inout ivec2 c, inout ivec2 d, inout vec2 e) {\nvec2 f = clamp(a, vec2(0.0), vec2((b - ivec2(1))));\nivec2 g = min(ivec2(f), (b - ivec2(1)));\nc = g;\nd = min((g + ivec2(1)), (b - ivec2(1)));\ne = (f - vec2(g));\n}\n",
     "vec3 cornette_shanks_phase(float a, float b, vec3 c) {\nfloat d = (1.0 - a);\nvec3 e = henyey_greenstein_phase(a, b, c);\nreturn ((vec3((1.5 * (1.0 + (d * d)))) / (vec3(2.0) + (c * c))) * e);\n}\n",
     "float crowded(float a, float b, float c) {\nreturn sqrt((max(a, 0.0) / (c * (b + c))));\n}\n",
+    "vec3 dark_part(vec2 a, float b, float c) {\nfloat d = clamp(a.x, b, c);\nfloat e = clamp(a.y, b, c);\nreturn vec3(d, e, ((a.y > a.x) ? max((e - d), 0.0) : 0.0));\n}\n",
     "vec3 decode_light(vec3 a) {\nvec3 b = (a * a);\nreturn (b * b);\n}\n",
     "vec3 densities(vec4 a, float b) {\nvec3 c = vec3(0.0);\nif (RAYLEIGH) {\nc.x = exp((-(b) * a.x));\n}\nif (MIE) {\nc.y = exp((-(b) * a.y));\n}\nif (OZONE) {\nc.z = max(0.0, (1.0 - (abs((b - a.z)) * a.w)));\n}\nvec3 d = c;\nreturn d;\n}\n",
     "float depth_distance(float a, float b, float c, float d, float e, float f) {\nif ((e == d)) {\nreturn -1.0;\n}\nif ((c > 0.0)) {\nreturn (((exp2((e * c)) - 1.0) * 0.001) * f);\n}\nfloat g = ((e * a) + b);\nif ((g <= 0.0)) {\nreturn -1.0;\n}\nreturn (f / g);\n}\n",
@@ -141,8 +142,8 @@ static PARTS: &[&str] = &[
     "vec3 encode_light(vec3 a) {\nreturn sqrt(sqrt(a));\n}\n",
     "float excess_of(float a, float b) {\nreturn (a * ((2.0 * b) + a));\n}\n",
     "vec3 extinction(mat3x3 a, vec3 b) {\nvec3 c = vec3(0.0);\nif (RAYLEIGH) {\nvec3 d = c;\nc = (d + (a[0] * b.x));\n}\nif (MIE) {\nvec3 e = c;\nc = (e + (a[1] * b.y));\n}\nif (OZONE) {\nvec3 f = c;\nc = (f + (a[2] * b.z));\n}\nvec3 g = c;\nreturn g;\n}\n",
-    "void gather(highp sampler2D a, highp sampler2D b, vec3 c, float d, vec3 e, float f, float g, float h, vec3 i, float j, float k, vec3 l, float m, vec3 n, float o, vec3 p, float q, vec3 r, float s, float t, float u, uint v, float w, float x, float y, float z, float aa, float ab, float ac, vec3 ad, float ae, float af, float ag, float ah, float ai, vec3 aj, vec3 ak, float al, inout vec3 am, inout vec3 an) {\nfloat ao = 0.0;\nuint ap = 0u;\nvec3 aq = vec3(0.0);\nvec3 ar = vec3(0.0);\nvec3 as = vec3(0.0);\nam = vec3(0.0);\nan = vec3(1.0);\nvec4 at = layers_of(d, f, g, h);\nmat3x3 au = mat3x3(c, l, i);\nvec2 av = shadow_stretch(x, y, z, aa, ab, ac);\nvec4 aw = sun_axis(q, s, t, u);\nvec2 ax = multi_scattering_span(b);\nmat3x3 ay = mat3x3((e * n), (e * p), (e * r));\nfloat az = ((ai - ah) / float(v));\nfloat ba = u_to_distance(ae, ah);\nao = ba;\nbool bb = true;\nwhile(true) {\nif (!bb) {\nuint bc = ap;\nap = (bc + 1u);\n}\nbb = false;\nuint bd = ap;\nif ((bd < v)) {\n} else {\nbreak;\n}\n{\nuint be = ap;\nfloat bf = (ah + (az * float(be)));\nfloat bg = u_to_distance(ae, (bf + az));\nfloat bh = ao;\nfloat bi = (bg - bh);\nfloat bj = u_to_distance(ae, (bf + (0.5 * az)));\nfloat bk = altitude_after(af, ag, (bj - ae), j);\nvec3 bl = densities(at, bk);\nvec3 bm = extinction(au, bl);\nvec3 bn = (bm * bi);\nvec3 bo = an;\nvec3 bp = mean_transmittance(bn);\nvec3 bq = (bo * bp);\nfloat br = ao;\nvec2 bs = lit_part(av, ae, br, bg, bj);\nif ((bs.x > 0.0)) {\nfloat bt = (bs.y - ae);\nfloat bu = max((af + (bt * ((2.0 * ag) + bt))), 0.0);\nfloat bv = altitude_of(bu, j);\nvec3 bw = densities(at, bv);\nfloat bx = (x + (y * bs.y));\nvec3 by = optical_path_to_top(a, j, k, bu, bv, bx);\nvec3 bz = extinction(au, by);\naq = (((aj * bw.x) + (ak * bw.y)) * exp(-(bz)));\nvec3 ca = aq;\nvec3 cb = sun_visibility(ad, (w + bs.y));\naq = (ca * cb);\nvec3 cc = am;\nvec3 cd = aq;\nam = (cc + ((bq * cd) * bs.x));\n}\nif (MULTI_SCATTERING) {\nfloat ce = (j + bk);\nfloat cf = clamp((((ag + bj) - ae) / ce), -1.0, 1.0);\nfloat cg = clamp(((x + (y * bj)) / ce), -1.0, 1.0);\nfloat ch = altitude_to_v(m, o, bk, k);\nfloat ci = mu_sun_to_u(aw, cg);\nvec2 cj = (vec2(ci, ch) * ax);\nmulti_scattering_source(b, cj, c, ay, cf, cg, y, ar, as);\nvec3 ck = ar;\nvec3 cl = as;\nvec3 cm = sun_visibility_around(ad, (w + bj));\nvec3 cn = (((ck * cm) * bl.x) + ((cl * cm) * bl.y));\nvec3 co = am;\nam = (co + ((bq * (bi * al)) * cn));\n}\nvec3 cp = an;\nan = (cp * exp(-(bn)));\nao = bg;\n}\n}\n}\n",
-    "void gather(highp sampler2D a, highp sampler2D b, vec3 c, float d, vec3 e, float f, float g, float h, vec3 i, float j, float k, vec3 l, float m, vec3 n, float o, vec3 p, float q, vec3 r, float s, float t, float u, uint v, float w, float x, float y, float z, float aa, float ab, float ac, vec3 ad, float ae, float af, float ag, float ah, float ai, vec3 aj, vec3 ak, float al, inout vec3 am, inout vec3 an, inout vec3 ao) {\nfloat ap = 0.0;\nuint aq = 0u;\nvec3 ar = vec3(0.0);\nvec3 as = vec3(0.0);\nvec3 at = vec3(0.0);\nam = vec3(0.0);\nan = vec3(1.0);\nao = vec3(0.0);\nvec4 au = layers_of(d, f, g, h);\nmat3x3 av = mat3x3(c, l, i);\nvec2 aw = shadow_stretch(x, y, z, aa, ab, ac);\nvec4 ax = sun_axis(q, s, t, u);\nvec2 ay = multi_scattering_span(b);\nmat3x3 az = mat3x3((e * n), (e * p), (e * r));\nfloat ba = ((ai - ah) / float(v));\nfloat bb = u_to_distance(ae, ah);\nap = bb;\nbool bc = true;\nwhile(true) {\nif (!bc) {\nuint bd = aq;\naq = (bd + 1u);\n}\nbc = false;\nuint be = aq;\nif ((be < v)) {\n} else {\nbreak;\n}\n{\nuint bf = aq;\nfloat bg = (ah + (ba * float(bf)));\nfloat bh = u_to_distance(ae, (bg + ba));\nfloat bi = ap;\nfloat bj = (bh - bi);\nfloat bk = u_to_distance(ae, (bg + (0.5 * ba)));\nfloat bl = altitude_after(af, ag, (bk - ae), j);\nvec3 bm = densities(au, bl);\nvec3 bn = extinction(av, bm);\nvec3 bo = (bn * bj);\nvec3 bp = an;\nvec3 bq = mean_transmittance(bo);\nvec3 br = (bp * bq);\nfloat bs = ap;\nvec2 bt = lit_part(aw, ae, bs, bh, bk);\nif ((bt.x > 0.0)) {\nfloat bu = (bt.y - ae);\nfloat bv = max((af + (bu * ((2.0 * ag) + bu))), 0.0);\nfloat bw = altitude_of(bv, j);\nvec3 bx = densities(au, bw);\nfloat by = (x + (y * bt.y));\nvec3 bz = optical_path_to_top(a, j, k, bv, bw, by);\nvec3 ca = extinction(av, bz);\nar = (((aj * bx.x) + (ak * bx.y)) * exp(-(ca)));\nvec3 cb = ar;\nvec3 cc = sun_visibility(ad, (w + bt.y));\nar = (cb * cc);\nvec3 cd = am;\nvec3 ce = ar;\nam = (cd + ((br * ce) * bt.x));\n}\nif (MULTI_SCATTERING) {\nfloat cf = (j + bl);\nfloat cg = clamp((((ag + bk) - ae) / cf), -1.0, 1.0);\nfloat ch = clamp(((x + (y * bk)) / cf), -1.0, 1.0);\nfloat ci = altitude_to_v(m, o, bl, k);\nfloat cj = mu_sun_to_u(ax, ch);\nvec2 ck = (vec2(cj, ci) * ay);\nmulti_scattering_source(b, ck, c, az, cg, ch, y, as, at);\nvec3 cl = as;\nvec3 cm = at;\nvec3 cn = sun_visibility_around(ad, (w + bk));\nvec3 co = (((cl * cn) * bm.x) + ((cm * cn) * bm.y));\nvec3 cp = am;\nam = (cp + ((br * (bj * al)) * co));\n}\nvec3 cq = an;\nan = (cq * exp(-(bo)));\nvec3 cr = ao;\nao = (cr + (bm * bj));\nap = bh;\n}\n}\n}\n",
+    "void gather(highp sampler2D a, highp sampler2D b, vec3 c, float d, vec3 e, float f, float g, float h, vec3 i, float j, float k, vec3 l, float m, vec3 n, float o, vec3 p, float q, vec3 r, float s, float t, float u, uint v, float w, float x, float y, float z, float aa, float ab, float ac, vec3 ad, float ae, float af, float ag, float ah, float ai, vec3 aj, vec3 ak, float al, inout vec3 am, inout vec3 an) {\nfloat ao = 0.0;\nuint ap = 0u;\nfloat aq = 0.0;\nvec3 ar = vec3(0.0);\nvec3 as = vec3(0.0);\nvec3 at = vec3(0.0);\nam = vec3(0.0);\nan = vec3(1.0);\nvec4 au = layers_of(d, f, g, h);\nmat3x3 av = mat3x3(c, l, i);\nvec2 aw = shadow_stretch(x, y, z, aa, ab, ac);\nvec4 ax = sun_axis(q, s, t, u);\nvec2 ay = multi_scattering_span(b);\nmat3x3 az = mat3x3((e * n), (e * p), (e * r));\nfloat ba = ((ai - ah) / float(v));\nfloat bb = u_to_distance(ae, ah);\nao = bb;\nbool bc = true;\nwhile(true) {\nif (!bc) {\nuint bd = ap;\nap = (bd + 1u);\n}\nbc = false;\nuint be = ap;\nif ((be < v)) {\n} else {\nbreak;\n}\n{\nuint bf = ap;\nfloat bg = (ah + (ba * float(bf)));\nfloat bh = u_to_distance(ae, (bg + ba));\nfloat bi = ao;\nfloat bj = (bh - bi);\nfloat bk = u_to_distance(ae, (bg + (0.5 * ba)));\nfloat bl = altitude_after(af, ag, (bk - ae), j);\nvec3 bm = densities(au, bl);\nvec3 bn = extinction(av, bm);\nvec3 bo = (bn * bj);\nvec3 bp = an;\nvec3 bq = mean_transmittance(bo);\nvec3 br = (bp * bq);\nfloat bs = ao;\nvec3 bt = dark_part(aw, bs, bh);\nif ((bt.z < bj)) {\naq = bk;\nif ((bt.z > 0.0)) {\nfloat bu = ao;\nfloat bv = lit_middle(bt, ae, bu, bh);\naq = bv;\n}\nfloat bw = aq;\nfloat bx = (bw - ae);\nfloat by = max((af + (bx * ((2.0 * ag) + bx))), 0.0);\nfloat bz = altitude_of(by, j);\nvec3 ca = densities(au, bz);\nfloat cb = aq;\nfloat cc = (x + (y * cb));\nvec3 cd = optical_path_to_top(a, j, k, by, bz, cc);\nvec3 ce = extinction(av, cd);\nar = (((aj * ca.x) + (ak * ca.y)) * exp(-(ce)));\nvec3 cf = ar;\nfloat cg = aq;\nvec3 ch = sun_visibility(ad, (w + cg));\nar = (cf * ch);\nvec3 ci = am;\nvec3 cj = ar;\nam = (ci + ((br * cj) * (bj - bt.z)));\n}\nif (MULTI_SCATTERING) {\nfloat ck = (j + bl);\nfloat cl = clamp((((ag + bk) - ae) / ck), -1.0, 1.0);\nfloat cm = clamp(((x + (y * bk)) / ck), -1.0, 1.0);\nfloat cn = altitude_to_v(m, o, bl, k);\nfloat co = mu_sun_to_u(ax, cm);\nvec2 cp = (vec2(co, cn) * ay);\nmulti_scattering_source(b, cp, c, az, cl, cm, y, as, at);\nvec3 cq = as;\nvec3 cr = at;\nvec3 cs = sun_visibility_around(ad, (w + bk));\nvec3 ct = (((cq * cs) * bm.x) + ((cr * cs) * bm.y));\nvec3 cu = am;\nam = (cu + ((br * (bj * al)) * ct));\n}\nvec3 cv = an;\nan = (cv * exp(-(bo)));\nao = bh;\n}\n}\n}\n",
+    "void gather(highp sampler2D a, highp sampler2D b, vec3 c, float d, vec3 e, float f, float g, float h, vec3 i, float j, float k, vec3 l, float m, vec3 n, float o, vec3 p, float q, vec3 r, float s, float t, float u, uint v, float w, float x, float y, float z, float aa, float ab, float ac, vec3 ad, float ae, float af, float ag, float ah, float ai, vec3 aj, vec3 ak, float al, inout vec3 am, inout vec3 an, inout vec3 ao) {\nfloat ap = 0.0;\nuint aq = 0u;\nfloat ar = 0.0;\nvec3 as = vec3(0.0);\nvec3 at = vec3(0.0);\nvec3 au = vec3(0.0);\nam = vec3(0.0);\nan = vec3(1.0);\nao = vec3(0.0);\nvec4 av = layers_of(d, f, g, h);\nmat3x3 aw = mat3x3(c, l, i);\nvec2 ax = shadow_stretch(x, y, z, aa, ab, ac);\nvec4 ay = sun_axis(q, s, t, u);\nvec2 az = multi_scattering_span(b);\nmat3x3 ba = mat3x3((e * n), (e * p), (e * r));\nfloat bb = ((ai - ah) / float(v));\nfloat bc = u_to_distance(ae, ah);\nap = bc;\nbool bd = true;\nwhile(true) {\nif (!bd) {\nuint be = aq;\naq = (be + 1u);\n}\nbd = false;\nuint bf = aq;\nif ((bf < v)) {\n} else {\nbreak;\n}\n{\nuint bg = aq;\nfloat bh = (ah + (bb * float(bg)));\nfloat bi = u_to_distance(ae, (bh + bb));\nfloat bj = ap;\nfloat bk = (bi - bj);\nfloat bl = u_to_distance(ae, (bh + (0.5 * bb)));\nfloat bm = altitude_after(af, ag, (bl - ae), j);\nvec3 bn = densities(av, bm);\nvec3 bo = extinction(aw, bn);\nvec3 bp = (bo * bk);\nvec3 bq = an;\nvec3 br = mean_transmittance(bp);\nvec3 bs = (bq * br);\nfloat bt = ap;\nvec3 bu = dark_part(ax, bt, bi);\nif ((bu.z < bk)) {\nar = bl;\nif ((bu.z > 0.0)) {\nfloat bv = ap;\nfloat bw = lit_middle(bu, ae, bv, bi);\nar = bw;\n}\nfloat bx = ar;\nfloat by = (bx - ae);\nfloat bz = max((af + (by * ((2.0 * ag) + by))), 0.0);\nfloat ca = altitude_of(bz, j);\nvec3 cb = densities(av, ca);\nfloat cc = ar;\nfloat cd = (x + (y * cc));\nvec3 ce = optical_path_to_top(a, j, k, bz, ca, cd);\nvec3 cf = extinction(aw, ce);\nas = (((aj * cb.x) + (ak * cb.y)) * exp(-(cf)));\nvec3 cg = as;\nfloat ch = ar;\nvec3 ci = sun_visibility(ad, (w + ch));\nas = (cg * ci);\nvec3 cj = am;\nvec3 ck = as;\nam = (cj + ((bs * ck) * (bk - bu.z)));\n}\nif (MULTI_SCATTERING) {\nfloat cl = (j + bm);\nfloat cm = clamp((((ag + bl) - ae) / cl), -1.0, 1.0);\nfloat cn = clamp(((x + (y * bl)) / cl), -1.0, 1.0);\nfloat co = altitude_to_v(m, o, bm, k);\nfloat cp = mu_sun_to_u(ay, cn);\nvec2 cq = (vec2(cp, co) * az);\nmulti_scattering_source(b, cq, c, ba, cm, cn, y, at, au);\nvec3 cr = at;\nvec3 cs = au;\nvec3 ct = sun_visibility_around(ad, (w + bl));\nvec3 cu = (((cr * ct) * bn.x) + ((cs * ct) * bn.y));\nvec3 cv = am;\nam = (cv + ((bs * (bk * al)) * cu));\n}\nvec3 cw = an;\nan = (cw * exp(-(bp)));\nvec3 cx = ao;\nao = (cx + (bn * bk));\nap = bi;\n}\n}\n}\n",
     "vec2 gauss8_(int a) {\nswitch(a) {\ncase 0: {\nreturn vec2(0.01985507, 0.050614268);\n}\ncase 1: {\nreturn vec2(0.10166676, 0.11119052);\n}\ncase 2: {\nreturn vec2(0.23723379, 0.15685332);\n}\ncase 3: {\nreturn vec2(0.40828267, 0.18134189);\n}\ncase 4: {\nreturn vec2(0.5917173, 0.18134189);\n}\ncase 5: {\nreturn vec2(0.7627662, 0.15685332);\n}\ncase 6: {\nreturn vec2(0.89833325, 0.11119052);\n}\ndefault: {\nreturn vec2(0.9801449, 0.050614268);\n}\n}\n}\n",
     "void grid_point(uint a, inout vec3 b, inout float c, inout float d, inout float e) {\nuint f = min((max((a % 772u), 1u) - 1u), (772u - 3u));\nuint g = ((a / 772u) + (f & 1u));\nfloat h = ((6.2831855 * float(((f / 2u) % SEGMENTS))) / 384.0);\nfloat i = _group_0_binding_0_vs.arc_rate;\nfloat j = (i * float(g));\nfloat k = _group_0_binding_0_vs.arc_scale;\nfloat l = ((k * 0.5) * (exp(j) - exp(-(j))));\nvec3 m = _group_0_binding_0_vs.grid_x;\nvec3 n = _group_0_binding_0_vs.grid_y;\nvec3 o = normalize(((m * cos(h)) + (n * sin(h))));\nfloat p = ((2.0 * l) / (1.0 + (l * l)));\nfloat q = (((2.0 * l) * l) / (1.0 + (l * l)));\nfloat r = _group_0_binding_0_vs.arc_rate;\nfloat s = _group_0_binding_0_vs.arc_scale;\nfloat t = _group_0_binding_0_vs.arc_scale;\nfloat u = (((2.0 * r) * sqrt(((s * t) + (l * l)))) / (1.0 + (l * l)));\nb = o;\nc = p;\nd = q;\ne = max(u, (p * 0.016362462));\n}\n",
     "vec3 ground_albedo(float a, float b) {\nvec3 c = vec3(0.0);\nfloat d = _group_0_binding_0_fs.amplitude;\nfloat e = smoothstep(0.05, 0.6, (a / d));\nvec3 f = _group_0_binding_0_fs.low_albedo;\nvec3 g = _group_0_binding_0_fs.high_albedo;\nc = mix(f, g, e);\nvec3 h = _group_0_binding_0_fs.high_albedo;\nvec3 i = c;\nc = mix(h, i, smoothstep(0.8, 0.95, b));\nvec3 j = c;\nfloat k = _group_0_binding_0_fs.snow_line;\nfloat l = _group_0_binding_0_fs.snow_line;\nc = mix(j, vec3(0.8), smoothstep(k, (l * 1.15), a));\nvec3 m = c;\nfloat n = _group_0_binding_0_fs.sea;\nreturn mix(m, vec3(0.02, 0.04, 0.06), (n * (1.0 - smoothstep(0.0, 0.004, a))));\n}\n",
@@ -164,7 +165,7 @@ static PARTS: &[&str] = &[
     "void line_past(vec3 a, float b, float c, inout bool d) {\nbool e = false;\nfloat f = (c + b);\nfloat g = (f * a.z);\nfloat h = (f * sqrt(dot(a.xy, a.xy)));\nfloat i = excess_of(b, c);\nfloat j = half_chord2_(g, i, (c - h), h);\nif ((g < 0.0)) {\ne = (j >= 0.0);\n} else {\ne = false;\n}\nbool k = e;\nd = k;\n}\n",
     "void line_past(vec3 a, float b, float c, inout float d, inout float e, inout bool f) {\nbool g = false;\nfloat h = (c + b);\nfloat i = (h * a.z);\nfloat j = (h * sqrt(dot(a.xy, a.xy)));\nfloat k = excess_of(b, c);\nfloat l = half_chord2_(i, k, (c - j), j);\nif ((i < 0.0)) {\ng = (l >= 0.0);\n} else {\ng = false;\n}\nbool m = g;\nd = i;\ne = -(l);\nf = m;\n}\n",
     "void line_past(vec3 a, float b, float c, inout float d, inout float e, inout float f, inout bool g) {\nbool h = false;\nfloat i = (c + b);\nfloat j = (i * a.z);\nfloat k = (i * sqrt(dot(a.xy, a.xy)));\nfloat l = excess_of(b, c);\nfloat m = half_chord2_(j, l, (c - k), k);\nif ((j < 0.0)) {\nh = (m >= 0.0);\n} else {\nh = false;\n}\nbool n = h;\nd = j;\ne = k;\nf = -(m);\ng = n;\n}\n",
-    "vec2 lit_part(vec2 a, float b, float c, float d, float e) {\nfloat f = clamp(a.x, c, d);\nfloat g = clamp(a.y, c, d);\nfloat h = ((a.y > a.x) ? max((g - f), 0.0) : 0.0);\nif ((h <= 0.0)) {\nreturn vec2((d - c), e);\n}\nbool i = ((f - c) > (d - g));\nfloat j = (i ? c : g);\nfloat k = (i ? f : d);\nfloat l = distance_to_u(b, j);\nfloat m = distance_to_u(b, k);\nfloat n = (0.5 * (l + m));\nfloat o = u_to_distance(b, n);\nreturn vec2(((d - c) - h), o);\n}\n",
+    "float lit_middle(vec3 a, float b, float c, float d) {\nbool e = ((a.x - c) > (d - a.y));\nfloat f = (e ? c : a.y);\nfloat g = (e ? a.x : d);\nfloat h = distance_to_u(b, f);\nfloat i = distance_to_u(b, g);\nfloat j = u_to_distance(b, (0.5 * (h + i)));\nreturn j;\n}\n",
     "float lommel_seeliger(vec3 a, vec3 b, vec3 c, float d, float e) {\nfloat f = max(-(dot(a, b)), 0.0001);\nfloat g = max(dot(a, c), 0.0);\nreturn (d * (((2.0 * g) / (g + f)) + e));\n}\n",
     "void main() {\nuint a = uint(gl_VertexID);\nfloat b = _group_0_binding_0_vs.rectangle.x;\nfloat c = _group_0_binding_0_vs.rectangle.z;\nfloat d = (((a & 1u) != 0u) ? c : b);\nfloat e = _group_0_binding_0_vs.rectangle.y;\nfloat f = _group_0_binding_0_vs.rectangle.w;\nfloat g = (((a & 2u) != 0u) ? f : e);\ngl_Position = vec4(d, g, 0.0, 1.0);\ngl_Position.yz = vec2(-gl_Position.y, gl_Position.z * 2.0 - gl_Position.w);\nreturn;\n}\n",
     "void main() {\nuint a = uint(gl_VertexID);\nvec2 b = vec2(float(((a << 1u) & 2u)), float((a & 2u)));\ngl_Position = vec4(((b * 2.0) - vec2(1.0)), 0.0, 1.0);\ngl_Position.yz = vec2(-gl_Position.y, gl_Position.z * 2.0 - gl_Position.w);\nreturn;\n}\n",
@@ -219,7 +220,7 @@ static PARTS: &[&str] = &[
     "float segment(vec2 a) {\nfloat b = quarter_atan(a.x, a.y);\nfloat c = (2.0 * b);\nif ((c < 0.5)) {\nfloat d = ((4.0 * c) * c);\nfloat e = (1.0 - ((d * 0.05) * (1.0 - ((d * 0.023809524) * (1.0 - (d * 0.013888889))))));\nreturn (((c * d) * 0.16666667) * e);\n}\nfloat f = dot(a, a);\nreturn (c - ((((2.0 * a.x) * a.y) * ((a.y * a.y) - (a.x * a.x))) / (f * f)));\n}\n",
     "float shadow_half2_(float a, float b, float c, float d, float e, float f) {\nfloat g = max(sqrt(a), 1e-18);\nfloat h = ((e * abs(d)) / g);\nfloat i = half_chord2_((b / g), c, (f - h), h);\nreturn i;\n}\n",
     "vec2 shadow_stretch(float a, float b, float c, float d, float e, float f) {\nvec2 g = vec2(0.0);\nvec2 h = vec2(1.0, 0.0);\ng = vec2(-(1e30), 1e30);\nif ((c > 1e-30)) {\nif ((f <= 0.0)) {\nreturn h;\n}\nfloat i = -((d + (((d >= 0.0) ? 1.0 : -1.0) * sqrt((c * f)))));\nfloat j = (i / c);\nfloat k = ((i != 0.0) ? (e / i) : j);\ng = vec2(min(j, k), max(j, k));\n} else {\nif ((e >= 0.0)) {\nreturn h;\n}\n}\nif ((abs(b) < 1e-12)) {\nif ((a >= 0.0)) {\nreturn h;\n}\n} else {\nfloat l = (-(a) / b);\nif ((b > 0.0)) {\nfloat m = g.y;\ng.y = min(m, l);\n} else {\nfloat n = g.x;\ng.x = max(n, l);\n}\n}\nvec2 o = g;\nreturn o;\n}\n",
-    "void single_scattering(vec3 a, float b, vec3 c, float d, vec3 e, float f, vec3 g, float h, vec3 i, float j, float k, float l, float m, float n, float o, float p, float q, float r, float s, float t, float u, float v, bool w, vec3 x, float y, float z, uint aa, uint ab, inout vec3 ac, inout vec3 ad) {\nvec3 ae = vec3(0.0);\nvec3 af = vec3(0.0);\nvec2 ag = vec2(0.0);\nfloat ah = 0.0;\nuint ai = 0u;\nvec3 aj = vec3(0.0);\nfloat ak = 0.0;\nfloat al = 0.0;\nfloat am = 0.0;\nac = vec3(0.0);\nad = vec3(1.0);\nif (SUNLIGHT) {\nvec2 an = shadow_stretch(q, r, s, t, u, v);\nag = an;\nif (RAYLEIGH) {\nfloat ao = rayleigh_phase((1.0 - z));\nae = (a * ao);\n}\nif (MIE) {\nfloat ap = ((z > 1.0) ? (s / max(z, 1.0)) : (2.0 - z));\nvec3 aq = mie_phase(z, ap, g);\naf = (c * aq);\n}\n}\nvec4 ar = layers_of(b, d, f, h);\nmat3x3 as = coefficients_of(a, e, i);\nperigee_of(m, n, o, p, w, y, j, ak, al, am);\nfloat at = ak;\nfloat au = al;\nfloat av = am;\nfloat aw = -(sqrt(at));\nfloat ax = ((sqrt((y - at)) - aw) / float(aa));\nbool ay = true;\nwhile(true) {\nif (!ay) {\nuint az = ai;\nai = (az + 1u);\n}\nay = false;\nuint ba = ai;\nif ((ba < aa)) {\n} else {\nbreak;\n}\n{\nuint bb = ai;\nfloat bc = (aw + (ax * float(bb)));\nfloat bd = u_to_distance(at, (bc + ax));\nfloat be = u_to_distance(at, (bc + (0.5 * ax)));\nfloat bf = altitude_after(au, av, (be - at), j);\nvec3 bg = densities(ar, bf);\nvec3 bh = extinction(as, bg);\nfloat bi = ah;\nvec3 bj = (bh * (bd - bi));\nif (SUNLIGHT) {\nvec2 bk = ag;\nfloat bl = ah;\nvec2 bm = lit_part(bk, at, bl, bd, be);\nif ((bm.x > 0.0)) {\nfloat bn = (bm.y - at);\nfloat bo = (au + (bn * ((2.0 * av) + bn)));\nfloat bp = altitude_of(bo, j);\nvec3 bq = densities(ar, max(bp, 0.0));\naj = vec3(0.0);\nif (RAYLEIGH) {\nvec3 br = aj;\nvec3 bs = ae;\naj = (br + (bs * bq.x));\n}\nif (MIE) {\nvec3 bt = aj;\nvec3 bu = af;\naj = (bt + (bu * bq.y));\n}\nfloat bv = (q + (r * bm.y));\nvec3 bw = aj;\nvec3 bx = sun_transmittance(as, ar, j, k, bo, bv, ab);\naj = (bw * bx);\nvec3 by = aj;\nvec3 bz = sun_visibility(x, (l + bm.y));\naj = (by * bz);\nvec3 ca = ac;\nvec3 cb = ad;\nvec3 cc = mean_transmittance(bj);\nvec3 cd = aj;\nac = (ca + (((cb * cc) * cd) * bm.x));\n}\n}\nvec3 ce = ad;\nad = (ce * exp(-(bj)));\nah = bd;\n}\n}\n}\n",
+    "void single_scattering(vec3 a, float b, vec3 c, float d, vec3 e, float f, vec3 g, float h, vec3 i, float j, float k, float l, float m, float n, float o, float p, float q, float r, float s, float t, float u, float v, bool w, vec3 x, float y, float z, uint aa, uint ab, inout vec3 ac, inout vec3 ad) {\nvec3 ae = vec3(0.0);\nvec3 af = vec3(0.0);\nvec2 ag = vec2(0.0);\nfloat ah = 0.0;\nuint ai = 0u;\nfloat aj = 0.0;\nvec3 ak = vec3(0.0);\nfloat al = 0.0;\nfloat am = 0.0;\nfloat an = 0.0;\nac = vec3(0.0);\nad = vec3(1.0);\nif (SUNLIGHT) {\nvec2 ao = shadow_stretch(q, r, s, t, u, v);\nag = ao;\nif (RAYLEIGH) {\nfloat ap = rayleigh_phase((1.0 - z));\nae = (a * ap);\n}\nif (MIE) {\nfloat aq = ((z > 1.0) ? (s / max(z, 1.0)) : (2.0 - z));\nvec3 ar = mie_phase(z, aq, g);\naf = (c * ar);\n}\n}\nvec4 as = layers_of(b, d, f, h);\nmat3x3 at = coefficients_of(a, e, i);\nperigee_of(m, n, o, p, w, y, j, al, am, an);\nfloat au = al;\nfloat av = am;\nfloat aw = an;\nfloat ax = -(sqrt(au));\nfloat ay = ((sqrt((y - au)) - ax) / float(aa));\nbool az = true;\nwhile(true) {\nif (!az) {\nuint ba = ai;\nai = (ba + 1u);\n}\naz = false;\nuint bb = ai;\nif ((bb < aa)) {\n} else {\nbreak;\n}\n{\nuint bc = ai;\nfloat bd = (ax + (ay * float(bc)));\nfloat be = u_to_distance(au, (bd + ay));\nfloat bf = u_to_distance(au, (bd + (0.5 * ay)));\nfloat bg = altitude_after(av, aw, (bf - au), j);\nfloat bh = ah;\nfloat bi = (be - bh);\nvec3 bj = densities(as, bg);\nvec3 bk = extinction(at, bj);\nvec3 bl = (bk * bi);\nif (SUNLIGHT) {\nvec2 bm = ag;\nfloat bn = ah;\nvec3 bo = dark_part(bm, bn, be);\nif ((bo.z < bi)) {\naj = bf;\nif ((bo.z > 0.0)) {\nfloat bp = ah;\nfloat bq = lit_middle(bo, au, bp, be);\naj = bq;\n}\nfloat br = aj;\nfloat bs = (br - au);\nfloat bt = (av + (bs * ((2.0 * aw) + bs)));\nfloat bu = altitude_of(bt, j);\nvec3 bv = densities(as, max(bu, 0.0));\nak = vec3(0.0);\nif (RAYLEIGH) {\nvec3 bw = ak;\nvec3 bx = ae;\nak = (bw + (bx * bv.x));\n}\nif (MIE) {\nvec3 by = ak;\nvec3 bz = af;\nak = (by + (bz * bv.y));\n}\nfloat ca = aj;\nfloat cb = (q + (r * ca));\nvec3 cc = ak;\nvec3 cd = sun_transmittance(at, as, j, k, bt, cb, ab);\nak = (cc * cd);\nvec3 ce = ak;\nfloat cf = aj;\nvec3 cg = sun_visibility(x, (l + cf));\nak = (ce * cg);\nvec3 ch = ac;\nvec3 ci = ad;\nvec3 cj = mean_transmittance(bl);\nvec3 ck = ak;\nac = (ch + (((ci * cj) * ck) * (bi - bo.z)));\n}\n}\nvec3 cl = ad;\nad = (cl * exp(-(bl)));\nah = be;\n}\n}\n}\n",
     "void sky_view_ray(float a, float b, bool c, float d, float e, float f, vec4 g, vec3 h, inout vec3 i, inout float j, inout float k, inout float l, inout float m, inout float n, inout float o, inout float p, inout float q, inout float r, inout float s, inout float t, inout bool u) {\nbool v = false;\nfloat w = 0.0;\nfloat x = 0.0;\nfloat y = 0.0;\nfloat z = 0.0;\nfloat aa = 0.0;\nfloat ab = 0.0;\nfloat ac = 0.0;\nfloat ad = 0.0;\nfloat ae = 0.0;\nfloat af = 0.0;\nfloat ag = 0.0;\nvec2 ah = u_to_azimuth(a);\nif (!(c)) {\nv = (b > g.x);\n} else {\nv = false;\n}\nbool ai = v;\nif (ai) {\nupward_ray(ah, b, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u);\nreturn;\n}\nfloat aj = (e + d);\nfloat ak = excess_of(d, e);\nfloat al = excess_of(f, e);\nbool am = (d > f);\nfloat an = (am ? al : ak);\nif (c) {\nfloat ao = ((1.0 - b) * (1.0 + b));\nfloat ap = (SQRT_HALF * ao);\nz = ((b * b) * (1.0 + ao));\nfloat aq = z;\nfloat ar = z;\nw = (((-(e) * e) * aq) * ar);\nx = (e * ((2.0 * ap) * sqrt((1.0 - (ap * ap)))));\nfloat as = w;\ny = (an - as);\n} else {\nfloat at = min(d, f);\nfloat au = min((b / max(g.x, 1e-20)), 1.0);\nfloat av = ((1.0 - au) * (1.0 + au));\nfloat aw = (1.0 - g.y);\nfloat ax = ((2.0 * av) / max((aw + sqrt(((aw * aw) + ((4.0 * g.y) * av)))), 1e-20));\nfloat ay = (at * min((((au * au) * (1.0 + ax)) / (1.0 + (g.y * ax))), 1.0));\nfloat az = excess_of(ay, e);\nw = az;\nx = (e + ay);\ny = (((at * ax) * ax) * (((2.0 * e) + at) + ay));\n}\nfloat ba = ((d - f) * (((2.0 * e) + f) + d));\nfloat bb = y;\nfloat bc = -(sqrt(max(bb, 0.0)));\nfloat bd = y;\nfloat be = ((am ? -(sqrt(max((ba + bd), 0.0))) : bc) / aj);\nfloat bf = x;\nvec3 bg = vec3((ah * min((bf / aj), 1.0)), be);\nif (am) {\nag = (ba / (-(bc) - (aj * be)));\nfloat bh = ag;\nsun_side_outside(bg, h, aj, bh, -(bc), al, e, aa, ab, ac, ad, ae, af);\n} else {\nsun_side_inside(bg, h, aj, ak, e, aa, ab, ac, ad, ae, af);\n}\nfloat bi = distance_to_top(an, bc, al);\nfloat bj = z;\nfloat bk = (c ? (an / max(((e * bj) - bc), 1e-20)) : bi);\nfloat bl = ag;\nfloat bm = w;\nfloat bn = aa;\nfloat bo = ab;\nfloat bp = ac;\nfloat bq = ad;\nfloat br = ae;\nfloat bs = af;\ni = bg;\nj = bl;\nk = bk;\nl = an;\nm = bc;\nn = bm;\no = bn;\np = bo;\nq = bp;\nr = bq;\ns = br;\nt = bs;\nu = c;\n}\n",
     "vec2 sky_view_uv(float a, float b, vec2 c) {\nreturn ((vec2((a * (c.x - 1.0)), b) + vec2(0.5)) / c);\n}\n",
     "vec3 slice_depth(vec4 a, vec4 b) {\nreturn -(log(clamp((b.xyz / max(a.xyz, vec3(1e-30))), vec3(1e-30), vec3(1.0))));\n}\n",
@@ -284,8 +285,8 @@ pub mod aerial_lut_scan {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 111],
-            fragment: &[0, 26, 31, 32, 29, 30, 37, 18, 24, 41, 19, 53, 51, 120],
+            vertex: &[0, 26, 112],
+            fragment: &[0, 26, 31, 32, 29, 30, 37, 18, 24, 41, 19, 53, 51, 121],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs"],
         },
@@ -328,8 +329,8 @@ pub mod aerial_lut_slices {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 111],
-            fragment: &[0, 26, 32, 29, 30, 31, 37, 4, 24, 41, 42, 19, 61, 83, 60, 78, 94, 161, 171, 172, 77, 100, 151, 162, 102, 66, 72, 84, 187, 79, 132, 108, 68, 64, 185, 149, 62, 170, 142, 144, 95, 143, 174, 177, 86, 186, 189, 164, 158, 53, 155, 125],
+            vertex: &[0, 26, 112],
+            fragment: &[0, 26, 32, 29, 30, 31, 37, 4, 24, 41, 42, 19, 61, 84, 60, 79, 95, 162, 172, 173, 78, 101, 152, 163, 103, 66, 73, 85, 188, 80, 133, 71, 109, 68, 64, 186, 150, 62, 171, 143, 145, 96, 144, 175, 178, 87, 187, 190, 165, 159, 53, 156, 126],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs", "_group_0_binding_2_fs"],
         },
@@ -365,8 +366,8 @@ pub mod aerial_march {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 111],
-            fragment: &[0, 26, 32, 29, 30, 8, 20, 41, 42, 19, 152, 73, 192, 159, 154, 67, 61, 83, 60, 78, 94, 161, 171, 172, 106, 183, 77, 57, 58, 151, 162, 102, 66, 72, 84, 187, 79, 150, 132, 108, 155, 97, 69, 133, 173, 174, 163, 130],
+            vertex: &[0, 26, 112],
+            fragment: &[0, 26, 32, 29, 30, 8, 20, 41, 42, 19, 153, 74, 193, 160, 155, 67, 61, 84, 60, 79, 95, 162, 172, 173, 107, 184, 78, 57, 58, 152, 163, 103, 66, 73, 85, 188, 80, 151, 133, 71, 109, 156, 98, 69, 134, 174, 175, 164, 131],
             blocks: ["", "Frame_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs", "_group_0_binding_2_fs"],
         },
@@ -410,8 +411,8 @@ pub mod aerial_march_eclipse {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 111],
-            fragment: &[0, 26, 32, 29, 30, 31, 33, 36, 9, 43, 24, 41, 42, 44, 45, 19, 152, 73, 192, 159, 154, 67, 61, 83, 60, 78, 94, 161, 171, 172, 106, 183, 77, 57, 58, 151, 162, 102, 66, 72, 84, 187, 79, 150, 132, 108, 68, 64, 185, 149, 62, 170, 142, 144, 95, 143, 136, 93, 153, 160, 193, 139, 137, 140, 176, 141, 179, 86, 155, 97, 69, 133, 134, 173, 163, 59, 81, 129],
+            vertex: &[0, 26, 112],
+            fragment: &[0, 26, 32, 29, 30, 31, 33, 36, 9, 43, 24, 41, 42, 44, 45, 19, 153, 74, 193, 160, 155, 67, 61, 84, 60, 79, 95, 162, 172, 173, 107, 184, 78, 57, 58, 152, 163, 103, 66, 73, 85, 188, 80, 151, 133, 71, 109, 68, 64, 186, 150, 62, 171, 143, 145, 96, 144, 137, 94, 154, 161, 194, 140, 138, 141, 177, 142, 180, 87, 156, 98, 69, 134, 135, 174, 164, 59, 82, 130],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs", "_group_0_binding_2_fs", "_group_0_binding_3_fs", "_group_0_binding_4_fs", "_group_0_binding_5_fs"],
         },
@@ -458,8 +459,8 @@ pub mod aerial_perspective {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 111],
-            fragment: &[0, 26, 32, 29, 30, 31, 37, 10, 24, 41, 42, 43, 44, 45, 46, 19, 152, 73, 192, 159, 154, 67, 68, 64, 61, 83, 60, 78, 94, 107, 183, 77, 57, 70, 63, 195, 191, 165, 71, 66, 84, 79, 132, 49, 48, 52, 167, 168, 166, 50, 185, 149, 97, 69, 133, 134, 55, 194, 128],
+            vertex: &[0, 26, 112],
+            fragment: &[0, 26, 32, 29, 30, 31, 37, 10, 24, 41, 42, 43, 44, 45, 46, 19, 153, 74, 193, 160, 155, 67, 68, 64, 61, 84, 60, 79, 95, 108, 184, 78, 57, 70, 63, 196, 192, 166, 72, 66, 85, 80, 133, 49, 48, 52, 168, 169, 167, 50, 186, 150, 98, 69, 134, 135, 55, 195, 129],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs", "_group_0_binding_2_fs", "_group_0_binding_3_fs", "_group_0_binding_4_fs", "_group_0_binding_5_fs", "_group_0_binding_6_fs"],
         },
@@ -487,8 +488,8 @@ pub mod airglow {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 111],
-            fragment: &[0, 26, 32, 29, 30, 38, 7, 24, 41, 19, 152, 73, 61, 83, 94, 107, 157, 181, 180, 115],
+            vertex: &[0, 26, 112],
+            fragment: &[0, 26, 32, 29, 30, 38, 7, 24, 41, 19, 153, 74, 61, 84, 95, 108, 158, 182, 181, 116],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs"],
         },
@@ -511,8 +512,8 @@ pub mod copy {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 111],
-            fragment: &[0, 26, 41, 19, 127],
+            vertex: &[0, 26, 112],
+            fragment: &[0, 26, 41, 19, 128],
             blocks: ["", ""],
             samplers: &["_group_0_binding_1_fs"],
         },
@@ -550,8 +551,8 @@ pub mod moon_disk {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 32, 29, 30, 39, 11, 25, 110],
-            fragment: &[0, 26, 32, 29, 30, 39, 11, 24, 19, 152, 61, 83, 60, 78, 94, 106, 183, 77, 56, 102, 66, 72, 84, 187, 150, 76, 75, 109, 138, 113],
+            vertex: &[0, 26, 32, 29, 30, 39, 11, 25, 111],
+            fragment: &[0, 26, 32, 29, 30, 39, 11, 24, 19, 153, 61, 84, 60, 79, 95, 107, 184, 78, 56, 103, 66, 73, 85, 188, 151, 77, 76, 110, 139, 114],
             blocks: ["Uniforms_block_0Vertex", "Uniforms_block_0Fragment"],
             samplers: &[],
         },
@@ -592,8 +593,8 @@ pub mod multi_scattering_gather {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 111],
-            fragment: &[0, 26, 32, 31, 40, 2, 24, 41, 42, 19, 61, 83, 60, 78, 94, 161, 171, 77, 100, 151, 162, 102, 72, 84, 187, 79, 132, 108, 68, 64, 185, 149, 62, 190, 170, 142, 188, 144, 95, 143, 90, 174, 177, 85, 155, 97, 87, 146, 92, 123],
+            vertex: &[0, 26, 112],
+            fragment: &[0, 26, 32, 31, 40, 2, 24, 41, 42, 19, 61, 84, 60, 79, 95, 162, 172, 78, 101, 152, 163, 103, 73, 85, 188, 80, 133, 71, 109, 68, 64, 186, 150, 62, 191, 171, 143, 189, 145, 96, 144, 91, 175, 178, 86, 156, 98, 88, 147, 93, 124],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs", "_group_0_binding_2_fs"],
         },
@@ -625,8 +626,8 @@ pub mod multi_scattering_lut {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 111],
-            fragment: &[0, 26, 32, 31, 40, 5, 24, 41, 19, 190, 95, 83, 87, 147, 135, 118],
+            vertex: &[0, 26, 112],
+            fragment: &[0, 26, 32, 31, 40, 5, 24, 41, 19, 191, 96, 84, 88, 148, 136, 119],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs"],
         },
@@ -660,8 +661,8 @@ pub mod sky_march {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 111],
-            fragment: &[0, 26, 32, 29, 30, 13, 20, 19, 152, 192, 61, 83, 60, 78, 94, 161, 171, 172, 106, 183, 77, 57, 58, 151, 99, 162, 102, 66, 72, 84, 187, 79, 150, 132, 108, 155, 97, 69, 133, 173, 174, 163, 117],
+            vertex: &[0, 26, 112],
+            fragment: &[0, 26, 32, 29, 30, 13, 20, 19, 153, 193, 61, 84, 60, 79, 95, 162, 172, 173, 107, 184, 78, 57, 58, 152, 100, 163, 103, 66, 73, 85, 188, 80, 151, 133, 71, 109, 156, 98, 69, 134, 174, 175, 164, 118],
             blocks: ["", "Frame_block_0Fragment"],
             samplers: &[],
         },
@@ -702,8 +703,8 @@ pub mod sky_march_eclipse {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 111],
-            fragment: &[0, 26, 32, 29, 30, 31, 33, 36, 15, 41, 24, 42, 43, 19, 152, 192, 61, 83, 60, 78, 94, 161, 171, 172, 106, 183, 77, 57, 58, 151, 99, 162, 102, 66, 72, 84, 187, 79, 150, 132, 108, 68, 64, 185, 149, 62, 170, 142, 144, 95, 143, 136, 93, 153, 160, 193, 139, 137, 140, 175, 141, 178, 86, 155, 97, 69, 133, 134, 173, 163, 59, 81, 116],
+            vertex: &[0, 26, 112],
+            fragment: &[0, 26, 32, 29, 30, 31, 33, 36, 15, 41, 24, 42, 43, 19, 153, 193, 61, 84, 60, 79, 95, 162, 172, 173, 107, 184, 78, 57, 58, 152, 100, 163, 103, 66, 73, 85, 188, 80, 151, 133, 71, 109, 68, 64, 186, 150, 62, 171, 143, 145, 96, 144, 137, 94, 154, 161, 194, 140, 138, 141, 176, 142, 179, 87, 156, 98, 69, 134, 135, 174, 164, 59, 82, 117],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs", "_group_0_binding_2_fs", "_group_0_binding_3_fs"],
         },
@@ -733,8 +734,8 @@ pub mod sky_view {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 111],
-            fragment: &[0, 26, 32, 29, 30, 31, 37, 16, 24, 41, 42, 19, 152, 83, 94, 107, 183, 70, 63, 195, 191, 165, 71, 97, 69, 133, 134, 124],
+            vertex: &[0, 26, 112],
+            fragment: &[0, 26, 32, 29, 30, 31, 37, 16, 24, 41, 42, 19, 153, 84, 95, 108, 184, 70, 63, 196, 192, 166, 72, 98, 69, 134, 135, 125],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs", "_group_0_binding_2_fs"],
         },
@@ -777,8 +778,8 @@ pub mod sky_view_lut {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 111],
-            fragment: &[0, 26, 32, 29, 30, 31, 37, 3, 24, 41, 42, 19, 61, 83, 60, 78, 94, 161, 171, 172, 77, 100, 151, 162, 102, 66, 72, 84, 187, 79, 132, 108, 68, 64, 185, 149, 62, 170, 142, 144, 95, 143, 174, 177, 86, 186, 189, 164, 158, 82, 155, 126],
+            vertex: &[0, 26, 112],
+            fragment: &[0, 26, 32, 29, 30, 31, 37, 3, 24, 41, 42, 19, 61, 84, 60, 79, 95, 162, 172, 173, 78, 101, 152, 163, 103, 66, 73, 85, 188, 80, 133, 71, 109, 68, 64, 186, 150, 62, 171, 143, 145, 96, 144, 175, 178, 87, 187, 190, 165, 159, 83, 156, 127],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs", "_group_0_binding_2_fs"],
         },
@@ -820,8 +821,8 @@ pub mod sun_disk {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 32, 29, 30, 39, 11, 25, 110],
-            fragment: &[0, 26, 32, 29, 30, 39, 12, 24, 19, 152, 61, 83, 60, 78, 94, 106, 183, 77, 56, 102, 66, 72, 84, 187, 150, 76, 156, 75, 104, 103, 114],
+            vertex: &[0, 26, 32, 29, 30, 39, 11, 25, 111],
+            fragment: &[0, 26, 32, 29, 30, 39, 12, 24, 19, 153, 61, 84, 60, 79, 95, 107, 184, 78, 56, 103, 66, 73, 85, 188, 151, 77, 157, 76, 105, 104, 115],
             blocks: ["Uniforms_block_0Vertex", "Uniforms_block_0Fragment"],
             samplers: &[],
         },
@@ -865,8 +866,8 @@ pub mod terrain {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 32, 29, 30, 31, 33, 34, 14, 22, 28, 61, 83, 60, 78, 102, 66, 72, 84, 187, 150, 173, 101, 148, 96, 88, 91, 65, 112],
-            fragment: &[0, 26, 32, 29, 30, 31, 33, 34, 14, 21, 41, 42, 27, 74, 68, 64, 170, 142, 90, 153, 93, 160, 193, 136, 139, 137, 140, 141, 89, 122],
+            vertex: &[0, 26, 32, 29, 30, 31, 33, 34, 14, 22, 28, 61, 84, 60, 79, 103, 66, 73, 85, 188, 151, 174, 102, 149, 97, 89, 92, 65, 113],
+            fragment: &[0, 26, 32, 29, 30, 31, 33, 34, 14, 21, 41, 42, 27, 75, 68, 64, 171, 143, 91, 154, 94, 161, 194, 137, 140, 138, 141, 142, 90, 123],
             blocks: ["Terrain_block_0Vertex", "Terrain_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs", "_group_0_binding_2_fs"],
         },
@@ -896,8 +897,8 @@ pub mod tone_map {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 111],
-            fragment: &[0, 26, 35, 1, 23, 41, 19, 47, 54, 145, 182, 169, 80, 121],
+            vertex: &[0, 26, 112],
+            fragment: &[0, 26, 35, 1, 23, 41, 19, 47, 54, 146, 183, 170, 81, 122],
             blocks: ["", "Tone_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs"],
         },
@@ -927,8 +928,8 @@ pub mod transmittance_lut {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 111],
-            fragment: &[0, 26, 32, 31, 40, 17, 24, 19, 61, 83, 60, 184, 102, 72, 187, 150, 119],
+            vertex: &[0, 26, 112],
+            fragment: &[0, 26, 32, 31, 40, 17, 24, 19, 61, 84, 60, 185, 103, 73, 188, 151, 120],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &[],
         },
@@ -952,8 +953,8 @@ pub mod upsample {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 111],
-            fragment: &[0, 26, 32, 29, 30, 6, 20, 41, 19, 152, 83, 94, 105, 98, 131],
+            vertex: &[0, 26, 112],
+            fragment: &[0, 26, 32, 29, 30, 6, 20, 41, 19, 153, 84, 95, 106, 99, 132],
             blocks: ["", "Frame_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs"],
         },

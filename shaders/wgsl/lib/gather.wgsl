@@ -46,18 +46,22 @@ fn gather(
         let d = densities(layers, h);
         let tau = extinction(coefficients, d) * step;
         let weight = out.transmittance * mean_transmittance(tau);
-        let lit = lit_part(shadow, nearest, t0, t1, mid);
-        if lit.x > 0.0 {
-            let past = lit.y - nearest;
+        let dark = dark_part(shadow, t0, t1);
+        if dark.z < step {
+            var lit = mid;
+            if dark.z > 0.0 {
+                lit = lit_middle(dark, nearest, t0, t1);
+            }
+            let past = lit - nearest;
             let lit_excess = max(perigee.excess + past * (2.0 * perigee.r_mu + past), 0.0);
             let lit_h = altitude_of(lit_excess, m.radius);
             let lit_d = densities(layers, lit_h);
-            let sun_r_mu = ray.sun_r_mu + ray.nu * lit.y;
+            let sun_r_mu = ray.sun_r_mu + ray.nu * lit;
             let path = optical_path_to_top(
                 transmittance_lut, m.radius, m.thickness, lit_excess, lit_h, sun_r_mu);
             var source = (gas * lit_d.x + aerosol * lit_d.y) * exp(-extinction(coefficients, path));
-            source *= sun_visibility(dir, ray.start + lit.y);
-            out.radiance += weight * source * lit.x;
+            source *= sun_visibility(dir, ray.start + lit);
+            out.radiance += weight * source * (step - dark.z);
         }
         if MULTI_SCATTERING {
             let r = m.radius + h;

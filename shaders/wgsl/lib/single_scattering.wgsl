@@ -60,11 +60,16 @@ fn single_scattering(
         let t1 = u_to_distance(nearest, u + du);
         let mid = u_to_distance(nearest, u + 0.5 * du);
         let h = altitude_after(perigee.excess, perigee.r_mu, mid - nearest, m.radius);
-        let tau = extinction(coefficients, densities(layers, h)) * (t1 - t0);
+        let step = t1 - t0;
+        let tau = extinction(coefficients, densities(layers, h)) * step;
         if SUNLIGHT {
-            let lit = lit_part(shadow, nearest, t0, t1, mid);
-            if lit.x > 0.0 {
-                let past = lit.y - nearest;
+            let dark = dark_part(shadow, t0, t1);
+            if dark.z < step {
+                var lit = mid;
+                if dark.z > 0.0 {
+                    lit = lit_middle(dark, nearest, t0, t1);
+                }
+                let past = lit - nearest;
                 let excess = perigee.excess + past * (2.0 * perigee.r_mu + past);
                 let d = densities(layers, max(altitude_of(excess, m.radius), 0.0));
                 var source = vec3f(0.0);
@@ -74,11 +79,11 @@ fn single_scattering(
                 if MIE {
                     source += mie * d.y;
                 }
-                let sun_r_mu = ray.sun_r_mu + ray.nu * lit.y;
+                let sun_r_mu = ray.sun_r_mu + ray.nu * lit;
                 source *= sun_transmittance(
                     coefficients, layers, m.radius, m.thickness, excess, sun_r_mu, light_samples);
-                source *= sun_visibility(dir, ray.start + lit.y);
-                out.radiance += out.transmittance * mean_transmittance(tau) * source * lit.x;
+                source *= sun_visibility(dir, ray.start + lit);
+                out.radiance += out.transmittance * mean_transmittance(tau) * source * (step - dark.z);
             }
         }
         out.transmittance *= exp(-tau);
