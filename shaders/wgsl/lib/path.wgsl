@@ -52,7 +52,7 @@ fn dark_part(shadow: vec2f, t0: f32, t1: f32) -> vec3f {
 
 // Distance (km) of the middle, in u, of what the sun reaches of a step from t0 to t1. Where the shadow lies
 // within the step the longer of both ends stands for both. Two square roots: a step without shadow needs
-// none, and a driver that runs both sides of a branch pays for them in every step (8 % of a march on an
+// none, and a driver that runs both sides of a branch pays for them in every step (7 % of a march on an
 // H200, `cargo lab compare --samples 32`), so that callers ask first.
 fn lit_middle(dark: vec3f, perigee: f32, t0: f32, t1: f32) -> f32 {
     let first = dark.x - t0 > t1 - dark.y;
