@@ -11,8 +11,8 @@ use welkin::{
 };
 
 use crate::harness::{
-    View, aerial_passes, airless, asked_for, background_passes, clear_pass, frame_textures, free, march,
-    on_both, shell_passes,
+    View, aerial_passes, airless, asked_for, background_passes, clear_pass, draw, frame_textures, free,
+    march, on_both, shell_passes,
 };
 
 const SIZE: [u32; 2] = [12, 9];
@@ -467,7 +467,7 @@ fn pipelines_are_made_ahead() {
             assert!(ready.programs > before.programs + 5, "{ready:?}");
             let mut renderer = welkin::PictureRenderer::default();
             for scene in &views {
-                renderer.draw(b, scene, &settings, SIZE).unwrap();
+                draw(b, &mut renderer, scene, &settings, SIZE);
             }
             let after = b.live();
             println!("{} {}: {steps} steps, {} programs", b.info().backend, method.name(), ready.programs);
