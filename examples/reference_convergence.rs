@@ -5,12 +5,13 @@
 //! ```
 //!
 //! All orders are solved with the settings that `welkin radiance` uses (for Mars on the coarser tables of
-//! `Settings::QUICK`, else this would take ten minutes instead of six; `fine` does it), then once more with each of the table
-//! sizes and quadratures halved: the doubling back is the change that is printed, in per cent, the largest
-//! of the three channels, at fixed rays. Each next doubling brings less. Also: what is left of the iteration
-//! (its tolerance ten times larger), and the tolerance of the integrals along a ray, which single scattering
-//! has too. The last lines are one ray that Monte Carlo tables are 1.6 standard errors away from, by tables with
-//! up to four times the altitudes and by path tracing. `quick` starts from coarse settings everywhere.
+//! `Settings::QUICK`, else this would take ten minutes instead of six; `fine` does it), then once more with
+//! each of the table sizes and quadratures halved: the doubling back is the change that is printed, in per
+//! cent, the largest of the three channels, at fixed rays. Each next doubling brings less. Also: what is left
+//! of the iteration (its tolerance ten times larger), and the tolerance of the integrals along a ray, which
+//! single scattering has too. The last lines are one ray that Monte Carlo tables are 1.6 standard errors away
+//! from, by tables with up to four times the altitudes and by path tracing. `quick` starts from coarse
+//! settings everywhere.
 
 use std::time::Instant;
 
@@ -19,7 +20,8 @@ use welkin::reference::multiple::{Orders, Settings};
 use welkin::reference::path::{self, path_trace};
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
 
-/// Name, altitude in metres, zenith angle of the view (NaN: the tangent at 10 km), of the sun, azimuth, degrees.
+/// Name, altitude in metres, zenith angle of the view (NaN: the tangent at 10 km), of the sun, azimuth,
+/// degrees.
 const RAYS: [(&str, f64, f64, f64, f64); 6] = [
     ("day", 0.0, 30.0, 60.0, 90.0),
     ("horizon", 0.0, 89.9, 60.0, 90.0),
@@ -142,7 +144,10 @@ fn one_ray(base: Settings) -> welkin::Result<()> {
     println!("\nrayleigh, black ground, horizon, blue");
     for altitudes in [1, 2, 4].map(|n| n * base.altitudes) {
         let orders = Orders::solve(&params, Settings { altitudes, ..base }, |_| {})?;
-        println!("{altitudes:4} altitudes   {:.7}", orders.radiance(&ray, Tolerance::TRUTH)?.per_irradiance[2]);
+        println!(
+            "{altitudes:4} altitudes   {:.7}",
+            orders.radiance(&ray, Tolerance::TRUTH)?.per_irradiance[2]
+        );
     }
     let traced = path_trace(&params, &ray, path::Settings { paths: 30_000_000, seed: 1 })?;
     println!("path tracing     {:.7} ± {:.7}", traced.per_irradiance[2], traced.std_err[2]);

@@ -15,7 +15,8 @@ use welkin::AtmosphereParams;
 use welkin::reference::multiple::{Orders, Settings};
 use welkin::reference::single::{Sun, Tolerance, single_scattering};
 
-#[path = "../tests/support/tables.rs"]
+#[path = "../tests/harness/tables.rs"]
+#[allow(dead_code)] // The tests compare; this example only reads and writes.
 mod tables;
 use tables::{Table, against_noise, medium, ray};
 
@@ -75,7 +76,8 @@ fn compare(name: &str, albedo: f64, orders: &Orders) -> welkin::Result<()> {
             let light = orders.radiance(&query, Tolerance::PICTURE)?;
             all += start.elapsed().as_secs_f64();
             rays += 1;
-            let sun = ["sun_zenith_deg", "sun_zenith_at_tangent_point_deg"].iter().find(|c| table.has(c)).unwrap();
+            let sun =
+                ["sun_zenith_deg", "sun_zenith_at_tangent_point_deg"].iter().find(|c| table.has(c)).unwrap();
             let sun = table.number(row, sun) as u32;
             let c = table.channel(row);
             lines.entry((file.clone(), sun, c)).or_default().add(
@@ -99,7 +101,8 @@ fn compare(name: &str, albedo: f64, orders: &Orders) -> welkin::Result<()> {
     }
     for ((file, sun, c), line) in &lines {
         println!(
-            "{file:34} sun {sun:2}° {}  n {:3}  mean {:.1e}  max {:.1e}  {:5.1} σ  outside max(0.5 %, 4 σ): {}",
+            "{file:34} sun {sun:2}° {}  n {:3}  mean {:.1e}  max {:.1e}  {:5.1} σ  outside max(0.5 %, 4 \
+             σ): {}",
             ["R", "G", "B"][*c],
             line.rows,
             line.sum / line.rows as f64,
@@ -109,6 +112,10 @@ fn compare(name: &str, albedo: f64, orders: &Orders) -> welkin::Result<()> {
         );
     }
     let per_ray = 1e6 / f64::from(rays);
-    println!("{:.0} µs a ray for single scattering, {:.0} µs for all orders", single * per_ray, all * per_ray);
+    println!(
+        "{:.0} µs a ray for single scattering, {:.0} µs for all orders",
+        single * per_ray,
+        all * per_ray
+    );
     Ok(())
 }

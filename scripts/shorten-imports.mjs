@@ -1,23 +1,80 @@
 // Usage: node scripts/shorten-imports.mjs GLUE.js MODULE.wasm
 //
-// wasm-bindgen ends the name of each import in 16 random digits, which no compression makes smaller: this counts
-// them instead, in both files. Names keep their length, so that the module needs no new layout.
+// wasm-bindgen names each import of the module after what it calls and ends that in 16 random digits, which
+// no compression makes smaller. This gives them names of one or two letters, in both files, and takes
+// comments and indentation out of the glue.
 import { readFileSync, writeFileSync } from 'node:fs';
 
-const files = process.argv.slice(2);
-const texts = files.map((file) => readFileSync(file, 'latin1'));
-const hashed = /__wbg_\w+?_[0-9a-f]{16}(?!\w)/g;
-const counts = new Map();
-const names = new Map();
-// In the module, names are followed by the next entry's bytes, so the glue says which names there are.
-for (const [name] of texts[0].matchAll(hashed)) {
-  if (names.has(name)) continue;
-  const head = name.slice(0, -16);
-  const count = counts.get(head) ?? 0;
-  counts.set(head, count + 1);
-  names.set(name, head + String(count).padStart(16, '0'));
+const [glueFile, moduleFile] = process.argv.slice(2);
+const IMPORTS = 2; // the section's number
+const SPACE = './welkin_bg.js'; // where wasm-bindgen's imports are from
+
+const module = readFileSync(moduleFile);
+let at = 8;
+function number() {
+  let value = 0;
+  for (let shift = 0; ; shift += 7) {
+    const byte = module[at++];
+    value += (byte & 127) * 2 ** shift;
+    if (byte < 128) return value;
+  }
 }
-if (names.size === 0) throw new Error(`${files[0]} holds no import with a hash: has wasm-bindgen changed?`);
-texts.forEach((text, i) => {
-  writeFileSync(files[i], text.replace(/__wbg_\w+?_[0-9a-f]{16}/g, (name) => names.get(name) ?? name), 'latin1');
-});
+function bytes(count) {
+  at += count;
+  return module.subarray(at - count, at);
+}
+const text = () => bytes(number()).toString();
+function encoded(value) {
+  const out = [];
+  for (; value > 127; value = Math.floor(value / 128)) out.push((value & 127) | 128);
+  return Buffer.from([...out, value]);
+}
+const encodedText = (string) => Buffer.concat([encoded(Buffer.byteLength(string)), Buffer.from(string)]);
+
+const LETTERS = 'abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ';
+const short = (i) =>
+  (i < LETTERS.length ? '' : short(Math.floor(i / LETTERS.length) - 1)) + LETTERS[i % LETTERS.length];
+
+const names = new Map();
+const sections = [module.subarray(0, 8)];
+while (at < module.length) {
+  const begin = at;
+  const kind = module[at++];
+  const end = number() + at;
+  if (kind !== IMPORTS) {
+    at = end;
+    sections.push(module.subarray(begin, end));
+    continue;
+  }
+  const count = number();
+  const parts = [encoded(count)];
+  for (let i = 0; i < count; i++) {
+    const [space, name] = [text(), text()];
+    const from = at;
+    const what = bytes(1)[0];
+    if (space !== SPACE || what !== 0)
+      throw new Error(`${moduleFile} imports ${space} ${name}: has wasm-bindgen changed?`);
+    number(); // its type
+    if (!names.has(name)) names.set(name, short(names.size));
+    parts.push(encodedText('w'), encodedText(names.get(name)), module.subarray(from, at));
+  }
+  const body = Buffer.concat(parts);
+  sections.push(Buffer.from([IMPORTS]), encoded(body.length), body);
+}
+
+let seen = 0;
+const glue = readFileSync(glueFile, 'utf8')
+  .replace(/^( +)(\w+)(?=: )/gm, (whole, indent, name) => {
+    if (!names.has(name)) return whole;
+    seen++;
+    return indent + names.get(name);
+  })
+  .replace(`"${SPACE}": import0`, 'w: import0')
+  .replace(/^ *\/\*\*.*?\*\/\n/gms, '')
+  .replace(/^ *\/\/.*\n/gm, '')
+  .replace(/^ +/gm, '');
+if (names.size === 0 || seen !== names.size) {
+  throw new Error(`${glueFile} has ${seen} of the module's ${names.size} imports: has wasm-bindgen changed?`);
+}
+writeFileSync(glueFile, glue);
+writeFileSync(moduleFile, Buffer.concat(sections));

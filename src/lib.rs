@@ -20,7 +20,8 @@
 //!     moon: None,
 //! };
 //! let mut backend = WgpuBackend::headless()?;
-//! let drawn = PictureRenderer::default().draw(&mut backend, &scene, &PictureSettings::default(), [640, 360])?;
+//! let settings = PictureSettings::default();
+//! let drawn = PictureRenderer::default().draw(&mut backend, &scene, &settings, [640, 360])?;
 //! let rgba = backend.read(drawn.display)?;
 //! # }
 //! # Ok::<(), welkin::Error>(())
@@ -28,8 +29,9 @@
 //!
 //! # In your own frame
 //!
-//! [`SkyRenderer`] gives passes as data. Draw its background first (depth ALWAYS, no depth write), then
-//! your scene with its depth, then [`SkyRenderer::aerial`], which reads both and writes to a third texture.
+//! [`SkyRenderer::frame`] gives the passes of a frame as data. Run its background first (depth ALWAYS, no
+//! depth write), then draw your scene with its depth, then run its aerial passes, which read both and write
+//! to a third texture.
 //!
 //! With wgpu, on your device and in your encoder:
 //!
@@ -37,14 +39,14 @@
 //! # #[cfg(feature = "wgpu")]
 //! # fn frame(device: wgpu::Device, queue: wgpu::Queue, mut encoder: wgpu::CommandEncoder,
 //! #          view: wgpu::TextureView, scene: welkin::Scene) -> welkin::Result<()> {
-//! use welkin::gpu::{Backend, Format, Target, TextureDesc, wgpu::WgpuBackend};
-//! use welkin::{SkyRenderer, SkySettings};
+//! use welkin::gpu::{Format, Target, TextureDesc, wgpu::WgpuBackend};
+//! use welkin::{FrameTargets, SkyRenderer, SkySettings};
 //!
 //! let mut backend = WgpuBackend::from_device(device, queue, "my adapter")?;
 //! let mut sky = SkyRenderer::new(SkySettings::default())?;
 //! let target = backend.import_view(view, TextureDesc::new("hdr", 1280, 720, Format::Rgba16Float))?;
-//! let passes = sky.background(&mut backend, &scene, Target::color(target))?;
-//! backend.encode(&mut encoder, passes)?;
+//! let frame = sky.frame(&mut backend, &scene, &FrameTargets::background(Target::color(target)))?;
+//! backend.encode(&mut encoder, frame.background)?;
 //! # Ok(()) }
 //! ```
 //!
@@ -54,26 +56,32 @@
 //! # #[cfg(feature = "webgl")]
 //! # fn frame(gl: std::rc::Rc<glow::Context>, scene: welkin::Scene) -> welkin::Result<()> {
 //! use welkin::gpu::{Backend, Format, RowOrder, Target, TextureDesc, webgl::WebGlBackend};
-//! use welkin::{SkyRenderer, SkySettings};
+//! use welkin::{FrameTargets, SkyRenderer, SkySettings};
 //!
 //! let mut backend = WebGlBackend::new(gl)?;
 //! let mut sky = SkyRenderer::new(SkySettings::default())?;
-//! let desc = TextureDesc { rows: RowOrder::BottomUp, ..TextureDesc::new("screen", 1280, 720, Format::Rgba8) };
+//! let desc = TextureDesc::new("screen", 1280, 720, Format::Rgba8);
+//! let desc = TextureDesc { rows: RowOrder::BottomUp, ..desc };
 //! let target = backend.import_framebuffer(None, desc)?;
-//! let passes = sky.background(&mut backend, &scene, Target::color(target))?;
-//! backend.run(passes)?;
+//! let frame = sky.frame(&mut backend, &scene, &FrameTargets::background(Target::color(target)))?;
+//! backend.run(frame.background)?;
 //! # Ok(()) }
 //! ```
 //!
 //! # Units
 //!
 //! Metres, radians, f64, any right-handed frame of reference. The GPU sees kilometres in f32, relative to
-//! the camera (see [`view`]). Radiance is in the unit of [`AtmosphereParams::sun_intensity`] per steradian.
+//! the camera (see [`model::scene`]). Radiance is in the unit of [`AtmosphereParams::sun_intensity`] per
+//! steradian.
 //!
 //! # What it is not
 //!
 //! Three wavelengths stand for the spectrum; no polarisation, no refraction.
 
+#[cfg(feature = "probe")]
+pub mod count;
+#[cfg(not(feature = "probe"))]
+mod count;
 pub mod error;
 pub mod frame;
 pub mod gpu;
@@ -85,17 +93,18 @@ pub mod render;
 pub mod settings;
 pub mod shaders;
 
-pub use error::{Error, Result};
-pub use frame::lut::LutSettings;
-pub use frame::plan::{Bound, EffectPlan};
+pub use error::{Error, ErrorKind, Result};
+pub use frame::Frame;
 pub use frame::terrain::TerrainStyle;
-pub use frame::tone_map::ToneMap;
+pub use model::airglow::Airglow;
 pub use model::atmosphere::{AtmosphereParams, MiePhase};
+pub use model::lighting::{AtmosphereConfig, LightingContext};
 pub use model::moon::Moon;
+pub use model::rays::{ray_sphere_intersect, ray_sphere_intersect_f32};
 pub use model::scene::{Camera, DepthConvention, Pose, Scene};
-pub use reference::{clip_segment, compute_single_scatter, ray_sphere_intersect, ray_sphere_intersect_f32};
+pub use reference::{clip_segment, compute_single_scatter};
 pub use render::picture::{PictureRenderer, PictureSettings};
-pub use render::sky::{Composition, Method, Mode, SkyRenderer, SkySettings};
-pub use render::sky_light::{AtmosphereConfig, LightingContext, LightingContextUniform, SkyLight};
-pub use render::warm_up::{SkyTargets, WarmUp};
-pub use settings::quality::Quality;
+pub use render::sky::{AerialTargets, FrameTargets, SkyFrame, SkyRenderer};
+pub use render::sky_light::{LightingContextUniform, SkyLight};
+pub use render::warm_up::{TargetFormats, WarmUp};
+pub use settings::{Bound, Composition, Look, LutSettings, Mode, Quality, SkySettings, ToneMap};

@@ -1,10 +1,11 @@
 //! Every depth convention gives the same air and the same shell.
 
 use welkin::gpu::{Backend, Target};
-use welkin::{Composition, DepthConvention, LutSettings, Mode, Scene, SkyRenderer, SkySettings};
+use welkin::{Composition, DepthConvention, LutSettings, Mode, Scene, SkyRenderer};
 
 use crate::harness::{
-    View, aerial_passes, assert_physical, frame_textures, free, luts, march, on_both, shell_passes, sky,
+    View, aerial_passes, assert_physical, composed, frame_textures, free, luts, march, on_both, shell_passes,
+    sky, without_disk,
 };
 
 const SIDE: u32 = 8;
@@ -16,7 +17,7 @@ fn before(b: &mut dyn Backend, sky: &mut SkyRenderer, scene: &Scene, z: f64) -> 
     b.write_texture(color, &[0.5; 4 * TEXELS]).unwrap();
     let stored = if z.is_finite() { scene.depth.encode(z) } else { scene.depth.background() };
     b.write_texture(depth, &[stored as f32; TEXELS]).unwrap();
-    let shell = sky.settings().composition == Composition::Planet;
+    let shell = sky.settings().look.composition == Composition::Planet;
     let passes = if shell {
         shell_passes(b, sky, scene, depth, Target::color(color))
     } else {
@@ -39,10 +40,10 @@ fn every_depth_convention_gives_the_same_air_and_shell() {
     ];
     on_both(|b| {
         for settings in [
-            SkySettings { composition: Composition::Full, ..luts(LutSettings::LOW) },
-            SkySettings { composition: Composition::Full, ..sky(march(24, 8)) },
-            SkySettings { composition: Composition::Planet, ..luts(LutSettings::LOW) },
-            SkySettings { sun_disk: false, ..Mode::Planet.settings() },
+            composed(Composition::Full, luts(LutSettings::LOW)),
+            composed(Composition::Full, sky(march(24, 8))),
+            composed(Composition::Planet, luts(LutSettings::LOW)),
+            without_disk(Mode::Planet.settings()),
         ] {
             let mut renderer = SkyRenderer::new(settings).unwrap();
             let mut seen = Vec::new();

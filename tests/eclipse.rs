@@ -11,10 +11,10 @@ use welkin::reference::path::{Settings, path_trace};
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering, transmittance};
 use welkin::render::cpu_picture::render;
 use welkin::{
-    AtmosphereParams, Bound, Composition, EffectPlan, Error, Method, PictureSettings, Scene, SkySettings,
+    AtmosphereParams, Bound, Composition, Error, Frame, Look, PictureSettings, Quality, Scene, SkySettings,
 };
 
-use crate::harness::{View, background, mean, on_both, orders, query};
+use crate::harness::{View, background, composed, mean, on_both, orders, query};
 
 /// Of the real one, metres.
 pub const DISTANCE: f64 = 3.6e8;
@@ -229,15 +229,18 @@ fn irradiance(pixels: &[f32], fov: f64, n: u32) -> [f64; 3] {
     mean(pixels).map(|v| v * f64::from(n * n) * pixel)
 }
 
-const DARKENED: SkySettings = SkySettings { limb_darkening: true, ..BARE };
+const DARKENED: SkySettings = SkySettings { look: Look { limb_darkening: true, ..BARE.look }, ..BARE };
 const BARE: SkySettings = SkySettings {
-    enabled: true,
-    composition: Composition::Full,
-    method: Method::Single { view_samples: 8, light_samples: 4 },
+    look: Look {
+        enabled: true,
+        composition: Composition::Full,
+        sun_disk: true,
+        limb_darkening: false,
+        foreground: true,
+        airglow: None,
+    },
+    quality: Quality::March { view_samples: 8, light_samples: 4 },
     render_scale: 1.0,
-    sun_disk: true,
-    limb_darkening: false,
-    foreground: true,
     bound: Some(Bound::LINEAR),
 };
 
@@ -374,10 +377,11 @@ fn the_moon_has_its_phase_and_the_air_dims_it() {
 fn without_a_moon_there_is_nothing_of_it() {
     let view = at_the_sun(1.0);
     let mut scene = view.scene();
-    let plan = |scene: &Scene| EffectPlan::new(scene, &SkySettings::default(), [64, 64]).unwrap();
-    let labels =
-        |scene: &Scene| plan(scene).passes().iter().map(|p| p.program.map(|p| p.name())).collect::<Vec<_>>();
-    assert!(labels(&scene).iter().flatten().all(|name| !name.contains("moon")));
+    let plan = |scene: &Scene| Frame::new(scene, &SkySettings::default(), [64, 64]).unwrap();
+    let labels = |scene: &Scene| {
+        plan(scene).planned_passes().iter().map(|p| p.program.map(|p| p.name())).collect::<Vec<_>>()
+    };
+    assert!(labels(&scene).iter().flatten().all(|name| !name.to_lowercase().contains("moon")));
     let towards =
         |direction: DVec3| Some(Moon::new(scene.camera.position + direction * DISTANCE, MOON_RADIUS));
     let (sun, up) = (scene.sun_direction, scene.camera.up);
@@ -387,13 +391,17 @@ fn without_a_moon_there_is_nothing_of_it() {
     {
         scene.moon = moon;
         let names: Vec<_> = labels(&scene).into_iter().flatten().collect();
-        assert_eq!(names.iter().any(|n| n.starts_with("moon")), drawn, "{names:?}");
-        assert_eq!(names.iter().any(|n| n.starts_with("sun") && n.ends_with("-moon")), hides, "{names:?}");
+        assert_eq!(names.iter().any(|n| n.starts_with("moon_disk")), drawn, "{names:?}");
+        assert_eq!(
+            names.iter().any(|n| n.starts_with("sun_disk") && n.contains("+MOON")),
+            hides,
+            "{names:?}"
+        );
         // All of the sun behind the moon: no pass for it.
-        assert_eq!(names.iter().any(|n| n.starts_with("sun")), moon != total, "{names:?}");
+        assert_eq!(names.iter().any(|n| n.starts_with("sun_disk")), moon != total, "{names:?}");
     }
     scene.moon = Some(Moon { radius: 1e9, ..Moon::new(scene.camera.position + DVec3::X * DISTANCE, 1.0) });
-    let error = EffectPlan::new(&scene, &SkySettings::default(), [64, 64]).unwrap_err().to_string();
+    let error = Frame::new(&scene, &SkySettings::default(), [64, 64]).unwrap_err().to_string();
     assert!(error.starts_with("moon.position"), "{error}");
 }
 
@@ -411,7 +419,7 @@ fn the_processor_draws_the_same_disks() {
     ));
     let n = 24;
     let settings = PictureSettings {
-        sky: SkySettings { composition: Composition::SkyDome, ..DARKENED },
+        sky: composed(Composition::SkyDome, DARKENED),
         terrain: None,
         ..PictureSettings::default()
     };

@@ -7,14 +7,14 @@ use glow::HasContext as _;
 use welkin::gpu::egl::Headless;
 use welkin::gpu::webgl::WebGlBackend;
 use welkin::gpu::wgpu::WgpuBackend;
-use welkin::gpu::{Backend, Format, Pass, RowOrder, Target, TextureDesc, TextureId};
+use welkin::gpu::{Backend, Format, Pass, Precision, RowOrder, Target, TextureDesc, TextureId};
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
-use welkin::{Method, Mode, PictureRenderer, PictureSettings, Scene, SkyRenderer, SkySettings};
+use welkin::{Mode, PictureRenderer, PictureSettings, Quality, Scene, SkyRenderer, SkySettings};
 
 use crate::harness::world::BEHIND;
 use crate::harness::{
     TINY, View, aerial_passes, assert_physical, background_passes, cleared, copy_pass, draw, earth, free,
-    picture_passes, query, rgb, shell_passes, texture,
+    picture_passes, query, rgb, shell_passes, texture, without_disk,
 };
 
 const SIZE: u32 = 32;
@@ -25,7 +25,7 @@ pub fn scene() -> Scene {
 
 /// A sky that costs little: what it looks like does not matter here.
 pub fn small() -> SkySettings {
-    SkySettings { method: Method::Lut(TINY), ..SkySettings::default() }
+    SkySettings { quality: Quality::Luts(TINY), ..SkySettings::default() }
 }
 
 /// The background by a backend of welkin's own, RGBA8.
@@ -48,6 +48,7 @@ fn tables_of_16_bits_hold_the_light() {
     let poor = WgpuBackend::from_device(device, queue, "no features").unwrap();
     let rich = WgpuBackend::headless().unwrap();
     assert!(!poor.info().filters_f32 && rich.info().filters_f32, "{} {}", poor.info(), rich.info());
+    assert_eq!(rich.info().precision, Precision::Guaranteed);
     let settings = PictureSettings { terrain: None, ..PictureSettings::default() };
     let mut backends = [poor, rich].map(|backend| (backend, PictureRenderer::default()));
     let mut worst = 0.0_f32;
@@ -251,6 +252,7 @@ fn a_webgl2_user_gets_the_contexts_state_back() {
     let before = state(&gl);
     let mut backend = WebGlBackend::new(gl.clone()).unwrap();
     assert_eq!(state(&gl), before, "making the backend changed the state");
+    assert_eq!(backend.info().precision, Precision::Full, "{}", backend.info());
 
     // The sky into the user's framebuffer, whose rows run upwards.
     let desc = TextureDesc {
@@ -454,7 +456,7 @@ fn each_mode_draws_in_a_users_own_frame() {
         let user = user.as_mut();
         let name = user.backend().info().backend;
         for mode in Mode::ALL {
-            let mut sky = SkyRenderer::new(SkySettings { sun_disk: false, ..mode.settings() }).unwrap();
+            let mut sky = SkyRenderer::new(without_disk(mode.settings())).unwrap();
             let (color, depth) = (user.texture(4, &plain), user.texture(1, &stored));
             let out = user.texture(4, &[0.0; 4 * TEXELS]);
             let passes = background_passes(user.backend(), &mut sky, &scene, Target::color(color));
@@ -514,10 +516,8 @@ fn each_mode_draws_in_a_users_own_frame() {
 }
 
 /// How many passes fill tables.
-
-/// How many passes fill tables.
 fn tables_in(passes: &[Pass]) -> usize {
-    passes.iter().filter(|p| p.label.ends_with("table")).count()
+    passes.iter().filter(|p| p.label.ends_with("LUT")).count()
 }
 
 /// Whether a ray ends on the ground.

@@ -5,11 +5,9 @@
 
 use welkin::gpu::{Backend, Format};
 use welkin::render::picture::scale;
-use welkin::{
-    AtmosphereParams, Composition, LutSettings, Method, PictureRenderer, PictureSettings, Scene, SkySettings,
-};
+use welkin::{AtmosphereParams, Composition, PictureRenderer, PictureSettings, Quality, Scene, SkySettings};
 
-use crate::harness::{View, on_both};
+use crate::harness::{View, composed, on_both, with_disk};
 
 /// Half floats: the largest, the step below 6e-5, and the largest relative rounding above.
 const LARGEST: f32 = 65504.0;
@@ -29,7 +27,7 @@ fn draw(
 }
 
 fn settings(radiance: Format, exposure: f64, sun_disk: bool) -> PictureSettings {
-    let sky = SkySettings { method: Method::Lut(LutSettings::LOW), sun_disk, ..SkySettings::default() };
+    let sky = with_disk(sun_disk, Quality::LOW.into());
     PictureSettings { sky, exposure, radiance, terrain: None, dither: false, ..PictureSettings::default() }
 }
 
@@ -127,7 +125,7 @@ fn nothing_is_infinite_in_half_floats() {
                         [(Composition::Full, 1.0), (Composition::Full, 0.5), (Composition::Planet, 1.0)]
                     {
                         let mut s = settings(Format::Rgba16Float, exposure, true);
-                        s.sky = SkySettings { composition, render_scale, ..s.sky };
+                        s.sky = composed(composition, SkySettings { render_scale, ..s.sky });
                         let what =
                             format!("{altitude} m, {pitch}, {sun_intensity}, {exposure}, {composition:?}");
                         let (half, _, display) = draw(b, &mut renderer, &scene, &s);

@@ -20,10 +20,10 @@ fn tables_are_freed() {
             world.size = [1 + i % 12, 1 + i % 8];
             world.sky.render_scale = if i.is_multiple_of(3) { 0.5 } else { 1.0 };
             // Now and then other tables, and another medium's.
-            world.lut = LutSettings { sky: [8 + i % 100 / 50, 12], ..TINY };
+            world.lut = LutSettings { sky_view: [8 + i % 100 / 50, 12], ..TINY };
             world.view.params =
                 if i % 50 < 25 { AtmosphereParams::earth() } else { AtmosphereParams::rayleigh() };
-            world.sky.composition =
+            world.sky.look.composition =
                 if i.is_multiple_of(5) { Composition::SkyDome } else { Composition::Full };
             let settings = over_black(world.sky());
             renderer.draw(b, &world.view.scene(), &settings, world.size).unwrap();
@@ -49,7 +49,7 @@ fn nothing_leaks_over_many_sizes_and_settings() {
     on_both(|backend| {
         let mut renderer = PictureRenderer::default();
         let mut settings = PictureSettings { terrain: None, ..PictureSettings::default() };
-        settings.sky.method = march(2, 1);
+        settings.sky.quality = march(2, 1);
         let mut draw = |backend: &mut dyn Backend, i: u32| {
             settings.sky.render_scale = if i.is_multiple_of(2) { 1.0 } else { 0.5 };
             renderer.draw(backend, &scene(), &settings, [1 + i % 13, 1 + i % 7]).unwrap();
@@ -75,7 +75,7 @@ fn nothing_leaks_over_many_sizes_and_settings() {
 fn tables_go_when_the_camera_stays_away() {
     on_both(|b| {
         let mut renderer =
-            SkyRenderer::new(SkySettings { method: tables(), ..SkySettings::default() }).unwrap();
+            SkyRenderer::new(SkySettings { quality: tables(), ..SkySettings::default() }).unwrap();
         let color = target(b, [4, 4]);
         let before = b.live().textures;
         let day = View { pitch: 20.0, ..View::default() }.scene();
@@ -92,7 +92,7 @@ fn tables_go_when_the_camera_stays_away() {
         }
         assert_eq!(b.live().textures, before);
         let again = background_passes(b, &mut renderer, &day, Target::color(color));
-        assert!(again.iter().any(|p| p.label == "moments table"));
+        assert!(again.iter().any(|p| p.label == "multi-scattering LUT"));
         renderer.destroy(b);
         b.destroy_texture(color);
     });
@@ -104,7 +104,7 @@ fn tables_go_when_the_camera_stays_away() {
 fn a_night_keeps_the_tables_of_the_medium_for_a_while() {
     on_both(|b| {
         let mut renderer =
-            SkyRenderer::new(SkySettings { method: tables(), ..SkySettings::default() }).unwrap();
+            SkyRenderer::new(SkySettings { quality: tables(), ..SkySettings::default() }).unwrap();
         let color = target(b, [4, 4]);
         let scene =
             |sun_elevation| View { sun_elevation, pitch: 20.0, heading: 180.0, ..View::default() }.scene();
@@ -114,11 +114,12 @@ fn a_night_keeps_the_tables_of_the_medium_for_a_while() {
             b.run(&passes).unwrap();
             passes.iter().map(|p| p.label).collect()
         };
-        assert!(labels(b, &day).contains(&"moments table"));
+        assert!(labels(b, &day).contains(&"multi-scattering LUT"));
         let with = b.live().textures;
         for _ in 0..3 {
-            assert_eq!(labels(b, &night), ["sky table", "background sky"]);
-            assert_eq!(labels(b, &day), ["sky table", "sky table", "background sky"]);
+            assert_eq!(labels(b, &night), ["sky-view LUT", "background sky"]);
+            // The aerosol's light is still that of this day.
+            assert_eq!(labels(b, &day), ["sky-view LUT", "background sky"]);
         }
         assert_eq!(b.live().textures, with);
         for i in 0..700 {
@@ -132,7 +133,7 @@ fn a_night_keeps_the_tables_of_the_medium_for_a_while() {
             with - 4,
             "gathered radiance, two tables of moments, the aerosol's light"
         );
-        assert!(labels(b, &day).contains(&"moments table"));
+        assert!(labels(b, &day).contains(&"multi-scattering LUT"));
         renderer.destroy(b);
         b.destroy_texture(color);
     });

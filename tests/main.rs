@@ -1,10 +1,10 @@
 //! Every integration test of the library, in one binary: a module a subject, and [`harness`] for what they
 //! share.
 //!
-//! One process links the drivers once and solves the reference once for each medium. Tests run in threads, each
-//! with its own devices and contexts; what a test counts (live objects, allocations) belongs to its device or its
-//! thread. The harness runs tests in the order of their names: what takes long is in [`thorough`], nearly last, and
-//! `cargo test --test all -- --skip thorough::` leaves it out.
+//! One process links the drivers once and solves the reference once for each medium. Tests run in threads,
+//! each with its own devices and contexts; what a test counts (live objects, allocations) belongs to its
+//! device or its thread. The harness runs tests in the order of their names: what takes long is in
+//! [`thorough`], nearly last, and `cargo test --test all -- --skip thorough::` leaves it out.
 #![allow(clippy::needless_range_loop)] // Loops over the three channels index several arrays.
 
 #[cfg(not(all(
@@ -18,6 +18,7 @@ compile_error!(
     "the integration tests need every feature: run `cargo test` at the root, or give --all-features"
 );
 
+mod airglow;
 mod depth;
 mod device_loss;
 mod eclipse;

@@ -7,12 +7,12 @@ use std::collections::BTreeMap;
 
 use welkin::gpu::{Backend, Target};
 use welkin::{
-    AtmosphereParams, Bound, Composition, EffectPlan, LutSettings, Method, MiePhase, SkyRenderer, SkySettings,
+    AtmosphereParams, Bound, Composition, Frame, Look, LutSettings, MiePhase, Quality, SkyRenderer,
+    SkySettings,
 };
 
 use crate::harness::{
-    View, aerial_passes, airless, asked_for, background_passes, clear_pass, draw, frame_textures, free,
-    march, on_both, shell_passes,
+    View, airless, asked_for, clear_pass, draw, frame_passes, frame_textures, free, march, on_both,
 };
 
 const SIZE: [u32; 2] = [12, 9];
@@ -27,8 +27,8 @@ struct Case {
 }
 
 impl Case {
-    fn plan(&self) -> EffectPlan {
-        EffectPlan::new(&self.view.scene(), &self.sky, SIZE).unwrap()
+    fn plan(&self) -> Frame {
+        Frame::new(&self.view.scene(), &self.sky, SIZE).unwrap()
     }
 
     /// Radiance, and the bound that the plan had.
@@ -45,11 +45,8 @@ impl Case {
         b.write_texture(depth, &depths).unwrap();
         let clear = [self.behind, self.behind, self.behind, 1.0];
         let mut passes = vec![clear_pass(color, clear)];
-        passes.extend(background_passes(b, sky, &scene, Target::color(color)));
-        let over = aerial_passes(b, sky, &scene, [color, depth, out]);
-        let done = if over.is_empty() { color } else { out };
-        passes.extend(over);
-        passes.extend(shell_passes(b, sky, &scene, depth, Target::color(color)));
+        let (drawn, done) = frame_passes(b, sky, &scene, Target::color(color), [color, depth, out]);
+        passes.extend(drawn);
         b.run(&passes).unwrap();
         let pixels = b.read(done).unwrap();
         free(b, [color, depth, out]);
@@ -69,7 +66,7 @@ fn change(b: &mut dyn Backend, case: &Case, renderers: &mut [SkyRenderer; 2]) ->
         (a - b).abs() / ((bound.relative + rounding) * a.max(b) + bound.absolute)
     };
     let worst = some.iter().zip(&all).map(share).fold(0.0, f64::max);
-    let full = EffectPlan::new(&case.view.scene(), &SkySettings { bound: None, ..case.sky }, SIZE).unwrap();
+    let full = Frame::new(&case.view.scene(), &SkySettings { bound: None, ..case.sky }, SIZE).unwrap();
     let plan = case.plan();
     let off: Vec<_> = plan
         .effects()
@@ -117,22 +114,22 @@ fn check(name: &str, cases: &[Case]) -> BTreeMap<String, usize> {
 }
 
 /// Small tables: how exact they are does not matter here.
-pub fn tables() -> Method {
-    Method::Lut(LutSettings {
-        columns: [24, 12],
-        moments: [12, 8],
-        moment_steps: 4,
+pub fn tables() -> Quality {
+    Quality::Luts(LutSettings {
+        transmittance: [24, 12],
+        multi_scattering: [12, 8],
+        multi_scattering_steps: 4,
         orders: 3,
-        sky: [12, 20],
-        sky_steps: 6,
-        air: [4, 10, 4],
-        air_steps: 1,
+        sky_view: [12, 20],
+        sky_view_steps: 6,
+        aerial: [4, 10, 4],
+        aerial_steps: 1,
     })
 }
 
 /// From the ground to the moon's distance, around to the night side and back down.
-fn flight(method: Method) -> Vec<Case> {
-    let sky = SkySettings { method, bound: Some(Bound::eight_bit(1.0)), ..SkySettings::default() };
+fn flight(method: Quality) -> Vec<Case> {
+    let sky = SkySettings { quality: method, bound: Some(Bound::eight_bit(1.0)), ..SkySettings::default() };
     let up = [2.0, 500.0, 5e3, 14e3, 16e3, 30e3, 49e3, 51e3, 99e3, 101e3, 4e5, 6e6, 3.8e8];
     let leg = |altitude: f64, sun_elevation: f64, pitch: f64| Case {
         view: View { altitude, sun_elevation, pitch, ..View::default() },
@@ -150,7 +147,7 @@ fn flight(method: Method) -> Vec<Case> {
 #[test]
 fn a_flight_changes_by_no_more_than_the_bound() {
     for method in [march(32, 8), tables()] {
-        let seen = check(method.name(), &flight(method));
+        let seen = check(method.method(), &flight(method));
         assert!(seen.keys().any(|off| off.contains("sunlight")), "no night in {seen:?}");
         assert!(
             seen.keys().any(|off| off.contains("background sky")),
@@ -206,8 +203,12 @@ fn random(count: usize) -> Vec<Case> {
             let bound =
                 [Bound::LINEAR, Bound::eight_bit(1.0), Bound::eight_bit(0.01), Bound::EXACT][i / 7 % 4];
             let foreground = i % 5 > 0;
-            let sky =
-                SkySettings { method, composition, foreground, bound: Some(bound), ..SkySettings::default() };
+            let sky = SkySettings {
+                look: Look { composition, foreground, ..Look::default() },
+                quality: method,
+                bound: Some(bound),
+                ..SkySettings::default()
+            };
             let plane = if foreground { 10_f64.powf(uniform(0.0, 7.0)) } else { f64::INFINITY };
             Case { view, sky, plane, behind: [0.0, 0.5][i / 2 % 2] }
         })
@@ -225,16 +226,16 @@ fn random_scenes_change_by_no_more_than_the_bound() {
     }
 }
 
-fn plan(view: View, sky: SkySettings) -> EffectPlan {
-    EffectPlan::new(&view.scene(), &sky, SIZE).unwrap()
+fn plan(view: View, sky: SkySettings) -> Frame {
+    Frame::new(&view.scene(), &sky, SIZE).unwrap()
 }
 
 /// Name of every effect that is on.
-fn on(plan: &EffectPlan) -> Vec<&'static str> {
+fn on(plan: &Frame) -> Vec<&'static str> {
     plan.effects().iter().filter(|e| e.on).map(|e| e.name).collect()
 }
 
-fn why(plan: &EffectPlan, name: &str) -> String {
+fn why(plan: &Frame, name: &str) -> String {
     plan.effect(name).unwrap().reason.to_string()
 }
 
@@ -259,10 +260,10 @@ fn scenes_call_for_what_they_should() {
     assert_eq!(why(&day, "sun disk"), "outside the picture");
     // No air, and no sun in sight: nothing at all.
     let none = plan(View { params: airless(ground.params.clone()), ..ground.clone() }, sky);
-    assert!(none.passes().is_empty() && on(&none).is_empty(), "{none:?}");
+    assert!(none.planned_passes().is_empty() && on(&none).is_empty(), "{none:?}");
     assert_eq!(why(&none, "atmosphere"), "no constituent has a coefficient above 0");
-    let off = plan(ground.clone(), SkySettings { enabled: false, ..sky });
-    assert!(off.passes().is_empty() && why(&off, "atmosphere") == "switched off");
+    let off = plan(ground.clone(), SkySettings { look: Look { enabled: false, ..sky.look }, ..sky });
+    assert!(off.planned_passes().is_empty() && why(&off, "atmosphere") == "switched off");
     // The hand-over.
     let shell = |altitude| {
         let plan = plan(View { altitude, pitch: -5.0, ..ground.clone() }, sky);
@@ -275,7 +276,7 @@ fn scenes_call_for_what_they_should() {
     // The planet outside the picture: nothing, from just above the air to the moon's distance.
     for altitude in [1.5e5, 4e5, 3.8e8] {
         let away = plan(View { altitude, pitch: 50.0, ..ground.clone() }, sky);
-        assert!(away.passes().is_empty(), "{altitude}: {away:?}");
+        assert!(away.planned_passes().is_empty(), "{altitude}: {away:?}");
         assert_eq!(why(&away, "atmosphere"), "outside the picture");
         let there = plan(View { altitude, pitch: -90.0, ..ground.clone() }, sky);
         assert!(on(&there).contains(&"aerial perspective"), "{altitude}");
@@ -283,9 +284,12 @@ fn scenes_call_for_what_they_should() {
     // Straight down there is no sky; straight up, without a scene, there is nothing before it.
     let down = plan(View { pitch: -90.0, ..ground.clone() }, sky);
     assert_eq!(why(&down, "background sky"), "the planet fills the picture");
-    let up = plan(View { pitch: 60.0, ..ground.clone() }, SkySettings { foreground: false, ..sky });
+    let up = plan(
+        View { pitch: 60.0, ..ground.clone() },
+        SkySettings { look: Look { foreground: false, ..sky.look }, ..sky },
+    );
     assert_eq!(why(&up, "aerial perspective"), "nothing lies before the sky");
-    assert!(!on(&up).contains(&"air table"));
+    assert!(!on(&up).contains(&"aerial LUT"));
     // The sun behind the planet.
     let set = plan(View { heading: 0.0, sun_elevation: -5.0, ..ground.clone() }, sky);
     assert_eq!(why(&set, "sun disk"), "behind the planet");
@@ -293,7 +297,7 @@ fn scenes_call_for_what_they_should() {
 
 #[test]
 fn night_begins_where_the_light_does_not_count() {
-    let sky = |method, bound| SkySettings { method, bound: Some(bound), ..SkySettings::default() };
+    let sky = |method, bound| SkySettings { quality: method, bound: Some(bound), ..SkySettings::default() };
     // Degrees of the sun below the horizontal at which the night begins.
     let begins = |altitude: f64, sky: SkySettings| {
         let pitch = if altitude > 1e5 { -90.0 } else { 0.0 };
@@ -347,7 +351,7 @@ fn eight_bits_show_no_more_than_half_a_step() {
 /// What is off is not compiled, allocated, bound or drawn; and what is drawn is what the plan says.
 #[test]
 fn nothing_is_made_for_what_is_off() {
-    let sky = |method| SkySettings { method, ..SkySettings::default() };
+    let sky = |method| SkySettings { quality: method, ..SkySettings::default() };
     let ground = View { pitch: 10.0, ..View::default() };
     let thin = |scale: f64| {
         let mut view = ground.clone();
@@ -376,29 +380,32 @@ fn nothing_is_made_for_what_is_off() {
             let before = b.live();
             let mut renderer = SkyRenderer::new(settings).unwrap();
             let plan = renderer.plan(&scene, SIZE).unwrap();
-            let mut passes = background_passes(b, &mut renderer, &scene, Target::color(color));
-            passes.extend(aerial_passes(b, &mut renderer, &scene, [color, depth, out]));
+            let (passes, _) =
+                frame_passes(b, &mut renderer, &scene, Target::color(color), [color, depth, out]);
             b.run(&passes).unwrap();
             let live = b.live();
             // The passes, and how often each; the order within the tables is the renderer's.
-            let mut wanted: Vec<&str> =
-                plan.passes().iter().flat_map(|p| std::iter::repeat_n(p.label, p.times as usize)).collect();
+            let mut wanted: Vec<&str> = plan
+                .planned_passes()
+                .iter()
+                .flat_map(|p| std::iter::repeat_n(p.label, p.times as usize))
+                .collect();
             let mut drawn: Vec<&str> = passes.iter().map(|p| p.label).collect();
             wanted.sort_unstable();
             drawn.sort_unstable();
             assert_eq!(drawn, wanted, "{name}");
             // A program for each that the plan names, and no other.
             let programs: std::collections::HashSet<_> =
-                plan.passes().iter().filter_map(|p| p.program).collect();
+                plan.planned_passes().iter().filter_map(|p| p.program).collect();
             assert_eq!(live.programs - before.programs, programs.len(), "{name}: programs");
             // Textures: what the passes draw to and read, besides the user's.
             let mut used: Vec<_> = passes.iter().map(|p| p.target.color).collect();
-            used.extend(passes.iter().flat_map(|p| p.textures.into_iter().flatten()));
+            used.extend(passes.iter().flat_map(|p| p.inputs.iter().filter_map(|(_, id)| id)));
             used.retain(|id| ![color, depth, out].contains(id));
             used.sort_unstable();
             used.dedup();
             assert_eq!(live.textures - before.textures, used.len(), "{name}: textures");
-            if plan.passes().is_empty() {
+            if plan.planned_passes().is_empty() {
                 assert_eq!(live, before, "{name}: something was made for nothing");
             }
             println!("{} {name}: {} programs, {} textures", b.info().backend, programs.len(), used.len());
@@ -412,10 +419,10 @@ fn nothing_is_made_for_what_is_off() {
 /// A scene on a threshold does not switch in every frame, and either way it is within the bound.
 #[test]
 fn a_scene_on_a_threshold_switches_once() {
-    let sky = SkySettings { method: tables(), bound: Some(Bound::eight_bit(1.0)), ..SkySettings::default() };
-    let lit = |plan: &EffectPlan| plan.effect("sunlight").unwrap().on;
+    let sky = SkySettings { quality: tables(), bound: Some(Bound::eight_bit(1.0)), ..SkySettings::default() };
+    let lit = |plan: &Frame| plan.effect("sunlight").unwrap().on;
     let at = |elevation: f64| View { sun_elevation: elevation, pitch: 10.0, ..View::default() }.scene();
-    let fresh = |elevation: f64| lit(&EffectPlan::new(&at(elevation), &sky, SIZE).unwrap());
+    let fresh = |elevation: f64| lit(&Frame::new(&at(elevation), &sky, SIZE).unwrap());
     // Where a plan without a past switches.
     let (mut day, mut night) = (0.0, -60.0);
     for _ in 0..40 {
@@ -423,11 +430,11 @@ fn a_scene_on_a_threshold_switches_once() {
         if fresh(middle) { day = middle } else { night = middle }
     }
     let mut switches = 0;
-    let mut plan = EffectPlan::new(&at(day + 1.0), &sky, SIZE).unwrap();
+    let mut plan = Frame::new(&at(day + 1.0), &sky, SIZE).unwrap();
     for i in 0..200 {
         // Down through the threshold, trembling.
         let elevation = day + 0.5 - 0.01 * f64::from(i) + if i % 2 == 0 { 0.05 } else { -0.05 };
-        let next = EffectPlan::after(&plan, &at(elevation), &sky, SIZE).unwrap();
+        let next = Frame::after(&plan, &at(elevation), &sky, SIZE).unwrap();
         switches += usize::from(lit(&next) != lit(&plan));
         // Never brighter than the bound without light, and off by the time half of it is left.
         assert!(lit(&next) || !fresh(elevation), "dark at {elevation}");
@@ -436,7 +443,7 @@ fn a_scene_on_a_threshold_switches_once() {
     assert_eq!((switches, lit(&plan)), (1, false));
     // On again only above the threshold itself.
     for (elevation, want) in [(day - 0.05, false), (day + 0.05, true), (day - 0.05, true)] {
-        plan = EffectPlan::after(&plan, &at(elevation), &sky, SIZE).unwrap();
+        plan = Frame::after(&plan, &at(elevation), &sky, SIZE).unwrap();
         assert_eq!(lit(&plan), want, "{elevation}");
     }
 }
@@ -447,7 +454,8 @@ fn pipelines_are_made_ahead() {
     let terrain = [None, Some(welkin::TerrainStyle::earth())];
     for (i, method) in [march(32, 8), tables()].into_iter().enumerate() {
         on_both(|b| {
-            let sky = SkySettings { method, bound: Some(Bound::eight_bit(1.0)), ..SkySettings::default() };
+            let sky =
+                SkySettings { quality: method, bound: Some(Bound::eight_bit(1.0)), ..SkySettings::default() };
             let settings = welkin::PictureSettings { sky, terrain: terrain[i], ..Default::default() };
             let views: Vec<_> = flight(method).into_iter().map(|case| case.view.scene()).collect();
             let before = b.live();
@@ -470,7 +478,7 @@ fn pipelines_are_made_ahead() {
                 draw(b, &mut renderer, scene, &settings, SIZE);
             }
             let after = b.live();
-            println!("{} {}: {steps} steps, {} programs", b.info().backend, method.name(), ready.programs);
+            println!("{} {}: {steps} steps, {} programs", b.info().backend, method.method(), ready.programs);
             assert_eq!((after.programs, after.pipelines), (ready.programs, ready.pipelines));
             renderer.destroy(b);
         });

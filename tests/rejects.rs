@@ -3,9 +3,10 @@
 use std::time::Duration;
 
 use glam::DVec3;
-use welkin::gpu::{Backend, Format, Pass, Target, TextureDesc, Uniform, reads};
-use welkin::settings::quality::Front;
-use welkin::shaders::Program;
+use welkin::gpu::Program;
+use welkin::gpu::{Backend, Format, Inputs, Pass, Target, TextureDesc};
+use welkin::settings::front::ParetoFront;
+use welkin::shaders::copy;
 use welkin::{
     AtmosphereParams, DepthConvention, Error, PictureRenderer, PictureSettings, Quality, Scene, SkySettings,
     ToneMap,
@@ -89,8 +90,8 @@ fn wrong_scenes_are_refused_by_name_value_and_range() {
         ),
         ("near plane 0", depth(DepthConvention::ReversedInfinite { near: 0.0 }), ["depth.near", "= 0 "]),
         ("far before near", depth(DepthConvention::ZeroToOne { near: 1.0, far: 0.5 }), ["depth.far", "0.5"]),
-        ("no samples", sky(|s| s.method = march(0, 8)), ["view_samples", "from 1 to 1024"]),
-        ("too many samples", sky(|s| s.method = march(16, 100_000)), ["light_samples", "100000"]),
+        ("no samples", sky(|s| s.quality = march(0, 8)), ["view_samples", "from 1 to 1024"]),
+        ("too many samples", sky(|s| s.quality = march(16, 100_000)), ["light_samples", "100000"]),
         ("scale 0", sky(|s| s.render_scale = 0.0), ["render_scale", "0.125"]),
         ("unknown planet", AtmosphereParams::preset("vulcan").map(|_| ()), ["planet", "vulcan"]),
         (
@@ -146,37 +147,32 @@ fn wrong_requests_of_a_backend_are_refused_and_leave_nothing_behind() {
         let mut bad = good.clone();
         bad.sun_direction = DVec3::splat(f64::NAN);
         say("NaN sun", draw(backend, &mut renderer, &bad, &settings, [4, 4]), "sun_direction");
-        let measure = |b: &mut dyn Backend, q: &[Quality], size| Front::measure(b, q, size).map(|_| ());
+        let presets: Vec<_> = Quality::PRESETS.iter().map(|(_, quality)| *quality).collect();
+        let measure = |b: &mut dyn Backend, q: &[Quality], size| ParetoFront::measure(b, q, size).map(|_| ());
         say("no qualities", measure(backend, &[], [4, 4]), "qualities = none");
-        say("front of no size", measure(backend, Quality::ALL, [4, 0]), "front.height = 0");
-        say("front too large", measure(backend, Quality::ALL, [max + 1, 4]), "front.width");
-        let mut unknown = Quality { method: march(9, 9), ..Quality::SINGLE_LOW };
+        say("front of no size", measure(backend, &presets, [4, 0]), "front.height = 0");
+        say("front too large", measure(backend, &presets, [max + 1, 4]), "front.width");
+        let mut unknown = march(9, 9);
         say(
             "quality without a known error",
             measure(backend, &[Quality::SINGLE_LOW, unknown], [4, 4]),
             "single 9 × 9",
         );
-        unknown.method = march(0, 9);
+        unknown = march(0, 9);
         say("quality that is none", measure(backend, &[unknown], [4, 4]), "view_samples = 0");
         let dark = PictureSettings { exposure: f64::NAN, ..settings };
         say("NaN exposure", draw(backend, &mut renderer, &good, &dark, [4, 4]), "exposure");
         assert_eq!(backend.live(), before, "a refused request left something behind");
 
         let a = backend.create_texture(&TextureDesc::new("a", 4, 4, Format::Rgba16Float)).unwrap();
-        let copy = backend.create_program(Program::Copy).unwrap();
-        let pass = Pass {
-            label: "copy onto itself",
-            program: Some(copy),
-            textures: reads([a]),
-            uniform: Uniform::NONE,
-            target: Target::color(a),
-            depth: Default::default(),
-        };
+        let copy = backend.create_program(Program::new(&copy::INFO, 0)).unwrap();
+        let inputs = Inputs::new([("source", Some(a))]);
+        let pass = Pass { program: Some(copy), inputs, ..Pass::clear("copy onto itself", Target::color(a)) };
         say("feedback loop", backend.run(&[pass]), "different textures");
         let b = backend.create_texture(&TextureDesc::new("b", 4, 4, Format::Rgba16Float)).unwrap();
-        let lacking = Pass { textures: reads([]), target: Target::color(b), ..pass };
-        say("missing texture", backend.run(&[lacking]), "1 needed");
-        let foreign = Pass { textures: reads([a]), target: Target::color(b), ..pass };
+        let lacking = Pass { inputs: Inputs::NONE, target: Target::color(b), ..pass };
+        say("missing texture", backend.run(&[lacking]), "no texture given for \"source\"");
+        let foreign = Pass { inputs: Inputs::new([("source", Some(a))]), target: Target::color(b), ..pass };
         say("too few texels", backend.write_texture(a, &[0.0; 3]), "64 values");
         backend.destroy_texture(a);
         say("destroyed texture", backend.run(&[foreign]), "no such object");

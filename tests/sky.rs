@@ -1,35 +1,38 @@
 //! What is drawn: the same bodies on both backends, judged by physics and by the f64 reference.
 
 use glam::{DQuat, DVec2, DVec3};
+use welkin::frame::background_weight;
 use welkin::gpu::{Backend, Format, Pass, RowOrder, Target, TextureDesc};
 use welkin::reference::single::{Sun, Tolerance, single_scattering, transmittance};
-use welkin::render::sky::background_weight;
 use welkin::{
-    AtmosphereParams, Bound, Composition, LutSettings, Method, MiePhase, PictureRenderer, PictureSettings,
-    Scene, SkyRenderer, SkySettings,
+    AtmosphereParams, Bound, Composition, Look, LutSettings, MiePhase, PictureRenderer, PictureSettings,
+    Quality, Scene, SkyRenderer, SkySettings,
 };
 
 use crate::harness::{
     View, aerial_passes, airless, assert_physical, background, background_by, background_passes, cleared,
-    copy_pass, draw, draw_both, frame_textures, free, march, mean, on_both, over_black, picture,
-    picture_passes, query, rays, rgb, texture,
+    composed, copy_pass, draw, draw_both, frame_textures, free, march, mean, on_both, over_black, picture,
+    picture_passes, query, rays, rgb, texture, with_disk, without_disk,
 };
 
 const FINE: SkySettings = SkySettings {
-    enabled: true,
-    composition: Composition::Full,
-    method: Method::Single { view_samples: 256, light_samples: 64 },
+    look: Look {
+        enabled: true,
+        composition: Composition::Full,
+        sun_disk: false,
+        limb_darkening: false,
+        foreground: true,
+        airglow: None,
+    },
+    quality: Quality::March { view_samples: 256, light_samples: 64 },
     render_scale: 1.0,
-    sun_disk: false,
-    limb_darkening: false,
-    foreground: true,
     bound: Some(Bound::LINEAR),
 };
 
 /// Light scattered once, and of all orders: what holds of any sky holds of both. No sun's disk.
 const ANY: [SkySettings; 2] = [
-    SkySettings { method: Method::Single { view_samples: 24, light_samples: 8 }, ..FINE },
-    SkySettings { method: Method::Lut(LutSettings::MEDIUM), ..FINE },
+    SkySettings { quality: Quality::March { view_samples: 24, light_samples: 8 }, ..FINE },
+    SkySettings { quality: Quality::Luts(LutSettings::MEDIUM), ..FINE },
 ];
 
 /// Sky and shell together over black, without any scene: what an eye sees.
@@ -138,7 +141,7 @@ fn looks_are_those_of_the_documents() {
         let dusk = see(View { pitch: 90.0, sun_elevation: -5.0, ..narrow.clone() });
         let night = see(View { pitch: 90.0, sun_elevation: -30.0, ..narrow.clone() });
         assert!(sum(dusk) > 0.0 && sum(dusk) < 2e-2 * sum(zenith), "{dusk:?}");
-        let single = settings.method.is_single_scattering();
+        let single = settings.quality.is_single_scattering();
         assert!(sum(night) <= if single { 0.0 } else { 1e-6 * sum(zenith) }, "{night:?}");
         // The zenith darkens with altitude.
         let up = [100.0, 5e3, 15e3, 40e3]
@@ -365,7 +368,7 @@ fn extreme_viewports_are_drawn() {
             }
             .scene();
             let method = march(4, 2);
-            let p = whole_sky(b, &scene, SkySettings { method, ..Default::default() }, size);
+            let p = whole_sky(b, &scene, SkySettings { quality: method, ..Default::default() }, size);
             assert_physical(&p, "viewport");
             assert!(mean(&p)[2] > 0.1, "{size:?} is dark");
         }
@@ -375,7 +378,7 @@ fn extreme_viewports_are_drawn() {
 #[test]
 fn moving_and_turning_the_world_changes_nothing() {
     on_each(|b, settings| {
-        let settings = SkySettings { sun_disk: true, ..settings };
+        let settings = with_disk(true, settings);
         let base = View { altitude: 500.0, pitch: 10.0, sun_elevation: 5.0, ..View::default() }.scene();
         let mut renderer = PictureRenderer::default();
         let want = draw(b, &mut renderer, &base, &over_black(settings), [12, 12]);
@@ -402,10 +405,14 @@ fn what_is_off_is_not_there() {
         let view = View { pitch: 20.0, ..View::default() };
         let target = texture(b, "target", [8, 8], Format::Rgba16Float);
         let live = b.live();
-        let mut off = SkyRenderer::new(SkySettings { enabled: false, ..Default::default() }).unwrap();
+        let mut off = SkyRenderer::new(SkySettings {
+            look: Look { enabled: false, ..Look::default() },
+            ..SkySettings::default()
+        })
+        .unwrap();
         assert!(background_passes(b, &mut off, &view.scene(), Target::color(target)).is_empty());
         let empty = View { params: airless(view.params.clone()), ..view.clone() }.scene();
-        let mut sky = SkyRenderer::new(SkySettings { sun_disk: false, ..Default::default() }).unwrap();
+        let mut sky = SkyRenderer::new(without_disk(SkySettings::default())).unwrap();
         assert!(background_passes(b, &mut sky, &empty, Target::color(target)).is_empty());
         assert_eq!(b.live(), live, "something was made for nothing");
         // Without ozone, without the sun: the program is the one without them, and draws what the
@@ -511,8 +518,7 @@ fn sun_is_drawn_where_it_is_in_either_row_order() {
 fn sun_is_dimmed_by_the_air_as_in_the_reference() {
     // So dim that disk and sky simply add up.
     let params = AtmosphereParams { sun_intensity: 1e-3, ..AtmosphereParams::earth() };
-    let settings =
-        |sun_disk| SkySettings { composition: Composition::SkyDome, sun_disk, ..SkySettings::default() };
+    let settings = |on| with_disk(on, composed(Composition::SkyDome, SkySettings::default()));
     let mut worst = 0.0_f64;
     on_both(|b| {
         let mut renderers = [true, false].map(|on| SkyRenderer::new(settings(on)).unwrap());

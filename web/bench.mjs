@@ -1,40 +1,46 @@
 // How long a frame takes in a browser, from the first call to the last pixel: prints Markdown tables.
 //
-// Usage: node web/bench.mjs [--backend webgl2|webgpu] [--only TEXT] [--rounds N] [--seconds S]
+// Usage: node web/bench.mjs [--backend webgl2|webgpu] [--only TEXT] [--rounds N] [--seconds S] [--old DIR]
 //
 //   --backend NAME   only this one
 //   --rounds N       how often all is timed, in turn; the best frame of all rounds counts (default 3)
 //   --only TEXT      only the cases whose name begins with it: --only 'sky alone'
 //   --seconds S      at most so long for each measurement in a round, but two frames at least (default 1)
+//   --old DIR        also times the page in DIR, the folder web/ of an earlier checkout with its module
+//                    built, in turn with this one, and prints what it takes and this page's time as a
+//                    ratio to it
 //
-// Headless Chromium draws with its software GPU, 1280 × 720, Earth, the sun 20° high. Run scripts/build-web before.
+// Headless Chromium draws with its software GPU, 1280 × 720, Earth, the sun 20° high. Run scripts/build-web
+// before.
 //
-// Beside the viewer, and on canvases of the same size, it times a full-screen triangle that copies a half-float texture,
-// and three.js's Sky (Preetham, Shirley & Smits 1999), tone-mapped with ACES: Sky on WebGL2, SkyMesh on WebGPU.
+// Beside the viewer, and on canvases of the same size, it times a full-screen triangle that copies a
+// half-float texture, and three.js's Sky (Preetham, Shirley & Smits 1999), tone-mapped with ACES: Sky on
+// WebGL2, SkyMesh on WebGPU.
+import { existsSync } from 'node:fs';
+import { join, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
-import { launch } from './test/browser.mjs';
+import { BACKENDS, launch } from './test/browser.mjs';
 
 const SIZE = { width: 1280, height: 720 };
-const BACKENDS = ['webgl2', 'webgpu'];
 const VIEWS = [
   { name: '500 m', alt: 500, pitch: 12 },
   { name: '400 km', alt: 4e5, pitch: -17 },
   { name: '12,000 km', alt: 1.2e7, pitch: -90 },
 ];
-const TABLES = { quality: 'medium' };
+const LUTS = { quality: 'medium' };
 const SINGLE = { samples: [24, 8] };
 const CASES = [
-  { name: 'sky alone, tables', mode: 'sky-dome', terrain: false, ...TABLES },
-  { name: 'sky alone, tables, moving sun', mode: 'sky-dome', terrain: false, ...TABLES, change: 'sun' },
+  { name: 'sky alone, LUTs', mode: 'sky-dome', terrain: false, ...LUTS },
+  { name: 'sky alone, LUTs, moving sun', mode: 'sky-dome', terrain: false, ...LUTS, change: 'sun' },
   { name: 'sky alone, single scattering', mode: 'sky-dome', terrain: false, ...SINGLE },
-  { name: 'sky and air, tables', mode: 'lut', terrain: false, ...TABLES },
-  { name: 'sky and air, tables, moving sun', mode: 'lut', terrain: false, ...TABLES, change: 'sun' },
+  { name: 'sky and air, LUTs', mode: 'lut', terrain: false, ...LUTS },
+  { name: 'sky and air, LUTs, moving sun', mode: 'lut', terrain: false, ...LUTS, change: 'sun' },
   { name: 'sky and air, single scattering', mode: 'lut', terrain: false, ...SINGLE },
-  { name: 'full picture, tables', mode: 'lut', terrain: true, ...TABLES },
-  { name: 'full picture, tables, moving sun', mode: 'lut', terrain: true, ...TABLES, change: 'sun' },
-  { name: 'full picture, tables, new medium', mode: 'lut', terrain: true, ...TABLES, change: 'medium' },
+  { name: 'full picture, LUTs', mode: 'lut', terrain: true, ...LUTS },
+  { name: 'full picture, LUTs, moving sun', mode: 'lut', terrain: true, ...LUTS, change: 'sun' },
+  { name: 'full picture, LUTs, new medium', mode: 'lut', terrain: true, ...LUTS, change: 'medium' },
   { name: 'full picture, single scattering', mode: 'lut', terrain: true, ...SINGLE },
-  { name: 'terrain without an atmosphere', mode: 'lut', terrain: true, ...TABLES, off: true },
+  { name: 'terrain without an atmosphere', mode: 'lut', terrain: true, ...LUTS, off: true },
 ];
 
 // ---------------------------------------------------------------- a copy
@@ -55,10 +61,15 @@ out vec4 color;
 void main() { color = texelFetch(source, ivec2(gl_FragCoord.xy), 0); }`;
 const COPY_WGSL = `${TRIANGLE_WGSL}
 @group(0) @binding(0) var source: texture_2d<f32>;
-@fragment fn fragment_main(@builtin(position) p: vec4f) -> @location(0) vec4f { return textureLoad(source, vec2i(p.xy), 0); }`;
+@fragment fn fragment_main(@builtin(position) p: vec4f) -> @location(0) vec4f {
+    return textureLoad(source, vec2i(p.xy), 0);
+}`;
 // ---------------------------------------------------------------- in the page
 
-/** Before the page's own scripts: keeps the WebGPU device, to ask it when it is done, and holds what times frames. */
+/**
+ * Before the page's own scripts: keeps the WebGPU device, to ask it when it is done, and holds what times
+ * frames.
+ */
 function prepare() {
   if (globalThis.GPUAdapter) {
     const { requestDevice } = GPUAdapter.prototype;
@@ -104,14 +115,22 @@ async function timeViewer({ view, one, seconds }) {
   else viewer.set_samples(...one.samples);
   viewer.set_terrain(one.terrain);
   viewer.set_enabled(!one.off);
-  const finish = viewer.backend === 'webgl2'
-    ? () => finishGl(canvas.getContext('webgl2'))
-    : () => window.device_.queue.onSubmittedWorkDone();
+  const finish =
+    viewer.backend === 'webgl2'
+      ? () => finishGl(canvas.getContext('webgl2'))
+      : () => window.device_.queue.onSubmittedWorkDone();
   const before = {
-    // One sun after another: tables that know the sun are made again each frame.
-    sun: (i) => { viewer.set_sun(20 + 0.01 * (i % 7), 40); },
-    // Away and back: all tables are made again.
-    medium: () => { viewer.set_planet('mars'); viewer.render(); viewer.set_planet('earth'); return true; },
+    // One sun after another: LUTs that know the sun are made again each frame.
+    sun: (i) => {
+      viewer.set_sun(20 + 0.01 * (i % 7), 40);
+    },
+    // Away and back: all LUTs are made again.
+    medium: () => {
+      viewer.set_planet('mars');
+      viewer.render();
+      viewer.set_planet('earth');
+      return true;
+    },
   }[one.change];
   return bestFrame(seconds, before, () => viewer.render(), finish);
 }
@@ -125,9 +144,17 @@ async function timeCopy({ backend, size: { width, height }, vertex, fragment, se
   let best;
   let pixel;
   if (backend === 'webgl2') {
-    const gl = canvas.getContext('webgl2', { antialias: false, depth: false, alpha: false, preserveDrawingBuffer: true });
+    const gl = canvas.getContext('webgl2', {
+      antialias: false,
+      depth: false,
+      alpha: false,
+      preserveDrawingBuffer: true,
+    });
     const program = gl.createProgram();
-    for (const [kind, text] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
+    for (const [kind, text] of [
+      [gl.VERTEX_SHADER, vertex],
+      [gl.FRAGMENT_SHADER, fragment],
+    ]) {
       const shader = gl.createShader(kind);
       gl.shaderSource(shader, text);
       gl.compileShader(shader);
@@ -143,7 +170,14 @@ async function timeCopy({ backend, size: { width, height }, vertex, fragment, se
     gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RGBA, gl.HALF_FLOAT, half);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
-    best = await bestFrame(seconds, null, () => gl.drawArrays(gl.TRIANGLES, 0, 3), () => { pixel = finishGl(gl); });
+    best = await bestFrame(
+      seconds,
+      null,
+      () => gl.drawArrays(gl.TRIANGLES, 0, 3),
+      () => {
+        pixel = finishGl(gl);
+      },
+    );
     if (gl.getError()) throw new Error('a WebGL error');
     gl.getExtension('WEBGL_lose_context').loseContext();
   } else {
@@ -153,27 +187,51 @@ async function timeCopy({ backend, size: { width, height }, vertex, fragment, se
     window.device_ = kept;
     device.pushErrorScope('validation');
     const context = canvas.getContext('webgpu');
-    context.configure({ device, format: 'rgba8unorm', alphaMode: 'opaque', usage: GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.COPY_SRC });
+    context.configure({
+      device,
+      format: 'rgba8unorm',
+      alphaMode: 'opaque',
+      usage: GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.COPY_SRC,
+    });
     const module = device.createShaderModule({ code: fragment });
-    const pipeline = device.createRenderPipeline({ layout: 'auto', vertex: { module }, fragment: { module, targets: [{ format: 'rgba8unorm' }] } });
-    const texture = device.createTexture({ size: [width, height], format: 'rgba16float', usage: GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_DST });
+    const pipeline = device.createRenderPipeline({
+      layout: 'auto',
+      vertex: { module },
+      fragment: { module, targets: [{ format: 'rgba8unorm' }] },
+    });
+    const texture = device.createTexture({
+      size: [width, height],
+      format: 'rgba16float',
+      usage: GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_DST,
+    });
     const half = new Uint16Array(width * height * 4).fill(0x3800);
     device.queue.writeTexture({ texture }, half, { bytesPerRow: width * 8 }, [width, height]);
     const resource = texture.createView();
-    const group = device.createBindGroup({ layout: pipeline.getBindGroupLayout(0), entries: [{ binding: 0, resource }] });
+    const group = device.createBindGroup({
+      layout: pipeline.getBindGroupLayout(0),
+      entries: [{ binding: 0, resource }],
+    });
     const read = device.createBuffer({ size: 256, usage: GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ });
     const draw = (keep) => {
       const encoder = device.createCommandEncoder();
       const texture = context.getCurrentTexture();
-      const pass = encoder.beginRenderPass({ colorAttachments: [{ view: texture.createView(), loadOp: 'clear', storeOp: 'store' }] });
+      const pass = encoder.beginRenderPass({
+        colorAttachments: [{ view: texture.createView(), loadOp: 'clear', storeOp: 'store' }],
+      });
       pass.setPipeline(pipeline);
       pass.setBindGroup(0, group);
       pass.draw(3);
       pass.end();
-      if (keep) encoder.copyTextureToBuffer({ texture, origin: [640, height - 1 - 500] }, { buffer: read }, [1, 1]);
+      if (keep)
+        encoder.copyTextureToBuffer({ texture, origin: [640, height - 1 - 500] }, { buffer: read }, [1, 1]);
       device.queue.submit([encoder.finish()]);
     };
-    best = await bestFrame(seconds, null, () => draw(false), () => device.queue.onSubmittedWorkDone());
+    best = await bestFrame(
+      seconds,
+      null,
+      () => draw(false),
+      () => device.queue.onSubmittedWorkDone(),
+    );
     draw(true);
     await read.mapAsync(GPUMapMode.READ);
     pixel = new Uint8Array(read.getMappedRange().slice(0, 4));
@@ -192,11 +250,13 @@ async function timeThree({ backend, size: { width, height }, view, seconds }) {
   if (!document.querySelector('script[type=importmap]')) {
     const map = document.createElement('script');
     map.type = 'importmap';
-    map.textContent = JSON.stringify({ imports: {
-      three: `${folder}build/three.${gpu ? 'webgpu' : 'module'}.js`,
-      'three/webgpu': `${folder}build/three.webgpu.js`,
-      'three/tsl': `${folder}build/three.tsl.js`,
-    } });
+    map.textContent = JSON.stringify({
+      imports: {
+        three: `${folder}build/three.${gpu ? 'webgpu' : 'module'}.js`,
+        'three/webgpu': `${folder}build/three.webgpu.js`,
+        'three/tsl': `${folder}build/three.tsl.js`,
+      },
+    });
     document.head.append(map);
   }
   const THREE = await import('three');
@@ -213,15 +273,17 @@ async function timeThree({ backend, size: { width, height }, view, seconds }) {
   renderer.toneMappingExposure = 0.5;
   const scene = new THREE.Scene();
   const camera = new THREE.PerspectiveCamera(60, width / height, 100, 2e6);
-  camera.rotation.x = view.pitch * Math.PI / 180;
+  camera.rotation.x = (view.pitch * Math.PI) / 180;
   const sky = gpu ? new SkyMesh() : new Sky();
   sky.scale.setScalar(450000);
   scene.add(sky);
   // 20° high, 40° to the right of the view.
   const settings = gpu ? sky : sky.material.uniforms;
-  settings.sunPosition.value.setFromSphericalCoords(1, 70 * Math.PI / 180, 140 * Math.PI / 180);
+  settings.sunPosition.value.setFromSphericalCoords(1, (70 * Math.PI) / 180, (140 * Math.PI) / 180);
   settings.turbidity.value = 2.2;
-  const finish = gpu ? () => renderer.backend.device.queue.onSubmittedWorkDone() : () => finishGl(renderer.getContext());
+  const finish = gpu
+    ? () => renderer.backend.device.queue.onSubmittedWorkDone()
+    : () => finishGl(renderer.getContext());
   const best = await bestFrame(seconds, null, () => renderer.render(scene, camera), finish);
   const shown = document.createElement('canvas');
   Object.assign(shown, { width, height });
@@ -237,20 +299,38 @@ async function timeThree({ backend, size: { width, height }, view, seconds }) {
 // ---------------------------------------------------------------- all of it
 
 function options() {
-  const { values } = parseArgs({ options: { backend: { type: 'string' }, only: { type: 'string' }, rounds: { type: 'string' }, seconds: { type: 'string' } } });
+  const { values } = parseArgs({
+    options: {
+      backend: { type: 'string' },
+      only: { type: 'string' },
+      rounds: { type: 'string' },
+      seconds: { type: 'string' },
+      old: { type: 'string' },
+    },
+  });
   const number = (key, usual, min, max) => {
     const value = values[key] === undefined ? usual : Number(values[key] || NaN);
-    if (!(value >= min && value <= max)) throw new Error(`--${key} ${values[key]} is not allowed: must be from ${min} to ${max}`);
+    if (!(value >= min && value <= max))
+      throw new Error(`--${key} ${values[key]} is not allowed: must be from ${min} to ${max}`);
     return value;
   };
   if (values.backend !== undefined && !BACKENDS.includes(values.backend)) {
-    throw new Error(`--backend ${values.backend} is not allowed: must be webgl2 or webgpu`);
+    throw new Error(`--backend ${values.backend} is not allowed: must be ${BACKENDS.join(' or ')}`);
   }
   const cases = CASES.filter(({ name }) => name.startsWith(values.only ?? ''));
   if (!cases.length) {
-    throw new Error(`--only ${values.only} is not allowed: must begin one of ${CASES.map((c) => c.name).join('; ')}`);
+    throw new Error(
+      `--only ${values.only} is not allowed: must begin one of ${CASES.map((c) => c.name).join('; ')}`,
+    );
+  }
+  const old = values.old && resolve(values.old);
+  if (old !== undefined && !['viewer.js', 'pkg'].every((file) => existsSync(join(old, file)))) {
+    throw new Error(
+      `--old ${values.old} is not allowed: must be a folder with viewer.js and a built module in pkg`,
+    );
   }
   return {
+    old,
     backends: values.backend ? [values.backend] : BACKENDS,
     cases,
     rounds: number('rounds', 3, 1, 100),
@@ -261,8 +341,8 @@ function options() {
 const ms = (x) => (x < 100 ? x.toFixed(1) : x.toFixed(0));
 
 async function main() {
-  const { backends, cases, rounds, seconds } = options();
-  const browser = await launch();
+  const { old, backends, cases, rounds, seconds } = options();
+  const browser = await launch({ folders: old ? [old] : [] });
   try {
     const best = new Map();
     const take = (key, value) => best.set(key, Math.min(best.get(key) ?? Infinity, value));
@@ -273,37 +353,66 @@ async function main() {
         const page = await browser.open({ backend, prepare, query: SIZE });
         adapter = await page.textContent('#read-adapter');
         const fragment = backend === 'webgl2' ? COPY_GLSL : COPY_WGSL;
-        const copy = await page.evaluate(timeCopy, { backend, size: SIZE, vertex: TRIANGLE_GLSL, fragment, seconds });
-        if (!copy.pixel.slice(0, 3).every((v) => v === 127 || v === 128)) throw new Error(`${backend}: the copy drew ${copy.pixel}`);
+        const copy = await page.evaluate(timeCopy, {
+          backend,
+          size: SIZE,
+          vertex: TRIANGLE_GLSL,
+          fragment,
+          seconds,
+        });
+        if (!copy.pixel.slice(0, 3).every((v) => v === 127 || v === 128))
+          throw new Error(`${backend}: the copy drew ${copy.pixel}`);
         take(`${backend} copy`, copy.best);
         const three = await page.evaluate(timeThree, { backend, size: SIZE, view: VIEWS[0], seconds });
         const [r, g, b] = three.pixel;
-        if (!(b > g && g > r && r > 0 && b < 255)) throw new Error(`${backend}: three.js drew ${three.pixel}`);
+        if (!(b > g && g > r && r > 0 && b < 255))
+          throw new Error(`${backend}: three.js drew ${three.pixel}`);
         take(`${backend} three`, three.best);
         revision = three.revision;
+        const pages = [['', page]];
+        if (old) pages.push(['old ', await browser.open({ folder: old, backend, prepare, query: SIZE })]);
         for (const view of VIEWS) {
           for (const one of cases) {
-            take(`${backend} ${view.name} ${one.name}`, await page.evaluate(timeViewer, { view, one, seconds }));
+            for (const [which, opened] of pages) {
+              await opened.bringToFront();
+              take(
+                `${which}${backend} ${view.name} ${one.name}`,
+                await opened.evaluate(timeViewer, { view, one, seconds }),
+              );
+            }
           }
           console.error(`round ${round}, ${backend}, ${view.name}`);
         }
-        if (page.problems.length) throw new Error(page.problems.join('\n'));
-        await page.context().close();
+        for (const [, opened] of pages) {
+          if (opened.problems.length) throw new Error(opened.problems.join('\n'));
+          await opened.context().close();
+        }
       }
     }
     const date = new Date().toISOString().slice(0, 10);
-    console.log(`Chromium ${browser.version}, ${SIZE.width} × ${SIZE.height}, ${date}, best frame of ${rounds} rounds, ms (ratio to three.js's Sky, revision ${revision}).`);
+    console.log(
+      `Chromium ${browser.version}, ${SIZE.width} × ${SIZE.height}, ${date}, ` +
+        `best frame of ${rounds} rounds, ms ` +
+        `(ratio to three.js's Sky, revision ${revision}).`,
+    );
     console.log(`${adapter}\n`);
     const sky = (backend) => best.get(`${backend} three`);
     for (const backend of backends) {
-      console.log(`${backend}: copy ${ms(best.get(`${backend} copy`))} ms, three.js's Sky ${ms(sky(backend))} ms.`);
+      console.log(
+        `${backend}: copy ${ms(best.get(`${backend} copy`))} ms, three.js's Sky ${ms(sky(backend))} ms.`,
+      );
     }
     for (const backend of backends) {
-      console.log(`\n| ${backend} | ${VIEWS.map((v) => `from ${v.name}`).join(' | ')} |\n|---|${VIEWS.map(() => '---:|').join('')}`);
+      console.log(
+        `\n| ${backend} | ${VIEWS.map((v) => `from ${v.name}`).join(' | ')} |\n` +
+          `|---|${VIEWS.map(() => '---:|').join('')}`,
+      );
       for (const { name } of cases) {
         const cells = VIEWS.map((view) => {
           const time = best.get(`${backend} ${view.name} ${name}`);
-          return `${ms(time)} (${(time / sky(backend)).toFixed(1)}×)`;
+          const before = best.get(`old ${backend} ${view.name} ${name}`);
+          const against = before === undefined ? '' : `, before ${ms(before)}: ${(time / before).toFixed(3)}`;
+          return `${ms(time)} (${(time / sky(backend)).toFixed(1)}×)${against}`;
         });
         console.log(`| ${name} | ${cells.join(' | ')} |`);
       }

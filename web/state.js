@@ -4,26 +4,154 @@
 export const ALTITUDE = { min: 2, max: 30_000_000 };
 
 /** The quality in which a mode draws by itself: a preset, or '' for by the usual samples. */
-export const modeQuality = (mode) => (['sky-dome', 'atmosphere-post', 'planet'].includes(mode) ? '' : 'medium');
+export const modeQuality = (mode) =>
+  ['sky-dome', 'atmosphere-post', 'planet'].includes(mode) ? '' : 'medium';
 
-export const defaults = Object.freeze({
-  planet: 'earth',
-  alt: 100, // metres
-  pitch: 12, // degrees, up is positive
-  heading: 0, // degrees
-  fov: 60, // degrees, vertical
-  sunElevation: 25, // degrees
-  sunAzimuth: 40, // degrees
-  exposure: 1,
-  toneMap: 'aces',
-  mode: 'lut', // which passes draw
-  quality: 'medium', // a preset's name, or '' for single scattering by samples
-  samples: 24,
-  lightSamples: 8,
-  sky: true,
-  terrain: true,
-  half: false,
-});
+/**
+ * Every setting, once: its name in the address (`key`), its usual value, the control that shows it (in the
+ * fieldset `group`, under `label`), and the method of the viewer that takes it (`set`), along with the others
+ * of that method in this order. A number has a range, a step and a unit; a choice has its `options` (value:
+ * text), or none here where the wasm module knows them.
+ */
+export const SETTINGS = [
+  {
+    key: 'planet',
+    usual: 'earth',
+    group: 'View',
+    label: 'Planet',
+    set: 'set_planet',
+    options: {
+      earth: 'Earth',
+      mars: 'Mars',
+      venus: 'Venus',
+      'earth-like': 'Earth-like (plain)',
+      rayleigh: 'Rayleigh only',
+    },
+  },
+  // Metres above the ground.
+  {
+    key: 'alt',
+    usual: 100,
+    group: 'View',
+    label: 'Altitude',
+    set: 'set_camera',
+    scale: 'log',
+    ...ALTITUDE,
+    step: 'any',
+  },
+  {
+    key: 'pitch',
+    usual: 12,
+    group: 'View',
+    label: 'Pitch',
+    set: 'set_camera',
+    unit: '°',
+    min: -90,
+    max: 90,
+    step: 0.5,
+  },
+  {
+    key: 'heading',
+    usual: 0,
+    group: 'View',
+    label: 'Heading',
+    set: 'set_camera',
+    unit: '°',
+    min: 0,
+    max: 360,
+    step: 0.5,
+  },
+  // Vertical.
+  {
+    key: 'fov',
+    usual: 60,
+    group: 'View',
+    label: 'Field of view',
+    set: 'set_camera',
+    unit: '°',
+    min: 10,
+    max: 120,
+    step: 1,
+  },
+  {
+    key: 'sunElevation',
+    usual: 25,
+    group: 'Sun',
+    label: 'Elevation',
+    set: 'set_sun',
+    unit: '°',
+    min: -90,
+    max: 90,
+    step: 0.1,
+  },
+  {
+    key: 'sunAzimuth',
+    usual: 40,
+    group: 'Sun',
+    label: 'Azimuth',
+    set: 'set_sun',
+    unit: '°',
+    min: 0,
+    max: 360,
+    step: 0.5,
+  },
+  {
+    key: 'exposure',
+    usual: 1,
+    group: 'Picture',
+    label: 'Exposure',
+    set: 'set_exposure',
+    scale: 'stops',
+    min: -10,
+    max: 10,
+    step: 0.1,
+  },
+  {
+    key: 'toneMap',
+    usual: 'aces',
+    group: 'Picture',
+    label: 'Tone map',
+    set: 'set_tone_map',
+    options: { aces: 'ACES', agx: 'AgX', neutral: 'Neutral' },
+  },
+  // Which passes draw.
+  { key: 'mode', usual: 'lut', group: 'Picture', label: 'Mode', set: 'set_mode', options: {} },
+  // A preset's name, or '' for single scattering by samples.
+  {
+    key: 'quality',
+    usual: 'medium',
+    group: 'Picture',
+    label: 'Quality',
+    set: 'quality',
+    options: { '': 'By samples' },
+  },
+  {
+    key: 'samples',
+    usual: 24,
+    group: 'Picture',
+    label: 'View samples',
+    set: 'quality',
+    min: 8,
+    max: 64,
+    step: 1,
+  },
+  {
+    key: 'lightSamples',
+    usual: 8,
+    group: 'Picture',
+    label: 'Light samples',
+    set: 'quality',
+    min: 2,
+    max: 32,
+    step: 1,
+  },
+  { key: 'sky', usual: true, group: 'Picture', label: 'Sky', set: 'set_enabled' },
+  { key: 'terrain', usual: true, group: 'Picture', label: 'Terrain', set: 'set_terrain' },
+  { key: 'airglow', usual: true, group: 'Picture', label: 'Airglow', set: 'set_airglow' },
+  { key: 'half', usual: false, group: 'Picture', label: 'Half resolution', set: 'quality' },
+];
+
+export const defaults = Object.freeze(Object.fromEntries(SETTINGS.map(({ key, usual }) => [key, usual])));
 
 export const clamp = (x, lo, hi) => Math.min(hi, Math.max(lo, x));
 
@@ -31,7 +159,8 @@ export const clamp = (x, lo, hi) => Math.min(hi, Math.max(lo, x));
 export const wrapDegrees = (x) => ((x % 360) + 360) % 360;
 
 /** The altitude after turning the wheel by `pixels` (down is up and away). */
-export const climb = (altitude, pixels) => clamp(altitude * Math.exp(pixels * 0.0015), ALTITUDE.min, ALTITUDE.max);
+export const climb = (altitude, pixels) =>
+  clamp(altitude * Math.exp(pixels * 0.0015), ALTITUDE.min, ALTITUDE.max);
 
 /** An altitude for people. */
 export function altitudeText(metres) {
@@ -56,7 +185,10 @@ export function formatHash(state) {
     const value = state[key];
     if (key === 'quality' ? bySamples || value === own : SAMPLES.includes(key) && !bySamples) continue;
     if (value === usual && key !== 'quality' && !(key === 'samples' && own)) continue;
-    out.set(key, typeof usual === 'boolean' ? (value ? 'on' : 'off') : typeof usual === 'number' ? short(value) : value);
+    out.set(
+      key,
+      typeof usual === 'boolean' ? (value ? 'on' : 'off') : typeof usual === 'number' ? short(value) : value,
+    );
   }
   return out.toString();
 }
@@ -82,7 +214,8 @@ export function parseHash(text) {
     } else if (typeof usual === 'number') {
       const number = value.trim() === '' ? NaN : Number(value);
       if (!Number.isFinite(number)) refuse('a number');
-      else if (key === 'alt' && (number < ALTITUDE.min || number > ALTITUDE.max)) refuse(`from ${ALTITUDE.min} to ${ALTITUDE.max} metres`);
+      else if (key === 'alt' && (number < ALTITUDE.min || number > ALTITUDE.max))
+        refuse(`from ${ALTITUDE.min} to ${ALTITUDE.max} metres`);
       else state[key] = number;
     } else {
       state[key] = value;
@@ -105,7 +238,9 @@ export function queryNumber(query, key, { min, max, integer = false }) {
   if (text === null) return undefined;
   const value = text.trim() === '' ? NaN : Number(text);
   if (!(value >= min && value <= max) || (integer && !Number.isInteger(value))) {
-    throw new Error(`${key} = ${text} is not allowed: must be ${integer ? 'a whole number ' : ''}from ${min} to ${max}`);
+    throw new Error(
+      `${key} = ${text} is not allowed: must be ${integer ? 'a whole number ' : ''}from ${min} to ${max}`,
+    );
   }
   return value;
 }

@@ -1,4 +1,4 @@
-// What `welkin stress` does, in headless Chromium: the shaders' functions on a million cases, against f64.
+// What `cargo lab stress` does, in headless Chromium: the shaders' functions on a million cases, against f64.
 //
 // Usage: node web/stress.mjs [--backend webgl2|webgpu] [--cases N] [--seed S] [--case NUMBER]
 //
@@ -8,19 +8,26 @@
 //   --case NUMBER    only this one: its inputs, and every number that comes back
 //
 // Prints a table for each backend, and keeps its numbers in target/artifacts/stress-BACKEND.tsv for
-// `welkin stress --table`. Exit status 1 when a promise is broken. Run scripts/build-web and scripts/build-web --probe before.
+// `cargo lab stress --table`. Exit status 1 when a promise is broken. Run scripts/build-web and scripts/build-web
+// --probe before.
 import { existsSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { parseArgs } from 'node:util';
-import { artifacts, launch, waitForLine, web } from './test/browser.mjs';
+import { BACKENDS, artifacts, launch, waitForLine, web } from './test/browser.mjs';
 
 /** A page with the probe's module on a backend. */
 export async function openStress(browser, { backend, seed = 1, cases = 1 }) {
-  if (!existsSync(join(web, 'test', 'pkg', 'welkin_bg.wasm'))) throw new Error('web/test/pkg is not built: run scripts/build-web --probe');
+  if (!existsSync(join(web, 'test', 'pkg', 'welkin_bg.wasm')))
+    throw new Error('web/test/pkg is not built: run scripts/build-web --probe');
   const page = await browser.open({ path: 'test/probe.html', ready: false });
   await waitForLine(page, 'ready');
-  page.about = await page.evaluate((how) => window.open_(how), { backend, browser: `Chromium ${browser.version}`, seed, cases });
+  page.about = await page.evaluate((how) => window.open_(how), {
+    backend,
+    browser: `Chromium ${browser.version}`,
+    seed,
+    cases,
+  });
   return page;
 }
 
@@ -28,9 +35,13 @@ export async function openStress(browser, { backend, seed = 1, cases = 1 }) {
 export async function stress(browser, { backend, seed, cases, judged = () => {} }) {
   const page = await openStress(browser, { backend, seed, cases });
   const begun = Date.now();
-  for (let done = 0; done < cases;) judged(done = await page.evaluate(() => window.stress.advance()));
+  for (let done = 0; done < cases;) judged((done = await page.evaluate(() => window.stress.advance())));
   const result = await page.evaluate(async () => ({
-    table: stress.table(), saved: stress.save(), broken: stress.broken(), quantities: [...stress.quantities()], findings: await stress.findings(),
+    table: stress.table(),
+    saved: stress.save(),
+    broken: stress.broken(),
+    quantities: [...stress.quantities()],
+    findings: await stress.findings(),
   }));
   writeFileSync(join(artifacts, `stress-${backend}.tsv`), result.saved);
   const problems = page.problems;
@@ -40,21 +51,28 @@ export async function stress(browser, { backend, seed, cases, judged = () => {} 
 
 function whole(name, text, least) {
   const value = Number(text);
-  if (!Number.isSafeInteger(value) || value < least) throw new Error(`--${name} ${text} is not allowed: must be a whole number from ${least}`);
+  if (!Number.isSafeInteger(value) || value < least)
+    throw new Error(`--${name} ${text} is not allowed: must be a whole number from ${least}`);
   return value;
 }
 
 async function main() {
-  const { values } = parseArgs({ options: {
-    backend: { type: 'string' }, cases: { type: 'string', default: '1000000' }, seed: { type: 'string', default: '1' }, case: { type: 'string' },
-  } });
-  const all = ['webgl2', 'webgpu'];
-  if (values.backend && !all.includes(values.backend)) throw new Error(`--backend ${values.backend} is not allowed: must be webgl2 or webgpu`);
+  const { values } = parseArgs({
+    options: {
+      backend: { type: 'string' },
+      cases: { type: 'string', default: '1000000' },
+      seed: { type: 'string', default: '1' },
+      case: { type: 'string' },
+    },
+  });
+  if (values.backend && !BACKENDS.includes(values.backend)) {
+    throw new Error(`--backend ${values.backend} is not allowed: must be ${BACKENDS.join(' or ')}`);
+  }
   const [cases, seed] = [whole('cases', values.cases, 1), whole('seed', values.seed, 0)];
   const browser = await launch();
   let broken = 0;
   try {
-    for (const backend of all.filter((b) => !values.backend || b === values.backend)) {
+    for (const backend of BACKENDS.filter((b) => !values.backend || b === values.backend)) {
       if (values.case !== undefined) {
         const number = whole('case', values.case, 0);
         const page = await openStress(browser, { backend, seed });
@@ -65,7 +83,10 @@ async function main() {
       }
       const judged = (n) => process.stderr.isTTY && process.stderr.write(`\r${backend}: ${n} cases`);
       const result = await stress(browser, { backend, seed, cases, judged });
-      console.log(`${result.about}\n\n${result.table}\n${cases} cases, seed ${seed}, in ${result.seconds.toFixed(1)} s\n${result.findings}`);
+      console.log(
+        `${result.about}\n\n${result.table}\n` +
+          `${cases} cases, seed ${seed}, in ${result.seconds.toFixed(1)} s\n${result.findings}`,
+      );
       broken += result.broken;
     }
   } finally {

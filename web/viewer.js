@@ -1,11 +1,23 @@
-// The planet viewer: a page around `Viewer` of the wasm module.
+// The planet viewer: a page around `Viewer` of a wasm module. There is one module a backend in pkg/; the page
+// chooses the backend and then downloads that one's.
 //
 // Query:  ?backend=webgl2|webgpu   the one to use; without it the best that works
 //         ?scale=1.5               most canvas pixels per CSS pixel (default 2)
 //         ?width=320&height=200    a canvas of exactly that many pixels
 // Hash:   the view (see state.js)
-import init, { Viewer } from './pkg/welkin.js';
-import { ALTITUDE, altitudeText, clamp, climb, defaults, formatHash, modeQuality, parseHash, queryNumber, wrapDegrees } from './state.js';
+import {
+  ALTITUDE,
+  SETTINGS,
+  altitudeText,
+  clamp,
+  climb,
+  defaults,
+  formatHash,
+  modeQuality,
+  parseHash,
+  queryNumber,
+  wrapDegrees,
+} from './state.js';
 
 const BACKENDS = ['webgpu', 'webgl2']; // best first
 const $ = (id) => document.getElementById(id);
@@ -36,7 +48,10 @@ function say(kind, line, { id = line, seconds = 0, button } = {}) {
   const add = (label, action) => {
     const b = document.createElement('button');
     b.textContent = label;
-    b.addEventListener('click', () => { p.remove(); action?.(); });
+    b.addEventListener('click', () => {
+      p.remove();
+      action?.();
+    });
     p.append(b);
   };
   if (button) add(button.label, button.action);
@@ -62,40 +77,37 @@ function exclusive(work) {
 let frame = null;
 /** Draw soon, once, however often this is called before. Resolves when it is drawn. */
 function redraw() {
-  frame ??= new Promise(requestAnimationFrame).then(() => exclusive(() => {
-    frame = null;
-    draw();
-  }));
+  frame ??= new Promise(requestAnimationFrame).then(() =>
+    exclusive(() => {
+      frame = null;
+      draw();
+    }),
+  );
   return frame;
 }
 
-const GROUPS = [
-  { keys: ['planet'], set: (v, s) => v.set_planet(s.planet) },
-  { keys: ['alt', 'pitch', 'heading', 'fov'], set: (v, s) => v.set_camera(s.alt, s.pitch, s.heading, s.fov) },
-  { keys: ['sunElevation', 'sunAzimuth'], set: (v, s) => v.set_sun(s.sunElevation, s.sunAzimuth) },
-  { keys: ['mode'], set: (v, s) => v.set_mode(s.mode) },
-  {
-    keys: ['quality', 'samples', 'lightSamples', 'half'],
-    set: (v, s) => {
-      if (s.quality) v.set_quality(s.quality);
-      else v.set_samples(s.samples, s.lightSamples);
-      if (s.half) v.set_render_scale(0.5);
-      else if (!s.quality) v.set_render_scale(1);
-    },
-  },
-  { keys: ['exposure'], set: (v, s) => v.set_exposure(s.exposure) },
-  { keys: ['toneMap'], set: (v, s) => v.set_tone_map(s.toneMap) },
-  { keys: ['sky'], set: (v, s) => v.set_enabled(s.sky) },
-  { keys: ['terrain'], set: (v, s) => v.set_terrain(s.terrain) },
-];
+// What a method of the viewer takes: the settings that name it, in their order.
+const GROUPS = [...new Set(SETTINGS.map(({ set }) => set))].map((method) => ({
+  method,
+  keys: SETTINGS.filter(({ set }) => set === method).map(({ key }) => key),
+}));
+
+/** The one group that is no single method. */
+function setQuality({ quality, samples, lightSamples, half }) {
+  if (quality) viewer.set_quality(quality);
+  else viewer.set_samples(samples, lightSamples);
+  if (half) viewer.set_render_scale(0.5);
+  else if (!quality) viewer.set_render_scale(1);
+}
 
 /** Hand the renderer what changed. What it refuses goes back to what it was; returns what it said. */
 function apply(wanted = state) {
   const refused = [];
-  for (const { keys, set } of GROUPS) {
+  for (const { method, keys } of GROUPS) {
     if (keys.every((k) => wanted[k] === applied[k])) continue;
     try {
-      set(viewer, wanted);
+      if (method === 'quality') setQuality(wanted);
+      else viewer[method](...keys.map((k) => wanted[k]));
       for (const k of keys) applied[k] = wanted[k];
     } catch (error) {
       refused.push(text(error));
@@ -108,7 +120,10 @@ function apply(wanted = state) {
 function canvasSize() {
   if (options.width) return [options.width, options.height];
   const ratio = Math.min(devicePixelRatio || 1, options.scale);
-  return [Math.max(1, Math.round(stage.clientWidth * ratio)), Math.max(1, Math.round(stage.clientHeight * ratio))];
+  return [
+    Math.max(1, Math.round(stage.clientWidth * ratio)),
+    Math.max(1, Math.round(stage.clientHeight * ratio)),
+  ];
 }
 
 function fit() {
@@ -122,20 +137,24 @@ function fit() {
 }
 
 let asked = false;
-/** What other views call for is made while there is nothing else to do, so that flying there does not stutter. */
+/**
+ * What other views call for is made while there is nothing else to do, so that flying there does not stutter.
+ */
 function makeAhead() {
   if (asked || !viewer) return;
   asked = true;
-  (window.requestIdleCallback ?? setTimeout)(() => exclusive(() => {
-    asked = false;
-    try {
-      if (viewer?.warm_up()) makeAhead();
-    } catch (error) {
-      const lost = viewer.lost();
-      if (lost === undefined) console.warn(`Nothing is made ahead: ${text(error)}`);
-      else recover(lost);
-    }
-  }));
+  (window.requestIdleCallback ?? setTimeout)(() =>
+    exclusive(() => {
+      asked = false;
+      try {
+        if (viewer?.warm_up()) makeAhead();
+      } catch (error) {
+        const lost = viewer.lost();
+        if (lost === undefined) console.warn(`Nothing is made ahead: ${text(error)}`);
+        else recover(lost);
+      }
+    }),
+  );
 }
 
 let lastFrame = -Infinity;
@@ -152,7 +171,8 @@ function draw() {
     const apart = start - lastFrame;
     lastFrame = start;
     $('read-frame').textContent =
-      `${(end - start).toFixed(1)} ms to issue${apart < 500 ? `, ${apart.toFixed(0)} ms apart` : ''}, ${canvas.width} × ${canvas.height}`;
+      `${(end - start).toFixed(1)} ms to issue${apart < 500 ? `, ${apart.toFixed(0)} ms apart` : ''}, ` +
+      `${canvas.width} × ${canvas.height}`;
   } catch (error) {
     const lost = viewer.lost();
     if (lost === undefined) say('error', `Drawing failed: ${text(error)}`, { id: 'draw' });
@@ -179,12 +199,52 @@ function newCanvas() {
   [fresh.width, fresh.height] = canvasSize();
 }
 
+/** Why a backend cannot work here, as far as can be told without its module. */
+async function obstacle(backend) {
+  if (backend !== 'webgpu') return undefined;
+  if (!navigator.gpu)
+    return isSecureContext ? 'this browser has no WebGPU' : 'there is no WebGPU without https';
+  try {
+    return (await navigator.gpu.requestAdapter()) ? undefined : 'the browser offers no adapter';
+  } catch (error) {
+    return text(error);
+  }
+}
+
+const modules = {};
+/** The `Viewer` of a backend's module, which is downloaded when it is first asked for. */
+function load(backend) {
+  modules[backend] ??= import(`./pkg/${backend}/welkin.js`).then(async ({ default: init, Viewer }) => {
+    await init();
+    return Viewer;
+  });
+  modules[backend].catch(() => {
+    delete modules[backend];
+  });
+  return modules[backend];
+}
+
+/** What the module knows by name, for the lists on the page. */
+function fillLists(Viewer) {
+  for (const [id, names] of [
+    ['mode', Viewer.modes()],
+    ['quality', Viewer.qualities()],
+  ]) {
+    const there = new Set([...$(id).options].map(({ value }) => value));
+    for (const name of names) if (!there.has(name)) $(id).add(new Option(name, name));
+  }
+}
+
 /** Make a renderer with the first of `backends` that works; say which and why. */
 async function start(backends, because) {
   const tried = [];
   for (const backend of backends) {
-    newCanvas();
     try {
+      const why = await obstacle(backend);
+      if (why) throw new Error(why);
+      const Viewer = await load(backend);
+      fillLists(Viewer);
+      newCanvas();
       viewer = await Viewer.create(canvas, backend);
     } catch (error) {
       const why = text(error);
@@ -217,7 +277,10 @@ function firstStart() {
   const candidates = backend ? [backend] : BACKENDS;
   const because = backend ? `asked for with ?backend=${backend}` : 'the best that works here';
   return exclusive(() => start(candidates, because)).catch((error) => {
-    say('error', `No sky can be drawn here. ${text(error)}`, { id: 'start', button: { label: 'Try again', action: firstStart } });
+    say('error', `No sky can be drawn here. ${text(error)}`, {
+      id: 'start',
+      button: { label: 'Try again', action: firstStart },
+    });
   });
 }
 
@@ -247,12 +310,15 @@ function recover(why) {
         problem = error;
       }
     }
-    if (!viewer && others.length) await start(others, `instead of ${backend}, which would not start again: ${text(problem)}`);
+    if (!viewer && others.length)
+      await start(others, `instead of ${backend}, which would not start again: ${text(problem)}`);
     if (!viewer) throw problem;
     say('info', `Recovered: drawing with ${viewer.backend} again, same view`, { id: 'loss', seconds: 8 });
   }).catch((error) => {
-    say('error', `The graphics device was lost and could not be started again. ${text(error)}`,
-      { id: 'loss', button: { label: 'Try again', action: firstStart } });
+    say('error', `The graphics device was lost and could not be started again. ${text(error)}`, {
+      id: 'loss',
+      button: { label: 'Try again', action: firstStart },
+    });
   });
 }
 
@@ -262,10 +328,42 @@ const scales = {
   log: { to: Math.log, from: (x) => clamp(Math.exp(x), ALTITUDE.min, ALTITUDE.max) },
   stops: { to: Math.log2, from: (x) => 2 ** x },
 };
-const inputs = [...controls.querySelectorAll('[data-key]')];
-for (const input of inputs.filter((i) => i.dataset.scale === 'log')) {
-  for (const end of ['min', 'max']) input[end] = Math.log(Number(input[end]));
+
+const element = (name, properties, ...children) => {
+  const made = Object.assign(document.createElement(name), properties);
+  made.append(...children);
+  return made;
+};
+
+/** The control of a setting, in its fieldset, with a label and, for numbers, what it says. */
+function addControl({ key, usual, group, label, options, scale, unit = '', min, max, step }) {
+  const fieldset = controls.querySelector(`fieldset[data-group="${group}"]`);
+  const of = { htmlFor: key };
+  let input;
+  if (typeof usual === 'boolean') {
+    input = element('input', { id: key, type: 'checkbox' });
+    let checks = fieldset.querySelector('.checks');
+    if (!checks) fieldset.append((checks = element('div', { className: 'checks' })));
+    checks.append(element('label', of, input, ` ${label}`));
+  } else if (options) {
+    input = element(
+      'select',
+      { id: key },
+      ...Object.entries(options).map(([value, words]) => new Option(words, value)),
+    );
+    fieldset.append(element('label', of, label), input);
+  } else {
+    const range = { min, max, step };
+    if (scale === 'log') for (const end of ['min', 'max']) range[end] = Math.log(range[end]);
+    input = element('input', { id: key, type: 'range', ...range });
+    const output = element('output', {});
+    output.htmlFor.add(key);
+    fieldset.append(element('label', of, `${label} `, output), input);
+  }
+  Object.assign(input.dataset, { key, unit, ...(scale ? { scale } : {}) });
+  return input;
 }
+const inputs = SETTINGS.map(addControl);
 
 function showState() {
   for (const input of inputs) {
@@ -278,7 +376,8 @@ function showState() {
     input.value = scale ? scales[scale].to(value) : value;
     let shown = typeof value === 'number' ? `${Number(value.toFixed(1))}${unit}` : value;
     if (key === 'alt') shown = altitudeText(value);
-    if (key === 'exposure') shown = `${Math.log2(value) < 0 ? '−' : '+'}${Math.abs(Math.log2(value)).toFixed(1)} stops`;
+    if (key === 'exposure')
+      shown = `${Math.log2(value) < 0 ? '−' : '+'}${Math.abs(Math.log2(value)).toFixed(1)} stops`;
     const output = controls.querySelector(`output[for="${input.id}"]`);
     if (output) output.textContent = shown;
     if (scale) input.setAttribute('aria-valuetext', shown);
@@ -286,7 +385,8 @@ function showState() {
   $('read-altitude').textContent =
     `${altitudeText(state.alt)}, pitch ${state.pitch.toFixed(1)}°, heading ${state.heading.toFixed(1)}°`;
   $('read-sky').textContent =
-    `${state.mode}, ${state.quality || 'by samples'} (${viewer.method}${state.half ? ', half resolution' : ''})${state.sky ? '' : ', off'}`;
+    `${state.mode}, ${state.quality || 'by samples'} ` +
+    `(${viewer.method}${state.half ? ', half resolution' : ''})${state.sky ? '' : ', off'}`;
   showPlan();
   rememberSoon();
 }
@@ -300,8 +400,10 @@ function showPlan() {
     const [name, state, reason] = words.slice(i, i + 3);
     const row = document.createElement('div');
     row.className = state;
-    row.append(Object.assign(document.createElement('dt'), { textContent: `${name}: ${state}` }),
-      Object.assign(document.createElement('dd'), { textContent: reason }));
+    row.append(
+      Object.assign(document.createElement('dt'), { textContent: `${name}: ${state}` }),
+      Object.assign(document.createElement('dd'), { textContent: reason }),
+    );
     rows.push(row);
   }
   $('plan').replaceChildren(...rows);
@@ -313,7 +415,8 @@ controls.addEventListener('input', ({ target }) => {
   const { key, scale } = target.dataset;
   if (!key) return;
   if (target.type === 'checkbox') state[key] = target.checked;
-  else if (target.type === 'range') state[key] = scale ? scales[scale].from(target.valueAsNumber) : target.valueAsNumber;
+  else if (target.type === 'range')
+    state[key] = scale ? scales[scale].from(target.valueAsNumber) : target.valueAsNumber;
   else state[key] = target.value;
   if (key === 'mode') state.quality = modeQuality(state.mode);
   if (key === 'samples' || key === 'lightSamples') state.quality = '';
@@ -387,12 +490,16 @@ for (const type of ['pointerup', 'pointercancel', 'lostpointercapture']) {
     stage.classList.toggle('dragging', pointers.size > 0);
   });
 }
-stage.addEventListener('wheel', (event) => {
-  event.preventDefault();
-  const pixels = event.deltaY * [1, 16, stage.clientHeight][event.deltaMode];
-  state.alt = climb(state.alt, pixels);
-  redraw();
-}, { passive: false });
+stage.addEventListener(
+  'wheel',
+  (event) => {
+    event.preventDefault();
+    const pixels = event.deltaY * [1, 16, stage.clientHeight][event.deltaMode];
+    state.alt = climb(state.alt, pixels);
+    redraw();
+  },
+  { passive: false },
+);
 stage.addEventListener('keydown', (event) => {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   const step = event.shiftKey ? 10 : 2;
@@ -402,8 +509,14 @@ stage.addEventListener('keydown', (event) => {
     ArrowUp: () => look(0, step),
     ArrowDown: () => look(0, -step),
     Home: () => look(0, -state.pitch),
-    PageUp: () => { state.alt = climb(state.alt, 150); redraw(); },
-    PageDown: () => { state.alt = climb(state.alt, -150); redraw(); },
+    PageUp: () => {
+      state.alt = climb(state.alt, 150);
+      redraw();
+    },
+    PageDown: () => {
+      state.alt = climb(state.alt, -150);
+      redraw();
+    },
   }[event.key];
   if (!action) return;
   event.preventDefault();
@@ -425,31 +538,35 @@ const SCENARIOS = [
 ];
 
 /** Draw four known views; resolves to the mean radiance of each and whether every pixel was finite. */
-window.testSky = () => exclusive(async () => {
-  need();
-  const results = [];
-  try {
-    fit();
-    for (const { name, alt, pitch } of SCENARIOS) {
-      const refused = apply({ ...state, alt, pitch });
-      if (refused.length) throw new Error(refused.join('; '));
-      viewer.render();
-      const pixels = await viewer.read_pixels();
-      const mean = [0, 0, 0];
-      let finite = pixels.length > 0;
-      for (let i = 0; i < pixels.length; i += 4) {
-        for (let c = 0; c < 4; c++) finite &&= Number.isFinite(pixels[i + c]);
-        for (let c = 0; c < 3; c++) mean[c] += pixels[i + c];
+window.testSky = () =>
+  exclusive(async () => {
+    need();
+    const results = [];
+    try {
+      fit();
+      for (const { name, alt, pitch } of SCENARIOS) {
+        const refused = apply({ ...state, alt, pitch });
+        if (refused.length) throw new Error(refused.join('; '));
+        viewer.render();
+        const pixels = await viewer.read_pixels();
+        const mean = [0, 0, 0];
+        let finite = pixels.length > 0;
+        for (let i = 0; i < pixels.length; i += 4) {
+          for (let c = 0; c < 4; c++) finite &&= Number.isFinite(pixels[i + c]);
+          for (let c = 0; c < 3; c++) mean[c] += pixels[i + c];
+        }
+        for (let c = 0; c < 3; c++) mean[c] /= pixels.length / 4;
+        results.push({ name, alt, pitch, mean, finite });
+        console.log(
+          `${name}: mean radiance ${mean.map((x) => x.toPrecision(3)).join(' ')}, ` +
+            `${finite ? 'all finite' : 'NOT FINITE'}`,
+        );
       }
-      for (let c = 0; c < 3; c++) mean[c] /= pixels.length / 4;
-      results.push({ name, alt, pitch, mean, finite });
-      console.log(`${name}: mean radiance ${mean.map((x) => x.toPrecision(3)).join(' ')}, ${finite ? 'all finite' : 'NOT FINITE'}`);
+    } finally {
+      draw(); // the view from before, or recovery
     }
-  } finally {
-    draw(); // the view from before, or recovery
-  }
-  return results;
-});
+    return results;
+  });
 
 /** Switch the sky off or on; returns whether it is on now. */
 window.toggleSky = () => {
@@ -488,7 +605,9 @@ window.welkin = {
   redraw,
   /** Radiance of the last frame; no frame is drawn while it is read. */
   readPixels: () => exclusive(() => need().read_pixels()),
-  get viewer() { return viewer; },
+  get viewer() {
+    return viewer;
+  },
 };
 
 // ---------------------------------------------------------------- start
@@ -502,22 +621,20 @@ function readOptions() {
   const scale = queryNumber(query, 'scale', { min: 0.1, max: 8 }) ?? 2;
   const width = queryNumber(query, 'width', { min: 1, max: 8192, integer: true });
   const height = queryNumber(query, 'height', { min: 1, max: 8192, integer: true });
-  if ((width === undefined) !== (height === undefined)) throw new Error('width and height go together: give both or none');
+  if ((width === undefined) !== (height === undefined))
+    throw new Error('width and height go together: give both or none');
   return { backend, scale, width, height };
 }
 
 async function main() {
   try {
     options = readOptions();
-    await init();
   } catch (error) {
     say('error', `The viewer cannot start. ${text(error)}`, { id: 'start' });
     return;
   }
   stage.classList.toggle('fixed', options.width !== undefined);
   $('backend').value = options.backend ?? '';
-  for (const name of Viewer.modes()) $('mode').add(new Option(name, name));
-  for (const name of Viewer.qualities()) $('quality').add(new Option(name, name));
   if (matchMedia('(max-width: 640px)').matches) $('panel').open = false;
   takeHash();
   window.addEventListener('hashchange', takeHash);

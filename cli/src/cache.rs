@@ -9,9 +9,9 @@ use std::path::{Path, PathBuf};
 
 use etcetera::BaseStrategy;
 use welkin::AtmosphereParams;
-use welkin::reference::multiple::{Orders, Progress, Settings};
+use welkin::reference::multiple::{Orders, Settings};
 
-use crate::args::CacheArgs;
+use crate::args::cache::CacheArgs;
 use crate::output::Destination;
 
 /// Where solutions are kept, and what came of it.
@@ -23,7 +23,7 @@ pub struct Cache {
 }
 
 impl Cache {
-    /// In the folder that is asked for, or `welkin` in the user's cache folder.
+    /// Keeps them in the folder that is asked for, or in `welkin` in the user's cache folder.
     pub fn new(args: &CacheArgs) -> Self {
         let mut cache = Self { folder: None, reused: 0, solved: 0, notes: Vec::new() };
         if args.no_cache {
@@ -39,14 +39,15 @@ impl Cache {
         cache
     }
 
-    /// A kept solution, or a new one, which is kept.
+    /// A kept solution, or a new one, which is kept. `progress` hears the fraction that is done, 0 to 1.
     pub fn solve(
         &mut self,
         params: &AtmosphereParams,
         settings: Settings,
-        progress: impl FnMut(Progress),
+        progress: &dyn Fn(f32),
     ) -> welkin::Result<Orders> {
-        let path = self.folder.as_ref().map(|f| f.join(format!("orders-{:032x}", Orders::key(params, &settings))));
+        let path =
+            self.folder.as_ref().map(|f| f.join(format!("orders-{:032x}", Orders::key(params, &settings))));
         if let Some(path) = &path {
             match restore(path, params, settings) {
                 Ok(Some(orders)) => {
@@ -57,7 +58,9 @@ impl Cache {
                 Err(e) => self.notes.push(format!("{} is not used, solved again: {e}", path.display())),
             }
         }
-        let orders = Orders::solve(params, settings, progress)?;
+        // Each order is a nearly constant fraction of the one before it.
+        let end = settings.tolerance.ln();
+        let orders = Orders::solve(params, settings, |p| progress((p.change.max(1e-300).ln() / end) as f32))?;
         self.solved += 1;
         if let Some(path) = &path
             && let Err(e) = keep(path, &orders)
@@ -67,7 +70,7 @@ impl Cache {
         Ok(orders)
     }
 
-    /// For the line that tells the result, where solutions came from here: " (1 of 2 solutions from the cache)".
+    /// Where solutions came from, for the line that reports the result: " (1 of 2 solutions from the cache)".
     pub fn summary(&self) -> String {
         match (self.reused, self.reused + self.solved) {
             (0, _) => String::new(),
@@ -76,8 +79,8 @@ impl Cache {
         }
     }
 
-    /// Says on stderr what went wrong.
-    pub fn tell(&mut self) {
+    /// Prints on stderr what went wrong.
+    pub fn print_notes(&mut self) {
         for note in self.notes.drain(..) {
             let _ = writeln!(std::io::stderr(), "note: {note}");
         }
@@ -129,7 +132,7 @@ mod tests {
     /// Solves with a new cache in `folder`; whether that came from there, the solution's bytes, the notes.
     fn ask(folder: &Path, params: &AtmosphereParams, settings: Settings) -> (bool, Vec<u8>, Vec<String>) {
         let mut cache = cache(folder);
-        let orders = cache.solve(params, settings, |_| {}).unwrap();
+        let orders = cache.solve(params, settings, &|_| ()).unwrap();
         assert_eq!(cache.reused + cache.solved, 1);
         (cache.reused == 1, orders.to_bytes(), cache.notes)
     }
@@ -143,7 +146,9 @@ mod tests {
         assert_eq!(ask(&folder, &earth, SETTINGS), (true, fresh.clone(), vec![]));
         let dark = AtmosphereParams { ground_albedo: [0.1; 3], ..earth.clone() };
         let finer = Settings { zeniths: 5, ..SETTINGS };
-        for (params, settings) in [(&dark, SETTINGS), (&earth, finer), (&AtmosphereParams::rayleigh(), SETTINGS)] {
+        for (params, settings) in
+            [(&dark, SETTINGS), (&earth, finer), (&AtmosphereParams::rayleigh(), SETTINGS)]
+        {
             let (reused, other, notes) = ask(&folder, params, settings);
             assert_eq!((reused, notes), (false, vec![]));
             assert!(other != fresh);
@@ -152,7 +157,7 @@ mod tests {
         assert_eq!(fs::read_dir(&folder).unwrap().count(), 4);
         assert_eq!(ask(&folder, &earth, SETTINGS), (true, fresh.clone(), vec![]));
         let mut none = Cache::new(&CacheArgs { no_cache: true, cache_dir: Some(folder.clone()) });
-        none.solve(&earth, SETTINGS, |_| {}).unwrap();
+        none.solve(&earth, SETTINGS, &|_| ()).unwrap();
         assert_eq!((none.reused, none.summary()), (0, String::new()));
         fs::remove_dir_all(folder).unwrap();
     }
@@ -177,7 +182,10 @@ mod tests {
             fs::write(&file, bytes).unwrap();
             let (reused, again, notes) = ask(&folder, &earth, SETTINGS);
             assert!(!reused && again == fresh, "{why}");
-            assert!(notes.len() == 1 && notes[0].contains(why) && notes[0].contains("solved again"), "{notes:?}");
+            assert!(
+                notes.len() == 1 && notes[0].contains(why) && notes[0].contains("solved again"),
+                "{notes:?}"
+            );
             assert_eq!(ask(&folder, &earth, SETTINGS), (true, fresh.clone(), vec![]), "not mended: {why}");
         }
         // A folder in the file's place: neither read nor replaced.

@@ -11,8 +11,8 @@ use crate::views::Place;
 const AU: f64 = 149_597_870_700.0;
 /// Radius of the sun's disk, metres: 959.63″ at 1 au, as eclipse predictions have it (Auwers 1891).
 const SUN_RADIUS: f64 = 696.0e6;
-/// Radius of the moon from which totality and annularity are told, metres: k = 0.272281, for the valleys of its limb
-/// (Espenak & Meeus, Five Millennium Canon of Solar Eclipses, NASA/TP-2006-214141, section 1.4).
+/// Radius of the moon from which totality and annularity are told, metres: k = 0.272281, for the valleys of
+/// its limb (Espenak & Meeus, Five Millennium Canon of Solar Eclipses, NASA/TP-2006-214141, section 1.4).
 const UMBRAL_RADIUS: f64 = 0.272_281 * 6_378_137.0;
 /// Metres that light travels in a day.
 const LIGHT_DAY: f64 = 299_792_458.0 * 86_400.0;
@@ -37,8 +37,8 @@ impl Bodies {
         self.disks_with(MOON_RADIUS)
     }
 
-    /// Magnitude as eclipse predictions give it: of the moon's mean disk while the eclipse is partial, the ratio of the
-    /// diameters by the radius of the umbra while it is not.
+    /// Magnitude as eclipse predictions give it: of the moon's mean disk while the eclipse is partial, the
+    /// ratio of the diameters by the radius of the umbra while it is not.
     pub fn magnitude(&self) -> f64 {
         let umbral = self.disks_with(UMBRAL_RADIUS);
         match umbral.phase() {
@@ -62,8 +62,8 @@ pub fn horizontal(direction: DVec3) -> (f64, f64) {
     (elevation, direction.x.atan2(direction.y).to_degrees().rem_euclid(360.0))
 }
 
-/// Terrestrial time less UTC, seconds. From 1972 on by leap seconds; UT1 counts as UTC, from which it is never 0.9 s off.
-/// Before, and after the last leap second that this program knows, what is extrapolated.
+/// Terrestrial time less UTC, seconds. From 1972 on by leap seconds; UT1 counts as UTC, from which it is
+/// never 0.9 s off. Before, and after the last leap second that this program knows, what is extrapolated.
 pub fn delta_t(time: Timestamp) -> anyhow::Result<f64> {
     let date = time.to_zoned(TimeZone::UTC);
     if date.year() < 1972 {
@@ -83,8 +83,8 @@ fn dot(rows: [[f64; 3]; 3], v: DVec3) -> DVec3 {
 
 /// The moon from the Earth's centre, metres, in the celestial axes (GCRS), by ELP/MPP02; tt: Julian date.
 ///
-/// `stem_branch` turns longitudes to the equinox of date and leaves latitudes on the ecliptic of J2000, 47″ a century off.
-/// Its turn is taken back, and the rest done by IAU 2006.
+/// `stem_branch` turns longitudes to the equinox of date and leaves latitudes on the ecliptic of J2000, 47″ a
+/// century off. Its turn is taken back, and the rest done by IAU 2006.
 fn moon(tt: f64) -> DVec3 {
     let m = stem_branch::moon_position(tt);
     let t = (tt - J2000) / 36_525.0;
@@ -100,7 +100,7 @@ fn moon(tt: f64) -> DVec3 {
 
 /// An observer, turning with the Earth; times are seconds of UTC since 1970.
 struct Observer {
-    /// From the Earth's centre, metres, in the Earth's own axes.
+    /// The place, from the Earth's centre, metres, in the Earth's own axes.
     position: DVec3,
     /// Unit vectors east, north and up of the ellipsoid WGS 84.
     axes: [DVec3; 3],
@@ -116,8 +116,8 @@ impl Observer {
         Ok(Self { position: position.into(), axes: [east, north, up], delta_t })
     }
 
-    /// Light that arrives together left the sun (8 min) and the moon (1 s) at different times; either is where it was
-    /// then as the Earth was then, which is aberration to first order.
+    /// Light that arrives together left the sun (8 min) and the moon (1 s) at different times; either is
+    /// where it was then as the Earth was then, which is aberration to first order.
     fn see(&self, time: f64) -> anyhow::Result<Bodies> {
         let ut1 = UNIX_EPOCH + time / DAY;
         let tt = ut1 + self.delta_t / DAY;
@@ -141,7 +141,8 @@ impl Observer {
 
 /// Sun and moon from a place; height above the ellipsoid in metres.
 ///
-/// The sun by SOFA's epv00 (0.02″), the moon by ELP/MPP02 (some 0.1″ as used here), the Earth's axes by IAU 2006/2000A.
+/// The sun by SOFA's epv00 (0.02″), the moon by ELP/MPP02 (some 0.1″ as used here), the Earth's axes by IAU
+/// 2006/2000A.
 ///
 /// # Errors
 /// A time outside 1900 to 2100.
@@ -165,7 +166,7 @@ pub struct Eclipse {
 /// The eclipse nearest to a time, within 12 hours, or `None`.
 ///
 /// # Errors
-/// As [`bodies`].
+/// A time outside 1900 to 2100.
 pub fn eclipse(time: Timestamp, place: Place, height: f64) -> anyhow::Result<Option<Eclipse>> {
     let observer = Observer::new(place, height, delta_t(time)?)?;
     let middle = seconds(time);
@@ -242,7 +243,10 @@ mod tests {
             let spa = crate::sun::position(at(time), place, 0.0).unwrap();
             // SPA promises 3e-4°; ΔT may differ by 5 s, 6e-5°.
             assert!((elevation - spa.elevation).abs() < 4e-4, "{time}: {elevation} {spa:?}");
-            assert!(((azimuth - spa.azimuth) * elevation.to_radians().cos()).abs() < 4e-4, "{time}: {azimuth} {spa:?}");
+            assert!(
+                ((azimuth - spa.azimuth) * elevation.to_radians().cos()).abs() < 4e-4,
+                "{time}: {azimuth} {spa:?}"
+            );
         }
     }
 
@@ -256,7 +260,8 @@ mod tests {
         assert!(bodies(at("1600-01-01T00:00:00Z"), Place { latitude: 0.0, longitude: 0.0 }, 0.0).is_err());
     }
 
-    /// Polynomial Besselian elements: rows x, y, d, l1, l2, μ; columns powers of hours from 18h TT. tan f1, tan f2.
+    /// Polynomial Besselian elements: rows x, y, d, l1, l2, μ; columns powers of hours from 18h TT. tan f1,
+    /// tan f2.
     struct Besselian {
         /// 18h TT in UTC by leap seconds, seconds since 1970.
         begin: f64,
@@ -266,9 +271,10 @@ mod tests {
 
     /// From tests/data/besselian.csv.
     fn published(date: &str) -> Besselian {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/besselian.csv");
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/data/besselian.csv");
         let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_path(path).unwrap();
-        let rows: Vec<csv::StringRecord> = reader.records().map(|r| r.unwrap()).filter(|r| &r[0] == date).collect();
+        let rows: Vec<csv::StringRecord> =
+            reader.records().map(|r| r.unwrap()).filter(|r| &r[0] == date).collect();
         let row = |name: &str| -> [f64; 4] {
             let row = rows.iter().find(|r| &r[1] == name).unwrap();
             std::array::from_fn(|i| row[2 + i].parse().unwrap())
@@ -285,7 +291,8 @@ mod tests {
         /// (Explanatory Supplement to the Astronomical Almanac, 3rd ed. 2013, section 11.3).
         fn at(&self, place: Place, time: f64) -> [f64; 3] {
             let hours = (time - self.begin) / 3600.0;
-            let [x, y, d, l1, l2, mu] = self.rows.map(|[a, b, c, d]| a + hours * (b + hours * (c + hours * d)));
+            let [x, y, d, l1, l2, mu] =
+                self.rows.map(|[a, b, c, d]| a + hours * (b + hours * (c + hours * d)));
             let (lat, flattening) = (place.latitude.to_radians(), 1.0 / 298.257);
             let u = ((1.0 - flattening) * lat.tan()).atan();
             let (rho_sin, rho_cos) = ((1.0 - flattening) * u.sin(), u.cos());
@@ -325,7 +332,8 @@ mod tests {
             println!("{date} {latitude} {longitude}: magnitude {magnitude:.4}, by the elements {theirs:.4}");
             assert_eq!(ours.central.is_some(), central, "{date} {latitude} {longitude}");
             assert!((magnitude - theirs).abs() < 6e-4, "{date} {latitude} {longitude}: {magnitude} {theirs}");
-            let later = elements.at(place, greatest + 3.0)[0] + elements.at(place, greatest - 3.0)[0] - 2.0 * m;
+            let later =
+                elements.at(place, greatest + 3.0)[0] + elements.at(place, greatest - 3.0)[0] - 2.0 * m;
             let slope = elements.at(place, greatest + 3.0)[0] - elements.at(place, greatest - 3.0)[0];
             // Near the path's middle the distance has a kink there.
             let off = if later > 1e-9 && m > 2e-3 { 3.0 * slope / (2.0 * later) } else { 0.0 };
@@ -363,9 +371,11 @@ mod tests {
             assert!((ours.bodies.magnitude() - magnitude).abs() < 6e-4, "{}", ours.bodies.magnitude());
             assert!((end - begin - duration).abs() < 1.5, "{}", end - begin);
         }
-        let none = eclipse(at("2024-04-01T18:00:00Z"), Place { latitude: 25.3, longitude: -104.1 }, 0.0).unwrap();
+        let none =
+            eclipse(at("2024-04-01T18:00:00Z"), Place { latitude: 25.3, longitude: -104.1 }, 0.0).unwrap();
         assert!(none.is_none());
-        let far = eclipse(at("2024-04-08T18:00:00Z"), Place { latitude: -60.0, longitude: -104.1 }, 0.0).unwrap();
+        let far =
+            eclipse(at("2024-04-08T18:00:00Z"), Place { latitude: -60.0, longitude: -104.1 }, 0.0).unwrap();
         assert!(far.is_none());
     }
 }

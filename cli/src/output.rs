@@ -7,8 +7,9 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, bail};
 use image::{ExtendedColorType, ImageEncoder};
 
-use crate::args::UsageError;
-use crate::draw::Picture;
+use crate::args::output::OPTION;
+use crate::args::usage::UsageError;
+use crate::picture::Picture;
 
 /// What a file holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,8 +34,6 @@ pub struct Output {
     file: Destination,
     format: Format,
 }
-
-const OPTION: &str = "--output <FILE>";
 
 impl Destination {
     /// Checks that a file can be written, without leaving a trace. `option` is what the path was given to.
@@ -66,7 +65,8 @@ impl Destination {
         fs::remove_file(&part)
     }
 
-    /// The file that becomes the output once it is complete. In the same folder, so that renaming is one step.
+    /// The file that becomes the output once it is complete. In the same folder, so that renaming is one
+    /// step.
     fn part(&self) -> PathBuf {
         self.path.with_file_name(format!(".welkin-{}.part", std::process::id()))
     }
@@ -140,7 +140,12 @@ impl Output {
     pub fn write_png(&self, width: u32, height: u32, display: &[[u8; 4]]) -> anyhow::Result<()> {
         let bytes: Vec<u8> = display.iter().flat_map(|p| [p[0], p[1], p[2]]).collect();
         self.file.write(|file| {
-            image::codecs::png::PngEncoder::new(file).write_image(&bytes, width, height, ExtendedColorType::Rgb8)?;
+            image::codecs::png::PngEncoder::new(file).write_image(
+                &bytes,
+                width,
+                height,
+                ExtendedColorType::Rgb8,
+            )?;
             Ok(())
         })
     }

@@ -17,12 +17,12 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// Starts at nothing of `steps` pictures.
+    /// Progress through `steps` pictures.
     pub fn new(steps: usize) -> Self {
         Self::of("drawing", steps)
     }
 
-    /// Starts at nothing of `steps`; `verb` says what is being done.
+    /// Progress through `steps`; `verb` says what is being done.
     pub fn of(verb: &'static str, steps: usize) -> Self {
         let steps = steps as u64;
         let bar = std::io::stderr().is_terminal().then(|| {
@@ -35,7 +35,7 @@ impl Progress {
         Self { bar, verb, steps, begun: Cell::new(0) }
     }
 
-    /// Begins the next step; the function returned is told the share of it that is done, 0 to 1.
+    /// Begins the next step; the function that is returned hears the fraction of it that is done, 0 to 1.
     pub fn step(&self, what: &str) -> impl Fn(f32) + use<'_> {
         let before = self.begun.get();
         self.begun.set(before + 1);
@@ -48,9 +48,9 @@ impl Progress {
                 let _ = writeln!(std::io::stderr(), "{} {}/{}: {what}", self.verb, before + 1, self.steps);
             }
         }
-        move |share| {
+        move |fraction| {
             if let Some(bar) = &self.bar {
-                bar.set_position(before * FINE + (share.clamp(0.0, 1.0) * FINE as f32) as u64);
+                bar.set_position(before * FINE + (fraction.clamp(0.0, 1.0) * FINE as f32) as u64);
             }
         }
     }

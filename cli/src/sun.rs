@@ -8,9 +8,9 @@ use crate::views::Place;
 /// Degrees: elevation above the horizontal, azimuth from north towards east.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sun {
-    /// Above the horizontal.
+    /// The angle above the horizontal.
     pub elevation: f64,
-    /// From north towards east.
+    /// The direction, from north towards east.
     pub azimuth: f64,
 }
 

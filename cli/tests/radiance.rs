@@ -1,33 +1,22 @@
-//! `welkin radiance` through the built binary, judged by other programs (`tests/data/README.md`).
+//! `welkin radiance`, compared with other programs (`tests/data/README.md`).
 //!
-//! `cargo test --features cli --test radiance -- --nocapture` prints the differences.
+//! `cargo test -p welkin-cli --test main radiance -- --nocapture` prints the differences.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::Output;
+use std::sync::OnceLock;
 
 use glam::DVec3;
+
+use crate::harness::{self, printed, text, welkin};
 
 const HEADER: &str = "medium,albedo,altitude_m,sun_zenith_deg,view_zenith_deg,azimuth_from_sun_deg";
 const GOOD: &str = "earth,0.3,0,60,30,90";
 
-/// A new empty folder; the test works inside it.
-fn folder(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("radiance").join(name);
-    let _ = std::fs::remove_dir_all(&folder);
-    std::fs::create_dir_all(&folder).unwrap();
-    folder
-}
-
+/// Runs `welkin radiance`.
 fn radiance(folder: &Path, args: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_welkin"));
-    // Solutions are kept within the test's folder, never in the user's.
-    command.env("WELKIN_CACHE_DIR", "cache").env_remove("XDG_CACHE_HOME");
-    command.arg("radiance").args(args).current_dir(folder).stdin(Stdio::null()).output().unwrap()
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8_lossy(bytes).into_owned()
+    welkin(folder, &[&["radiance"], args].concat())
 }
 
 /// A direction of view under a sky, and what other programs say of it: red, green, blue.
@@ -40,15 +29,21 @@ struct Case {
     total_error: [f64; 3],
 }
 
+/// A new empty folder; the test works inside it.
+fn folder(name: &str) -> PathBuf {
+    harness::folder(&format!("radiance-{name}"))
+}
+
 /// The cases of a table, one for each three rows.
 fn cases(file: &str) -> Vec<Case> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(file);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/data").join(file);
     let mut cases: BTreeMap<String, Case> = BTreeMap::new();
     for row in csv::Reader::from_path(path).unwrap().deserialize() {
         let row: BTreeMap<String, String> = row.unwrap();
         let number = |name: &str| row[name].parse::<f64>().unwrap();
-        let medium =
-            row.get("atmosphere").map_or(if file.contains("earth") { "earth" } else { "rayleigh" }, String::as_str);
+        let medium = row
+            .get("atmosphere")
+            .map_or(if file.contains("earth") { "earth" } else { "rayleigh" }, String::as_str);
         let azimuth = number("azimuth_from_sun_deg");
         let [altitude, sun, view, azimuth] = if row.contains_key("tangent_altitude_km") {
             from_tangent_point(
@@ -84,15 +79,22 @@ fn from_tangent_point(observer: f64, tangent: f64, sun_zenith: f64, azimuth: f64
     let ahead = DVec3::new(tangent, 0.0, back) / radius;
     let angle = |across: f64, along: f64| across.atan2(along).to_degrees();
     let flat = sun - zenith * sun.dot(zenith);
-    [1e3 * observer, angle(flat.length(), sun.dot(zenith)), angle(tangent, -back), angle(flat.y.abs(), flat.dot(ahead))]
+    [
+        1e3 * observer,
+        angle(flat.length(), sun.dot(zenith)),
+        angle(tangent, -back),
+        angle(flat.y.abs(), flat.dot(ahead)),
+    ]
 }
 
 /// Runs the command; the answers in the order of the cases.
 fn answers(folder: &Path, cases: &[Case], args: &[&str]) -> Vec<[f64; 3]> {
-    let table: String =
-        std::iter::once(HEADER).chain(cases.iter().map(|c| c.row.as_str())).map(|l| format!("{l}\n")).collect();
+    let table: String = std::iter::once(HEADER)
+        .chain(cases.iter().map(|c| c.row.as_str()))
+        .map(|l| format!("{l}\n"))
+        .collect();
     std::fs::write(folder.join("cases.csv"), table).unwrap();
-    let out = radiance(folder, &[&["--cases", "cases.csv", "--out", "out.csv"], args].concat());
+    let out = radiance(folder, &[&["--cases", "cases.csv", "--output", "out.csv"], args].concat());
     assert!(out.status.success(), "{args:?}: {}", text(&out.stderr));
     print!("{}", text(&out.stdout));
     let mut reader = csv::Reader::from_path(folder.join("out.csv")).unwrap();
@@ -131,8 +133,8 @@ fn single_is_the_quadrature_on_both_backends() {
             answers(&folder, &cases, &[&args[..], &["--light-samples", light_samples]].concat())
         };
         let (coarse, fine) = (ask("64"), ask("128"));
-        // A sun near or below the horizon shines along the ground, through 1000 km of air: 64 steps of that leave
-        // up to 0.13 % in the darkest directions, opposite the sun; twice as many a quarter of it.
+        // A sun near or below the horizon shines along the ground, through 1000 km of air: 64 steps of that
+        // leave up to 0.13 % in the darkest directions, opposite the sun; twice as many a quarter of it.
         let high = |c: &Case| c.sun_zenith <= 85.0 || c.row.contains(",200000,");
         let pairs = |light: &[[f64; 3]]| cases.iter().zip(light.to_vec()).collect::<Vec<_>>();
         let day = worst(pairs(&coarse).into_iter().filter(|(c, _)| high(c)));
@@ -157,15 +159,30 @@ fn reference_single_is_the_quadrature() {
     assert!(worst < 1e-5, "{worst:.2e} at {at}");
 }
 
-#[test]
-fn reference_is_the_monte_carlo() {
-    let folder = folder("reference");
-    // One medium and albedo, which is one solution; every fifth direction.
-    let cases: Vec<_> = ["sky_rayleigh.csv", "mc_twilight.csv", "limb.csv"]
+/// One medium and albedo, which is one solution; every fifth direction of the Monte Carlo tables.
+fn one_solution() -> Vec<Case> {
+    ["sky_rayleigh.csv", "mc_twilight.csv", "limb.csv"]
         .into_iter()
         .flat_map(|file| cases(file).into_iter().filter(|c| c.row.starts_with("rayleigh,0,")).step_by(5))
-        .collect();
-    let light = answers(&folder, &cases, &["--method", "reference"]);
+        .collect()
+}
+
+/// The folder in which the reference was asked for [`one_solution`], with its answers in `out.csv` and its
+/// solution in
+/// `cache`, and the answers. Solved once for all tests, which takes some seconds.
+fn solved() -> &'static (PathBuf, Vec<[f64; 3]>) {
+    static SOLVED: OnceLock<(PathBuf, Vec<[f64; 3]>)> = OnceLock::new();
+    SOLVED.get_or_init(|| {
+        let folder = folder("reference");
+        let light = answers(&folder, &one_solution(), &["--method", "reference"]);
+        (folder, light)
+    })
+}
+
+#[test]
+fn reference_is_the_monte_carlo() {
+    let cases = one_solution();
+    let (_, light) = solved();
     let mut worst = (0.0, String::new());
     for (case, got) in cases.iter().zip(light) {
         for c in 0..3 {
@@ -186,38 +203,41 @@ fn reference_is_the_monte_carlo() {
 /// A solution from the cache gives what solving gives; one that was damaged is not used, and said.
 #[test]
 fn kept_solutions_change_no_result() {
+    let (solved, _) = solved();
+    let fresh = std::fs::read(solved.join("out.csv")).unwrap();
     let folder = folder("kept");
-    let table = "rayleigh,0,0,60,30,90\nrayleigh,0,0,95,89.9,180\nrayleigh,0,200000,80,104,10\n";
-    std::fs::write(folder.join("in.csv"), format!("{HEADER}\n{table}")).unwrap();
+    std::fs::copy(solved.join("cases.csv"), folder.join("cases.csv")).unwrap();
     let ask = |more: &[&str]| {
         let _ = std::fs::remove_file(folder.join("out.csv"));
-        let args = ["--cases", "in.csv", "--method", "reference", "--out", "out.csv"];
+        let args = ["--cases", "cases.csv", "--method", "reference", "--output", "out.csv"];
         let out = radiance(&folder, &[&args, more].concat());
-        assert!(out.status.success(), "{more:?}: {}", text(&out.stderr));
-        (std::fs::read(folder.join("out.csv")).unwrap(), text(&out.stdout), text(&out.stderr))
+        let said = printed(&out);
+        (std::fs::read(folder.join("out.csv")).unwrap(), said, text(&out.stderr))
     };
-    let kept = || -> Vec<_> {
+    let kept = |folder: &Path| -> Vec<PathBuf> {
         let files = std::fs::read_dir(folder.join("cache")).into_iter().flatten();
         files.map(|f| f.unwrap().path()).collect()
     };
-    let (fresh, said, _) = ask(&[]);
-    assert!(!said.contains("cache"), "{said}");
-    let files = kept();
+    // Solving left one file.
+    let files = kept(solved);
     assert_eq!(files.len(), 1, "{files:?}");
+    let whole = std::fs::read(&files[0]).unwrap();
+    std::fs::create_dir(folder.join("cache")).unwrap();
+    let ours = folder.join("cache").join(files[0].file_name().unwrap());
+    std::fs::write(&ours, &whole).unwrap();
     let (second, said, notes) = ask(&[]);
     assert!(second == fresh, "{}\n{}", text(&fresh), text(&second));
     assert!(said.contains("(solution from the cache)") && !notes.contains("note:"), "{said} {notes}");
 
-    let whole = std::fs::read(&files[0]).unwrap();
-    std::fs::write(&files[0], &whole[..whole.len() - 100]).unwrap();
+    std::fs::write(&ours, &whole[..whole.len() - 100]).unwrap();
     let (mended, said, notes) = ask(&[]);
     assert!(mended == fresh && !said.contains("cache"), "{said}");
     assert!(notes.contains("damaged") && notes.contains("solved again"), "{notes}");
-    assert!(std::fs::read(&files[0]).unwrap() == whole && kept() == files);
+    assert!(std::fs::read(&ours).unwrap() == whole && kept(&folder) == [ours]);
     // A folder that the option names goes before the variable's.
     std::fs::rename(folder.join("cache"), folder.join("other")).unwrap();
     let (elsewhere, said, _) = ask(&["--cache-dir", "other"]);
-    assert!(elsewhere == fresh && said.contains("from the cache") && kept().is_empty(), "{said}");
+    assert!(elsewhere == fresh && said.contains("from the cache") && kept(&folder).is_empty(), "{said}");
 }
 
 #[test]
@@ -226,7 +246,8 @@ fn columns_come_in_any_order_and_others_are_copied() {
     let table = "note,view_zenith_deg,medium,sun_zenith_deg,azimuth_from_sun_deg,albedo,altitude_m,id\n\
                  \"up, left\",30,earth,60,90,0.3,0,007\n,30,earth,60,90,0.9,0, x\n";
     std::fs::write(folder.join("in.csv"), table).unwrap();
-    let out = radiance(&folder, &["--cases", "in.csv", "--method", "reference-single", "--out", "out.csv"]);
+    let out =
+        radiance(&folder, &["--cases", "in.csv", "--method", "reference-single", "--output", "out.csv"]);
     assert!(out.status.success(), "{}", text(&out.stderr));
     let written = std::fs::read_to_string(folder.join("out.csv")).unwrap();
     let lines: Vec<_> = written.lines().collect();
@@ -246,7 +267,7 @@ fn rejected(name: &str, table: &[u8], args: &[&str], parts: &[&str]) {
     std::fs::write(folder.join("in.csv"), table).unwrap();
     let given = |option| args.contains(&option);
     let cases = if given("--cases") { &[][..] } else { &["--cases", "in.csv"] };
-    let to = if given("--out") { &[][..] } else { &["--out", "out.csv"] };
+    let to = if given("--output") { &[][..] } else { &["--output", "out.csv"] };
     let out = radiance(&folder, &[cases, to, args].concat());
     let message = text(&out.stderr);
     assert_eq!(out.status.code(), Some(2), "{name}: {message}");
@@ -285,15 +306,35 @@ fn a_bad_header_or_request_is_rejected() {
     let single = &["--method", "reference-single"];
     let table = format!("{HEADER}\n{GOOD}\n");
     rejected("nothing", b"", single, &["line 1", "no column 'medium'"]);
-    rejected("missing", table.replace("albedo", "whiteness").as_bytes(), single, &["line 1", "no column 'albedo'"]);
-    rejected("twice", format!("{HEADER},albedo\n{GOOD},0\n").as_bytes(), single, &["column 'albedo' is there twice"]);
+    rejected(
+        "missing",
+        table.replace("albedo", "whiteness").as_bytes(),
+        single,
+        &["line 1", "no column 'albedo'"],
+    );
+    rejected(
+        "twice",
+        format!("{HEADER},albedo\n{GOOD},0\n").as_bytes(),
+        single,
+        &["column 'albedo' is there twice"],
+    );
     rejected("taken", format!("{HEADER},R\n{GOOD},0\n").as_bytes(), single, &["column 'R'", "rename"]);
     let good = table.as_bytes();
     rejected("method", good, &["--method", "exact"], &["'exact'", "single", "reference-single"]);
     rejected("no-method", good, &[], &["--method"]);
     rejected("samples", good, &["--method", "single", "--samples", "0"], &["--samples", "from 1 to 1024"]);
-    rejected("cpu", good, &["--method", "single", "--backend", "cpu"], &["--backend", "'cpu'", "reference-single"]);
-    rejected("gpu", good, &["--method", "reference", "--backend", "webgl2"], &["--backend", "'webgl2'", "CPU"]);
+    rejected(
+        "cpu",
+        good,
+        &["--method", "single", "--backend", "cpu"],
+        &["--backend", "'cpu'", "reference-single"],
+    );
+    rejected(
+        "gpu",
+        good,
+        &["--method", "reference", "--backend", "webgl2"],
+        &["--backend", "'webgl2'", "CPU"],
+    );
     rejected(
         "no-file",
         good,
@@ -303,8 +344,8 @@ fn a_bad_header_or_request_is_rejected() {
     rejected(
         "unwritable",
         good,
-        &["--method", "reference-single", "--out", "no/out.csv"],
-        &["--out", "'no/out.csv'", "can be written"],
+        &["--method", "reference-single", "--output", "no/out.csv"],
+        &["--output", "'no/out.csv'", "can be written"],
     );
 }
 
@@ -313,7 +354,7 @@ fn a_bad_header_or_request_is_rejected() {
 fn more_steps_than_the_driver_takes_are_rejected() {
     let folder = folder("steps");
     std::fs::write(folder.join("in.csv"), format!("{HEADER}\n{GOOD}\n")).unwrap();
-    let args = ["--cases", "in.csv", "--out", "out.csv", "--method", "single"];
+    let args = ["--cases", "in.csv", "--output", "out.csv", "--method", "single"];
     let many = radiance(&folder, &[&args[..], &["--samples", "1024", "--light-samples", "256"]].concat());
     let message = text(&many.stderr);
     // On other adapters it works.

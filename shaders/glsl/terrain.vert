@@ -39,11 +39,11 @@ struct Frame {
     DepthCode depth;
     uint view_samples;
     uint light_samples;
-    uint low_resolution;
+    uint reduced;
     float camera_altitude;
-    vec4 limb;
+    vec4 sky_view_mapping;
 };
-struct Tables {
+struct Luts {
     vec3 mie_extinction;
     float altitude_steepness;
     vec3 mie_moment0_;
@@ -62,15 +62,15 @@ struct Tables {
     uint steps;
     uint shift;
     uint slices;
-    float air_ground_rows;
+    float aerial_ground_rows;
 };
 struct MoonShadow {
     vec3 across;
     float along;
     float radius;
-    float tangent;
-    float least;
-    float rate;
+    float tan_sun_radius;
+    float min_visibility;
+    float inv_extent;
 };
 struct Terrain {
     Frame frame;
@@ -90,19 +90,18 @@ struct Terrain {
     float mountain_rate;
     vec3 high_albedo;
     float snow_line;
-    vec3 sky_share;
+    vec3 sky_light;
     float pad;
-    Tables tables;
-    MoonShadow eclipse;
-};
-struct Varyings {
-    vec4 clip;
-    vec3 position;
-    vec3 light;
-    vec2 surface;
+    Luts luts;
+    MoonShadow moon_shadow;
 };
 const float HALF_MAX = 32000.0;
+const bool RAYLEIGH = true;
+const bool MIE = true;
+const bool OZONE = true;
 const float INV_4PI = 0.07957747;
+const bool CORNETTE_SHANKS = true;
+const bool SUNLIGHT = true;
 const float LOG_FLOOR = -100.0;
 const int MOMENTS = 6;
 const float SH0_ = 0.2820948;
@@ -110,112 +109,128 @@ const float SH1_ = 0.48860252;
 const float SH20_ = 0.31539157;
 const float SH21_ = 1.0925485;
 const float SH22_ = 0.54627424;
+const float PI = 3.1415927;
+const float SQRT_HALF = 0.70710677;
 const uint RINGS = 256u;
 const uint SEGMENTS = 384u;
-const float TAU = 6.2831855;
+const bool SKY_LIGHT = true;
+const bool MOON = true;
+const uint VERTICES = 197632u;
 
 layout(std140) uniform Terrain_block_0Vertex { Terrain _group_0_binding_0_vs; };
 
 smooth out vec3 _vs2fs_location0;
 smooth out vec3 _vs2fs_location1;
-smooth out vec2 _vs2fs_location2;
+smooth out vec3 _vs2fs_location2;
 
-float altitude_of(float x, float radius) {
-    return (x / (radius + sqrt(max(((radius * radius) + x), 0.0))));
+float altitude_of(float excess, float radius) {
+    return (excess / (radius + sqrt(max(((radius * radius) + excess), 0.0))));
 }
 
 float excess_of(float h, float radius_1) {
     return (h * ((2.0 * radius_1) + h));
 }
 
-float altitude_after(float x_1, float b, float t, float radius_2) {
-    float _e9 = altitude_of((x_1 + (t * ((2.0 * b) + t))), radius_2);
+float altitude_after(float excess_1, float r_mu, float t, float radius_2) {
+    float _e9 = altitude_of((excess_1 + (t * ((2.0 * r_mu) + t))), radius_2);
     return max(_e9, 0.0);
 }
 
-float distance_to_top(float x_2, float b_1, float x_top) {
-    float c = max((x_top - x_2), 0.0);
-    float root = sqrt(((b_1 * b_1) + c));
-    if ((b_1 > 0.0)) {
-        return (c / (b_1 + root));
+float distance_to_top(float excess_2, float r_mu_1, float top_excess) {
+    float c = max((top_excess - excess_2), 0.0);
+    float root = sqrt(((r_mu_1 * r_mu_1) + c));
+    if ((r_mu_1 > 0.0)) {
+        return (c / (r_mu_1 + root));
     }
-    return (root - b_1);
+    return (root - r_mu_1);
 }
 
-vec4 layers_of(Medium m_1) {
-    return vec4(m_1.rayleigh_inv_height, m_1.mie_inv_height, m_1.ozone_center, m_1.ozone_inv_half_width);
+vec4 layers_of(float m_rayleigh_inv_height_1, float m_mie_inv_height_1, float m_ozone_center_1, float m_ozone_inv_half_width_1) {
+    return vec4(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
 }
 
-mat3x3 coefficients_of(Medium m_2) {
-    return mat3x3(m_2.rayleigh, m_2.mie_extinction, m_2.ozone);
+mat3x3 coefficients_of(vec3 m_rayleigh_1, vec3 m_mie_extinction_1, vec3 m_ozone_1) {
+    return mat3x3(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
 }
 
 vec3 densities(vec4 layers, float h_1) {
     vec3 d = vec3(0.0);
-    d.x = exp((-(h_1) * layers.x));
-    d.y = exp((-(h_1) * layers.y));
-    d.z = max(0.0, (1.0 - (abs((h_1 - layers.z)) * layers.w)));
-    vec3 _e25 = d;
-    return _e25;
+    if (RAYLEIGH) {
+        d.x = exp((-(h_1) * layers.x));
+    }
+    if (MIE) {
+        d.y = exp((-(h_1) * layers.y));
+    }
+    if (OZONE) {
+        d.z = max(0.0, (1.0 - (abs((h_1 - layers.z)) * layers.w)));
+    }
+    vec3 _e28 = d;
+    return _e28;
 }
 
 vec3 extinction(mat3x3 coefficients, vec3 d_1) {
     vec3 sum = vec3(0.0);
-    vec3 _e5 = sum;
-    sum = (_e5 + (coefficients[0] * d_1.x));
-    vec3 _e10 = sum;
-    sum = (_e10 + (coefficients[1] * d_1.y));
-    vec3 _e15 = sum;
-    sum = (_e15 + (coefficients[2] * d_1.z));
-    vec3 _e20 = sum;
-    return _e20;
+    if (RAYLEIGH) {
+        vec3 _e4 = sum;
+        sum = (_e4 + (coefficients[0] * d_1.x));
+    }
+    if (MIE) {
+        vec3 _e12 = sum;
+        sum = (_e12 + (coefficients[1] * d_1.y));
+    }
+    if (OZONE) {
+        vec3 _e18 = sum;
+        sum = (_e18 + (coefficients[2] * d_1.z));
+    }
+    vec3 _e23 = sum;
+    return _e23;
 }
 
-float warp(float low, float u) {
-    return (low + (u * abs(u)));
+float u_to_distance(float perigee, float u) {
+    return (perigee + (u * abs(u)));
 }
 
-vec3 path_densities(vec4 layers_1, float radius_3, float x_3, float b_2, float distance_, uint samples) {
+vec3 path_densities(vec4 layers_1, float radius_3, float excess_3, float r_mu_2, float distance_, uint samples) {
     vec3 sum_1 = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
-    float low_1 = clamp(-(b_2), 0.0, distance_);
-    float u0_ = -(sqrt(low_1));
-    float du = ((sqrt((distance_ - low_1)) - u0_) / float(samples));
+    float perigee_1 = clamp(-(r_mu_2), 0.0, distance_);
+    float u0_ = -(sqrt(perigee_1));
+    float du = ((sqrt((distance_ - perigee_1)) - u0_) / float(samples));
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e43 = i;
-            i = (_e43 + 1u);
+            uint _e42 = i;
+            i = (_e42 + 1u);
         }
         loop_init = false;
-        uint _e23 = i;
-        if ((_e23 < samples)) {
+        uint _e18 = i;
+        if ((_e18 < samples)) {
         } else {
             break;
         }
         {
-            uint _e25 = i;
-            float u_1 = (u0_ + (du * float(_e25)));
-            float _e32 = warp(low_1, (u_1 + (0.5 * du)));
-            float _e34 = warp(low_1, (u_1 + du));
-            float _e35 = altitude_after(x_3, b_2, _e32, radius_3);
-            vec3 _e36 = sum_1;
-            vec3 _e37 = densities(layers_1, _e35);
+            uint _e20 = i;
+            float u_1 = (u0_ + (du * float(_e20)));
+            float _e27 = u_to_distance(perigee_1, (u_1 + (0.5 * du)));
+            float _e29 = u_to_distance(perigee_1, (u_1 + du));
+            float _e32 = altitude_after(excess_3, r_mu_2, _e27, radius_3);
+            vec3 _e34 = sum_1;
+            vec3 _e36 = densities(layers_1, _e32);
             float _e38 = t0_;
-            sum_1 = (_e36 + (_e37 * (_e34 - _e38)));
-            t0_ = _e34;
+            sum_1 = (_e34 + (_e36 * (_e29 - _e38)));
+            t0_ = _e29;
         }
     }
     vec3 _e45 = sum_1;
     return _e45;
 }
 
-vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_4, float thickness, float x_4, float sun_b, uint samples_1) {
-    float _e7 = excess_of(thickness, radius_4);
-    float _e8 = distance_to_top(x_4, sun_b, _e7);
-    vec3 _e9 = path_densities(layers_2, radius_4, x_4, sun_b, _e8, samples_1);
-    vec3 _e10 = extinction(coefficients_1, _e9);
+vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_4, float thickness, float excess_4, float sun_r_mu, uint samples_1) {
+    float _e2 = excess_of(thickness, radius_4);
+    float _e5 = distance_to_top(excess_4, sun_r_mu, _e2);
+    vec3 _e8 = path_densities(layers_2, radius_4, excess_4, sun_r_mu, _e5, samples_1);
+    vec3 _e10 = extinction(coefficients_1, _e8);
     return exp(-(_e10));
 }
 
@@ -281,10 +296,10 @@ vec4 height_field(vec3 n, float amplitude, float rate, float sea, float spacing)
         return vec4(0.0);
     }
     float above = min(rise, 1.0);
-    vec4 _e65 = land;
-    vec3 d_above = ((rise < 1.0) ? (_e65.xyz * 14.0) : vec3(0.0));
-    vec4 _e76 = noise(((n * 9.0) + vec3(29.0)));
-    vec4 belt_noise = (_e76 * vec4(vec3(9.0), 1.0));
+    vec4 _e66 = land;
+    vec3 d_above = ((rise < 1.0) ? (_e66.xyz * 14.0) : vec3(0.0));
+    vec4 _e77 = noise(((n * 9.0) + vec3(29.0)));
+    vec4 belt_noise = (_e77 * vec4(vec3(9.0), 1.0));
     float t_1 = clamp(((belt_noise.w - 0.38) * 4.0), 0.0, 1.0);
     float belt = (0.1 + (((0.9 * t_1) * t_1) * (3.0 - (2.0 * t_1))));
     vec3 d_belt = (belt_noise.xyz * (((5.4 * t_1) * (1.0 - t_1)) * 4.0));
@@ -292,129 +307,198 @@ vec4 height_field(vec3 n, float amplitude, float rate, float sea, float spacing)
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            int _e183 = octave;
-            octave = (_e183 + 1);
+            int _e181 = octave;
+            octave = (_e181 + 1);
         }
         loop_init_1 = false;
-        int _e117 = octave;
-        if ((_e117 < 6)) {
+        int _e113 = octave;
+        if ((_e113 < 6)) {
         } else {
             break;
         }
         {
-            float _e120 = frequency;
-            float seen = clamp(((0.3 / (_e120 * spacing)) - 0.5), 0.0, 1.0);
+            float _e116 = frequency;
+            float seen = clamp(((0.3 / (_e116 * spacing)) - 0.5), 0.0, 1.0);
             if ((seen > 0.0)) {
-                float _e131 = frequency;
-                int _e133 = octave;
-                vec4 _e139 = noise(((n * _e131) + vec3((float(_e133) * 17.0))));
-                float _e140 = frequency;
-                vec4 v = (_e139 * vec4(vec3(_e140), 1.0));
+                float _e128 = frequency;
+                int _e130 = octave;
+                vec4 _e136 = noise(((n * _e128) + vec3((float(_e130) * 17.0))));
+                float _e137 = frequency;
+                vec4 v = (_e136 * vec4(vec3(_e137), 1.0));
                 float s = ((v.w < 0.5) ? 2.0 : -2.0);
-                vec4 _e151 = ridge;
-                float _e163 = gain;
-                ridge = (_e151 + (vec4((v.xyz * s), (1.0 - abs(((2.0 * v.w) - 1.0)))) * (_e163 * seen)));
+                vec4 _e149 = ridge;
+                float _e162 = gain;
+                ridge = (_e149 + (vec4((v.xyz * s), (1.0 - abs(((2.0 * v.w) - 1.0)))) * (_e162 * seen)));
             }
-            float _e168 = ridge.w;
-            float _e169 = gain;
-            ridge.w = (_e168 + ((0.6 * _e169) * (1.0 - seen)));
-            float _e176 = frequency;
-            frequency = (_e176 * 2.03);
-            float _e179 = gain;
-            gain = (_e179 * 0.45);
+            float _e167 = ridge.w;
+            float _e168 = gain;
+            ridge.w = (_e167 + ((0.6 * _e168) * (1.0 - seen)));
+            float _e175 = frequency;
+            frequency = (_e175 * 2.03);
+            float _e178 = gain;
+            gain = (_e178 * 0.45);
         }
     }
-    float _e187 = ridge.w;
-    float w_1 = ((above * belt) * _e187);
-    float _e191 = ridge.w;
-    float _e195 = ridge.w;
-    vec4 _e199 = ridge;
-    vec3 d_2 = ((((d_above * belt) * _e191) + ((above * d_belt) * _e195)) + ((above * belt) * _e199.xyz));
+    float _e186 = ridge.w;
+    float w_1 = ((above * belt) * _e186);
+    float _e190 = ridge.w;
+    float _e194 = ridge.w;
+    vec4 _e198 = ridge;
+    vec3 d_2 = ((((d_above * belt) * _e190) + ((above * d_belt) * _e194)) + ((above * belt) * _e198.xyz));
     return (vec4(d_2, w_1) * amplitude);
+}
+
+void grid_point(uint index_1, inout vec3 out_flat, inout float out_sin_arc, inout float out_drop, inout float out_spacing) {
+    uint k = min((max((index_1 % 772u), 1u) - 1u), (772u - 3u));
+    uint ring = ((index_1 / 772u) + (k & 1u));
+    float azimuth = ((6.2831855 * float(((k / 2u) % SEGMENTS))) / 384.0);
+    float _e29 = _group_0_binding_0_vs.arc_rate;
+    float s_1 = (_e29 * float(ring));
+    float _e34 = _group_0_binding_0_vs.arc_scale;
+    float t_2 = ((_e34 * 0.5) * (exp(s_1) - exp(-(s_1))));
+    vec3 _e44 = _group_0_binding_0_vs.grid_x;
+    vec3 _e49 = _group_0_binding_0_vs.grid_y;
+    vec3 flat_ = normalize(((_e44 * cos(azimuth)) + (_e49 * sin(azimuth))));
+    float sin_arc = ((2.0 * t_2) / (1.0 + (t_2 * t_2)));
+    float drop = (((2.0 * t_2) * t_2) / (1.0 + (t_2 * t_2)));
+    float _e69 = _group_0_binding_0_vs.arc_rate;
+    float _e74 = _group_0_binding_0_vs.arc_scale;
+    float _e77 = _group_0_binding_0_vs.arc_scale;
+    float along = (((2.0 * _e69) * sqrt(((_e74 * _e77) + (t_2 * t_2)))) / (1.0 + (t_2 * t_2)));
+    out_flat = flat_;
+    out_sin_arc = sin_arc;
+    out_drop = drop;
+    out_spacing = max(along, (sin_arc * 0.016362462));
+}
+
+vec3 ground_light(vec3 m_rayleigh_2, float m_rayleigh_inv_height_2, float m_mie_inv_height_2, vec3 m_mie_extinction_2, float m_ozone_center_2, float m_ozone_inv_half_width_2, vec3 m_ozone_2, float m_radius_1, float m_thickness_1, float h_3, vec3 n_1, vec3 normal) {
+    vec3 light = vec3(0.0);
+    vec3 f_sun = _group_0_binding_0_vs.frame.sun;
+    float f_sun_chord = _group_0_binding_0_vs.frame.sun_chord;
+    float mu_sun = dot(n_1, f_sun);
+    float _e20 = excess_of(h_3, m_radius_1);
+    float sun_r_mu_1 = ((m_radius_1 + h_3) * mu_sun);
+    float dip = (sqrt(_e20) / (m_radius_1 + h_3));
+    float visible = smoothstep(-1.0, 1.0, ((mu_sun + dip) / f_sun_chord));
+    if (SKY_LIGHT) {
+    } else {
+        vec3 _e34 = _group_0_binding_0_vs.sky_light;
+        light = ((_e34 * clamp(((mu_sun + 0.1) / 1.1), 0.0, 1.0)) * (0.5 + (0.5 * dot(normal, n_1))));
+    }
+    if ((visible > 0.0)) {
+        mat3x3 _e53 = coefficients_of(m_rayleigh_2, m_mie_extinction_2, m_ozone_2);
+        vec4 _e54 = layers_of(m_rayleigh_inv_height_2, m_mie_inv_height_2, m_ozone_center_2, m_ozone_inv_half_width_2);
+        vec3 _e56 = sun_transmittance(_e53, _e54, m_radius_1, m_thickness_1, _e20, sun_r_mu_1, 8u);
+        vec3 _e57 = light;
+        light = (_e57 + (_e56 * (visible * max(dot(normal, f_sun), 0.0))));
+    }
+    vec3 _e64 = light;
+    return _e64;
+}
+
+vec4 clip_position(vec3 position) {
+    vec3 f_ray_right = _group_0_binding_0_vs.frame.ray_right;
+    vec3 f_ray_up = _group_0_binding_0_vs.frame.ray_up;
+    vec3 _e8 = _group_0_binding_0_vs.axis;
+    float z = dot(position, _e8);
+    float _e16 = _group_0_binding_0_vs.offset_x;
+    float right = ((dot(position, f_ray_right) / dot(f_ray_right, f_ray_right)) - (_e16 * z));
+    float _e24 = _group_0_binding_0_vs.offset_y;
+    float top = ((dot(position, f_ray_up) / dot(f_ray_up, f_ray_up)) - (_e24 * z));
+    return vec4(right, top, (0.5 * z), z);
 }
 
 void main() {
     uint index = uint(gl_VertexID);
-    Medium m = Medium(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
-    vec3 light = vec3(0.0);
-    Varyings out_ = Varyings(vec4(0.0), vec3(0.0), vec3(0.0), vec2(0.0));
-    Frame f_1 = _group_0_binding_0_vs.frame;
-    m = f_1.medium;
-    uint k = min((max((index % 772u), 1u) - 1u), (772u - 3u));
-    uint ring = ((index / 772u) + (k & 1u));
-    float azimuth = ((TAU * float(((k / 2u) % SEGMENTS))) / 384.0);
-    float _e30 = _group_0_binding_0_vs.arc_rate;
-    float s_1 = (_e30 * float(ring));
-    float _e35 = _group_0_binding_0_vs.arc_scale;
-    float t_2 = ((_e35 * 0.5) * (exp(s_1) - exp(-(s_1))));
-    vec3 _e45 = _group_0_binding_0_vs.grid_x;
-    vec3 _e50 = _group_0_binding_0_vs.grid_y;
-    vec3 flat_ = normalize(((_e45 * cos(azimuth)) + (_e50 * sin(azimuth))));
-    vec3 up = vec3(0.0, 0.0, 1.0);
-    float sin_arc = ((2.0 * t_2) / (1.0 + (t_2 * t_2)));
-    float drop = (((2.0 * t_2) * t_2) / (1.0 + (t_2 * t_2)));
-    vec3 n_1 = ((flat_ * sin_arc) + (up * (1.0 - drop)));
-    vec3 _e79 = _group_0_binding_0_vs.planet_x;
-    vec3 _e83 = _group_0_binding_0_vs.planet_y;
-    vec3 _e87 = _group_0_binding_0_vs.planet_z;
-    vec3 planet_n = vec3(dot(_e79, n_1), dot(_e83, n_1), dot(_e87, n_1));
-    float _e92 = _group_0_binding_0_vs.arc_rate;
-    float _e97 = _group_0_binding_0_vs.arc_scale;
-    float _e100 = _group_0_binding_0_vs.arc_scale;
-    float along = (((2.0 * _e92) * sqrt(((_e97 * _e100) + (t_2 * t_2)))) / (1.0 + (t_2 * t_2)));
-    float spacing_1 = max(along, (sin_arc * 0.016362462));
-    float _e115 = _group_0_binding_0_vs.amplitude;
-    float _e118 = _group_0_binding_0_vs.mountain_rate;
-    float _e121 = _group_0_binding_0_vs.sea;
-    vec4 _e122 = height_field(planet_n, _e115, _e118, _e121, spacing_1);
-    float h_3 = _e122.w;
-    float _e125 = m.radius;
-    float _e132 = m.radius;
-    vec3 position = ((flat_ * ((_e125 + h_3) * sin_arc)) + (up * ((h_3 - f_1.camera_altitude) - ((_e132 + h_3) * drop))));
-    vec3 _e140 = _group_0_binding_0_vs.planet_x;
-    vec3 _e145 = _group_0_binding_0_vs.planet_y;
-    vec3 _e151 = _group_0_binding_0_vs.planet_z;
-    vec3 g = (((_e140 * _e122.x) + (_e145 * _e122.y)) + (_e151 * _e122.z));
-    float _e159 = m.radius;
-    vec3 tangential = ((g - (n_1 * dot(g, n_1))) / vec3(_e159));
-    vec3 normal = normalize((n_1 - tangential));
-    float _e165 = m.radius;
-    float _e166 = excess_of(h_3, _e165);
-    float _e168 = m.radius;
-    float sun_b_1 = ((_e168 + h_3) * dot(n_1, f_1.sun));
-    float _e175 = m.radius;
-    float dip = (sqrt(_e166) / (_e175 + h_3));
-    float above_1 = ((dot(n_1, f_1.sun) + dip) / f_1.sun_chord);
-    float visible = smoothstep(-1.0, 1.0, above_1);
-    vec3 _e191 = _group_0_binding_0_vs.sky_share;
-    light = ((_e191 * clamp(((dot(n_1, f_1.sun) + 0.1) / 1.1), 0.0, 1.0)) * (0.5 + (0.5 * dot(normal, n_1))));
-    if ((visible > 0.0)) {
-        vec3 _e210 = light;
-        Medium _e211 = m;
-        mat3x3 _e212 = coefficients_of(_e211);
-        Medium _e213 = m;
-        vec4 _e214 = layers_of(_e213);
-        float _e216 = m.radius;
-        float _e218 = m.thickness;
-        vec3 _e220 = sun_transmittance(_e212, _e214, _e216, _e218, _e166, sun_b_1, 8u);
-        light = (_e210 + (_e220 * (visible * max(dot(normal, f_1.sun), 0.0))));
+    vec3 m_rayleigh = vec3(0.0);
+    float m_rayleigh_inv_height = 0.0;
+    float m_mie_inv_height = 0.0;
+    vec3 m_mie_extinction = vec3(0.0);
+    float m_ozone_center = 0.0;
+    float m_ozone_inv_half_width = 0.0;
+    vec3 m_ozone = vec3(0.0);
+    float m_radius = 0.0;
+    float m_thickness = 0.0;
+    vec4 out_clip = vec4(0.0);
+    vec3 out_position = vec3(0.0);
+    vec3 out_light = vec3(0.0);
+    vec3 out_surface = vec3(0.0);
+    vec3 p_flat = vec3(0.0);
+    float p_sin_arc = 0.0;
+    float p_drop = 0.0;
+    float p_spacing = 0.0;
+    vec3 f_medium_rayleigh = _group_0_binding_0_vs.frame.medium.rayleigh;
+    float f_medium_rayleigh_inv_height = _group_0_binding_0_vs.frame.medium.rayleigh_inv_height;
+    float f_medium_mie_inv_height = _group_0_binding_0_vs.frame.medium.mie_inv_height;
+    vec3 f_medium_mie_extinction = _group_0_binding_0_vs.frame.medium.mie_extinction;
+    float f_medium_ozone_center = _group_0_binding_0_vs.frame.medium.ozone_center;
+    float f_medium_ozone_inv_half_width = _group_0_binding_0_vs.frame.medium.ozone_inv_half_width;
+    vec3 f_medium_ozone = _group_0_binding_0_vs.frame.medium.ozone;
+    float f_medium_radius = _group_0_binding_0_vs.frame.medium.radius;
+    float f_medium_thickness = _group_0_binding_0_vs.frame.medium.thickness;
+    vec3 f_sun_1 = _group_0_binding_0_vs.frame.sun;
+    float f_camera_altitude = _group_0_binding_0_vs.frame.camera_altitude;
+    m_rayleigh = f_medium_rayleigh;
+    m_rayleigh_inv_height = f_medium_rayleigh_inv_height;
+    m_mie_inv_height = f_medium_mie_inv_height;
+    m_mie_extinction = f_medium_mie_extinction;
+    m_ozone_center = f_medium_ozone_center;
+    m_ozone_inv_half_width = f_medium_ozone_inv_half_width;
+    m_ozone = f_medium_ozone;
+    m_radius = f_medium_radius;
+    m_thickness = f_medium_thickness;
+    if (SKY_LIGHT) {
+        vec3 _e38 = _group_0_binding_0_vs.luts.mie_extinction;
+        m_mie_extinction = _e38;
     }
-    vec3 _e231 = _group_0_binding_0_vs.axis;
-    float z = dot(position, _e231);
-    float _e241 = _group_0_binding_0_vs.offset_x;
-    float right = ((dot(position, f_1.ray_right) / dot(f_1.ray_right, f_1.ray_right)) - (_e241 * z));
-    float _e252 = _group_0_binding_0_vs.offset_y;
-    float top = ((dot(position, f_1.ray_up) / dot(f_1.ray_up, f_1.ray_up)) - (_e252 * z));
-    out_.clip = vec4(right, top, (0.5 * z), z);
-    out_.position = position;
-    vec3 _e261 = light;
-    out_.light = _e261;
-    out_.surface = vec2(h_3, dot(normal, n_1));
-    Varyings _e265 = out_;
-    gl_Position = _e265.clip;
-    _vs2fs_location0 = _e265.position;
-    _vs2fs_location1 = _e265.light;
-    _vs2fs_location2 = _e265.surface;
+    vec3 up = vec3(0.0, 0.0, 1.0);
+    grid_point(index, p_flat, p_sin_arc, p_drop, p_spacing);
+    vec3 _e48 = p_flat;
+    float _e49 = p_sin_arc;
+    float _e50 = p_drop;
+    float _e51 = p_spacing;
+    vec3 n_2 = ((_e48 * _e49) + (up * (1.0 - _e50)));
+    vec3 _e59 = _group_0_binding_0_vs.planet_x;
+    vec3 _e63 = _group_0_binding_0_vs.planet_y;
+    vec3 _e67 = _group_0_binding_0_vs.planet_z;
+    vec3 planet_n = vec3(dot(_e59, n_2), dot(_e63, n_2), dot(_e67, n_2));
+    float _e72 = _group_0_binding_0_vs.amplitude;
+    float _e75 = _group_0_binding_0_vs.mountain_rate;
+    float _e78 = _group_0_binding_0_vs.sea;
+    vec4 _e79 = height_field(planet_n, _e72, _e75, _e78, _e51);
+    float h_4 = _e79.w;
+    float _e81 = m_radius;
+    float r = (_e81 + h_4);
+    vec3 position_1 = ((_e48 * (r * _e49)) + (up * ((h_4 - f_camera_altitude) - (r * _e50))));
+    vec3 _e92 = _group_0_binding_0_vs.planet_x;
+    vec3 _e97 = _group_0_binding_0_vs.planet_y;
+    vec3 _e103 = _group_0_binding_0_vs.planet_z;
+    vec3 g = (((_e92 * _e79.x) + (_e97 * _e79.y)) + (_e103 * _e79.z));
+    float _e110 = m_radius;
+    vec3 normal_1 = normalize((n_2 - ((g - (n_2 * dot(g, n_2))) / vec3(_e110))));
+    vec4 _e119 = clip_position(position_1);
+    out_clip = _e119;
+    out_position = position_1;
+    vec3 _e120 = m_rayleigh;
+    float _e121 = m_rayleigh_inv_height;
+    float _e122 = m_mie_inv_height;
+    vec3 _e123 = m_mie_extinction;
+    float _e124 = m_ozone_center;
+    float _e125 = m_ozone_inv_half_width;
+    vec3 _e126 = m_ozone;
+    float _e127 = m_radius;
+    float _e128 = m_thickness;
+    vec3 _e129 = ground_light(_e120, _e121, _e122, _e123, _e124, _e125, _e126, _e127, _e128, h_4, n_2, normal_1);
+    out_light = _e129;
+    out_surface = vec3(h_4, dot(normal_1, n_2), dot(n_2, f_sun_1));
+    vec4 _e133 = out_clip;
+    vec3 _e134 = out_position;
+    vec3 _e135 = out_light;
+    vec3 _e136 = out_surface;
+    gl_Position = _e133;
+    _vs2fs_location0 = _e134;
+    _vs2fs_location1 = _e135;
+    _vs2fs_location2 = _e136;
     gl_Position.yz = vec2(-gl_Position.y, gl_Position.z * 2.0 - gl_Position.w);
     return;
 }

@@ -39,15 +39,9 @@ struct Frame {
     DepthCode depth;
     uint view_samples;
     uint light_samples;
-    uint low_resolution;
+    uint reduced;
     float camera_altitude;
-    vec4 limb;
-};
-struct Line {
-    float b;
-    float p;
-    float x_closest;
-    bool ground;
+    vec4 sky_view_mapping;
 };
 const float HALF_MAX = 32000.0;
 
@@ -66,33 +60,35 @@ float excess_of(float h, float radius) {
     return (h * ((2.0 * radius) + h));
 }
 
-float half_chord2_(float b, float above, float depth, float p) {
+float half_chord2_(float r_mu, float above, float depth, float p) {
     float sphere = (depth + p);
-    if ((abs(b) < sphere)) {
-        return ((b * b) - above);
+    if ((abs(r_mu) < sphere)) {
+        return ((r_mu * r_mu) - above);
     }
     return (depth * (sphere + p));
 }
 
-Line line_past(vec3 dir, float h_1, float radius_1) {
+void line_past(vec3 dir, float h_1, float radius_1, inout bool out_ground) {
     bool local = false;
     float r = (radius_1 + h_1);
-    float b_1 = (r * dir.z);
+    float r_mu_1 = (r * dir.z);
     float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
-    float _e11 = excess_of(h_1, radius_1);
-    float _e13 = half_chord2_(b_1, _e11, (radius_1 - p_1), p_1);
-    if ((b_1 < 0.0)) {
-        local = (_e13 >= 0.0);
+    float _e12 = excess_of(h_1, radius_1);
+    float _e14 = half_chord2_(r_mu_1, _e12, (radius_1 - p_1), p_1);
+    if ((r_mu_1 < 0.0)) {
+        local = (_e14 >= 0.0);
     } else {
         local = false;
     }
     bool _e22 = local;
-    return Line(b_1, p_1, -(_e13), _e22);
+    out_ground = _e22;
 }
 
 bool hits_planet(vec3 dir_1, float h_2, float radius_2) {
-    Line _e3 = line_past(dir_1, h_2, radius_2);
-    return _e3.ground;
+    bool line_past_ground = false;
+    line_past(dir_1, h_2, radius_2, line_past_ground);
+    bool _e4 = line_past_ground;
+    return _e4;
 }
 
 void main() {
@@ -101,32 +97,32 @@ void main() {
     float weight = 0.0;
     int y = -1;
     int x = 0;
-    vec2 _e4 = _group_0_binding_0_fs.size;
-    vec3 _e7 = _group_0_binding_0_fs.ray_forward;
-    vec3 _e10 = _group_0_binding_0_fs.ray_right;
-    vec3 _e13 = _group_0_binding_0_fs.ray_up;
-    vec3 _e14 = pixel_ray(position.xy, _e4, _e7, _e10, _e13);
-    vec3 dir_2 = normalize(_e14);
-    float _e18 = _group_0_binding_0_fs.altitude;
-    float _e22 = _group_0_binding_0_fs.medium.radius;
-    bool _e23 = hits_planet(dir_2, _e18, _e22);
-    if (_e23) {
+    vec2 _e8 = _group_0_binding_0_fs.size;
+    vec3 _e11 = _group_0_binding_0_fs.ray_forward;
+    vec3 _e14 = _group_0_binding_0_fs.ray_right;
+    vec3 _e17 = _group_0_binding_0_fs.ray_up;
+    vec3 _e18 = pixel_ray(position.xy, _e8, _e11, _e14, _e17);
+    vec3 dir_2 = normalize(_e18);
+    float _e22 = _group_0_binding_0_fs.altitude;
+    float _e26 = _group_0_binding_0_fs.medium.radius;
+    bool _e27 = hits_planet(dir_2, _e22, _e26);
+    if (_e27) {
         discard;
     }
     ivec2 size_1 = ivec2(uvec2(textureSize(_group_0_binding_1_fs, 0).xy));
-    vec2 _e30 = _group_0_binding_0_fs.size;
-    vec2 at = (((position.xy / _e30) * vec2(size_1)) - vec2(0.5));
-    ivec2 base = ivec2(floor(at));
-    vec2 part = (at - floor(at));
+    vec2 _e34 = _group_0_binding_0_fs.size;
+    vec2 center = (((position.xy / _e34) * vec2(size_1)) - vec2(0.5));
+    ivec2 base = ivec2(floor(center));
+    vec2 part = (center - floor(center));
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            int _e100 = y;
-            y = (_e100 + 1);
+            int _e99 = y;
+            y = (_e99 + 1);
         }
         loop_init = false;
-        int _e48 = y;
-        if ((_e48 <= 2)) {
+        int _e46 = y;
+        if ((_e46 <= 2)) {
         } else {
             break;
         }
@@ -135,25 +131,25 @@ void main() {
             bool loop_init_1 = true;
             while(true) {
                 if (!loop_init_1) {
-                    int _e97 = x;
-                    x = (_e97 + 1);
+                    int _e96 = x;
+                    x = (_e96 + 1);
                 }
                 loop_init_1 = false;
-                int _e53 = x;
-                if ((_e53 <= 2)) {
+                int _e51 = x;
+                if ((_e51 <= 2)) {
                 } else {
                     break;
                 }
                 {
-                    int _e57 = x;
-                    int _e58 = y;
-                    vec4 texel = texelFetch(_group_0_binding_1_fs, min(max((base + ivec2(_e57, _e58)), ivec2(0)), (size_1 - ivec2(1))), 0);
-                    int _e69 = x;
-                    int _e71 = y;
-                    vec2 w = max((vec2(1.0) - abs((vec2(float(_e69), float(_e71)) - part))), vec2(0.0001));
+                    int _e54 = x;
+                    int _e55 = y;
+                    vec4 texel = texelFetch(_group_0_binding_1_fs, min(max((base + ivec2(_e54, _e55)), ivec2(0)), (size_1 - ivec2(1))), 0);
+                    int _e67 = x;
+                    int _e69 = y;
+                    vec2 w = max((vec2(1.0) - abs((vec2(float(_e67), float(_e69)) - part))), vec2(0.0001));
                     if ((texel.w >= 0.0)) {
-                        vec4 _e85 = sum;
-                        sum = (_e85 + ((texel * w.x) * w.y));
+                        vec4 _e84 = sum;
+                        sum = (_e84 + ((texel * w.x) * w.y));
                         float _e91 = weight;
                         weight = (_e91 + (w.x * w.y));
                     }

@@ -1,91 +1,167 @@
 //! The disks of sun and moon: a rectangle around each, laid over the sky.
 
-use std::f64::consts::FRAC_PI_2;
-
+use super::effect::{Decision, Effect, Reason};
+use super::graph::{Node, Resource, Stage};
+use super::medium::Air;
 use super::uniforms::{FrameUniform, block};
-use crate::error::Result;
-use crate::gpu::{Backend, DepthUse, Pass, Target, Uniform, reads};
-use crate::model::moon::MOON_ALBEDO;
-use crate::model::scene::{RayBasis, ZenithView};
-use crate::shaders::Program;
+use super::visibility::{MARGIN, disk_rectangle};
+use super::{Frame, background};
+use crate::gpu::{Program, Uniform};
+use crate::model::moon::{Disks, MOON_ALBEDO, Phase};
+use crate::shaders::{moon_disk, sun_disk};
 
 block! {
-    /// `struct Uniforms` in `rectangle.wgsl`.
+    /// `struct Uniforms` in `lib/celestial_disk.wgsl`.
     #[allow(missing_docs)]
     DiskUniform {
         frame: FrameUniform,
-        rect: [f32; 4],
-        moon: [f32; 4],
-        shine: [f32; 4],
+        rectangle: [f32; 4],
+        moon_direction: [f32; 3],
+        moon_sine: f32,
+        moon_chord: f32,
+        albedo_over_pi: f32,
+        earthshine: f32,
+        sun_visibility: f32,
     }
 }
 
-/// Where in the picture (left, bottom, right, top, -1 to 1) the disk may touch a pixel; `None` outside of it.
-/// radius: of the disk with its soft edge, radians; size: of the target, pixels.
-pub(crate) fn rectangle(basis: &RayBasis, sun: glam::DVec3, radius: f64, size: [u32; 2]) -> Option<[f64; 4]> {
-    let axis = basis.right.cross(basis.up).normalize_or_zero();
-    let axis = if axis.dot(basis.forward) < 0.0 { -axis } else { axis };
-    let along = axis.dot(sun);
-    let angle = axis.cross(sun).length().atan2(along);
-    if angle + radius > FRAC_PI_2 - 0.01 {
-        // A cone that reaches the camera's plane has no outline in the picture.
-        let corner = |x: f64, y: f64| axis.angle_between(basis.forward + basis.right * x + basis.up * y);
-        let widest = [corner(-1.0, -1.0), corner(-1.0, 1.0), corner(1.0, -1.0), corner(1.0, 1.0)];
-        let seen = widest.into_iter().fold(0.0, f64::max) + 0.01 > angle - radius;
-        return seen.then_some([-1.0, -1.0, 1.0, 1.0]);
+/// A disk in the sky, as a frame sees it.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct SkyDisk {
+    /// Where in the picture it is drawn (left, bottom, right, top, -1 to 1); `None` where it is not.
+    pub rectangle: Option<[f64; 4]>,
+    /// Why it is drawn or not.
+    why: &'static str,
+}
+
+impl SkyDisk {
+    /// The sun's disk.
+    pub fn sun(frame: &Frame) -> Self {
+        let radius = frame.scene.atmosphere.sun_angular_radius;
+        let seen = Self::new(frame, frame.view.sun, radius, frame.settings.look.sun_disk);
+        let behind_moon = both(frame).is_some_and(|d| d.phase() == Phase::Total);
+        if seen.is_seen() && behind_moon && frame.settings.bound.is_some() {
+            return Self { rectangle: None, why: "behind the moon" };
+        }
+        seen
     }
-    // On the camera's plane at distance 1 the disk lies within a circle around its centre.
-    let reach = (angle + radius).tan() - angle.tan();
-    let span = |side: glam::DVec3, pixels: u32| {
-        let length2 = side.length_squared();
-        let middle = (sun / along - basis.forward).dot(side) / length2;
-        let half = reach / length2.sqrt() + 2.0 / f64::from(pixels.max(1)); // one pixel
-        (middle - half, middle + half)
-    };
-    let ((left, right), (bottom, top)) = (span(basis.right, size[0]), span(basis.up, size[1]));
-    let outside = left > 1.0 || right < -1.0 || bottom > 1.0 || top < -1.0;
-    (!outside).then(|| [left, bottom, right, top].map(|v| v.clamp(-1.0, 1.0)))
+
+    /// The moon's disk.
+    pub fn moon(frame: &Frame) -> Self {
+        let Some(moon) = frame.view.moon else { return Self { rectangle: None, why: "the scene has none" } };
+        let distance = moon.position.length();
+        Self::new(frame, moon.position / distance, (moon.radius / distance).min(1.0).asin(), true)
+    }
+
+    /// A disk lit by the sun. towards: unit; radius: radians.
+    fn new(frame: &Frame, towards: glam::DVec3, radius: f64, switched_on: bool) -> Self {
+        let hidden = |why| Self { rectangle: None, why };
+        let basis = &frame.view.basis;
+        // With the soft edge of half a pixel.
+        let radius = radius + basis.up.length() / f64::from(frame.size[1].max(1));
+        if !frame.settings.look.enabled || !switched_on {
+            return hidden("switched off");
+        }
+        if frame.scene.atmosphere.sun_intensity <= 0.0 {
+            return hidden("the sun is dark");
+        }
+        let Some(rectangle) = disk_rectangle(basis, towards, radius, frame.size) else {
+            return hidden("outside the picture");
+        };
+        let seen = |why| Self { rectangle: Some(rectangle), why };
+        match frame.settings.bound {
+            None => seen("nothing is to be left out"),
+            Some(_) if frame.visibility.hides(towards, radius) => hidden("behind the planet"),
+            Some(_) => seen("in the picture"),
+        }
+    }
+
+    /// Whether it is in the picture.
+    pub fn is_seen(&self) -> bool {
+        self.rectangle.is_some()
+    }
+
+    fn decision(&self) -> Decision {
+        (self.is_seen(), Reason::of(self.why))
+    }
 }
 
-/// How a disk is drawn.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct DiskPlan {
-    pub label: &'static str,
-    pub program: Program,
-    /// As `rectangle` gives it.
-    pub rect: [f64; 4],
-    /// Share of the sun's disk that the moon leaves.
-    pub share: f64,
+/// The disks of sun and moon as the camera sees them; `None` without a moon.
+fn both(frame: &Frame) -> Option<Disks> {
+    frame.view.moon?.disks(glam::DVec3::ZERO, frame.view.sun, frame.scene.atmosphere.sun_angular_radius)
 }
 
-/// The pass that draws a disk.
-pub(crate) fn disk_pass(
-    backend: &mut dyn Backend,
-    view: &ZenithView,
-    frame: &FrameUniform,
-    plan: &DiskPlan,
-    target: Target,
-) -> Result<Pass> {
-    let [left, bottom, right, top] = plan.rect;
+/// The sun's disk.
+pub(crate) struct SunDisk;
+
+impl Effect for SunDisk {
+    fn name(&self) -> &'static str {
+        "sun disk"
+    }
+
+    fn decide(&self, frame: &Frame) -> Decision {
+        frame.sun.decision()
+    }
+
+    fn push_nodes(&self, frame: &Frame, nodes: &mut Vec<Node>) {
+        let hidden = both(frame).is_some_and(|d| d.apart < d.sun + d.moon + MARGIN);
+        let limb = frame.settings.look.limb_darkening;
+        let air = dimming(frame);
+        let constants = [("AIR", air.any()), ("LIMB_DARKENING", limb), ("MOON", hidden)];
+        push_disk(frame, "sun", air.program(&sun_disk::INFO, constants), &frame.sun, nodes);
+    }
+}
+
+/// The moon's disk.
+pub(crate) struct MoonDisk;
+
+impl Effect for MoonDisk {
+    fn name(&self) -> &'static str {
+        "moon disk"
+    }
+
+    fn decide(&self, frame: &Frame) -> Decision {
+        frame.moon.decision()
+    }
+
+    fn push_nodes(&self, frame: &Frame, nodes: &mut Vec<Node>) {
+        let air = dimming(frame);
+        push_disk(frame, "moon", air.program(&moon_disk::INFO, [("AIR", air.any())]), &frame.moon, nodes);
+    }
+}
+
+/// The air that dims a disk here: none where the aerial pass dims what lies behind the air.
+fn dimming(frame: &Frame) -> Air {
+    if background::is_drawn(frame) { frame.omission.air } else { Air::default() }
+}
+
+/// The node that draws a disk.
+fn push_disk(frame: &Frame, label: &'static str, program: Program, disk: &SkyDisk, nodes: &mut Vec<Node>) {
+    let Some([left, bottom, right, top]) = disk.rectangle else { return };
+    let fraction = 0.25 * (right - left) * (top - bottom);
+    let view = &frame.view;
     // The frame's up points to the target's first row.
-    let flipped = glam::Vec3::from(frame.ray_up).as_dvec3().dot(view.basis.up) < 0.0;
+    let flipped = glam::Vec3::from(frame.uniform.ray_up).as_dvec3().dot(view.basis.up) < 0.0;
     let rect = if flipped { [left, -top, right, -bottom] } else { [left, bottom, right, top] };
-    let (mut moon, mut shine) = ([0.0; 4], [0.0; 4]);
+    let mut block =
+        DiskUniform { frame: frame.uniform, rectangle: rect.map(|v| v as f32), ..DiskUniform::default() };
     if let Some(m) = &view.moon {
-        let (towards, sine) = (m.position.normalize_or_zero(), m.radius / m.position.length());
-        moon = [towards.x, towards.y, towards.z, sine];
+        let sine = m.radius / m.position.length();
         // 2 sin(a / 2) of sin a, without a difference of cosines.
         let chord = (2.0 * sine * sine / (1.0 + (1.0 - sine * sine).max(0.0).sqrt())).sqrt();
-        shine = [chord, MOON_ALBEDO / std::f64::consts::PI, m.earthshine, plan.share];
+        block = DiskUniform {
+            moon_direction: m.position.normalize_or_zero().as_vec3().to_array(),
+            moon_sine: sine as f32,
+            moon_chord: chord as f32,
+            albedo_over_pi: (MOON_ALBEDO / std::f64::consts::PI) as f32,
+            earthshine: m.earthshine as f32,
+            sun_visibility: both(frame).map_or(1.0, |d| d.visible()) as f32,
+            ..block
+        };
     }
-    let [rect, moon, shine] = [rect, moon, shine].map(|v| v.map(|v| v as f32));
-    let uniform = DiskUniform { frame: *frame, rect, moon, shine };
-    Ok(Pass {
-        label: plan.label,
-        program: Some(backend.create_program(plan.program)?),
-        textures: reads([]),
-        uniform: Uniform::new(&uniform),
-        target,
-        depth: DepthUse::Always,
-    })
+    nodes.push(Node {
+        uniform: Uniform::new(&block),
+        fraction,
+        ..Node::draw(label, Stage::Background, program.blended(), Resource::Background)
+    });
 }

@@ -1,38 +1,117 @@
-//! The moon's shadow in the air and on the ground.
+//! The moon's shadow in the air and on the ground: whether it falls on what is seen, and the LUT that passes
+//! read of it.
 
 use std::f64::consts::PI;
 
-use super::lut::TablesUniform;
+use super::Frame;
+use super::effect::{Decision, Effect, Reason};
+use super::graph::{Extent, Node, Resource, Runs, Texel, Work};
+use super::luts::LutsUniform;
+use super::medium::{NO_AIR, Sunlight};
 use super::uniforms::{FrameUniform, block};
+use crate::gpu::Uniform;
 use crate::model::atmosphere::AtmosphereParams;
 use crate::model::moon::{Disks, Moon};
 use crate::model::scene::ZenithView;
 
 block! {
-    /// `struct MoonShadow` in `moon_block.wgsl`.
+    /// `struct MoonShadow` in `lib/moon_shadow.wgsl`.
     #[allow(missing_docs)]
     ShadowUniform {
         across: [f32; 3],
         along: f32,
         radius: f32,
-        tangent: f32,
-        least: f32,
-        rate: f32,
+        tan_sun_radius: f32,
+        min_visibility: f32,
+        inv_extent: f32,
     }
 }
 
 block! {
-    /// `struct Uniforms` in `sky.wgsl` and `aerial.wgsl` under a moon's shadow.
+    /// `struct Uniforms` in `lib/eclipsed_sun.wgsl`, of passes under a moon's shadow.
     #[allow(missing_docs)]
     EclipseUniform {
         frame: FrameUniform,
-        tables: TablesUniform,
-        eclipse: ShadowUniform,
+        luts: LutsUniform,
+        moon_shadow: ShadowUniform,
     }
 }
 
-/// Texels of the shade.
-pub(crate) const TEXELS: usize = 256;
+block! {
+    /// What the texels of the moon-shadow LUT depend on, as bytes; no shader reads it.
+    ShadowKey {
+        /// Each of the five numbers of `MoonShadow` as the two halves of an f64, then padding.
+        halves: [u32; 10],
+        /// Fills up sixteen bytes.
+        pad: [u32; 2],
+    }
+}
+
+/// The moon-shadow LUT as nodes name it.
+pub(crate) const MOON_SHADOW: Resource = Resource::pool("moon_shadow_lut", 0);
+
+/// Texels of a row of the moon-shadow LUT.
+const TEXELS: usize = 256;
+
+/// The moon's shadow on air that is seen.
+pub(crate) struct Eclipse;
+
+impl Effect for Eclipse {
+    fn name(&self) -> &'static str {
+        "eclipse"
+    }
+
+    fn decide(&self, frame: &Frame) -> Decision {
+        let (p, view, seen) = (&frame.scene.atmosphere, &frame.view, &frame.visibility);
+        let down = -glam::DVec3::Z * seen.camera_radius;
+        // The whole planet with its air; and what a camera within the air can see of it.
+        let apart = misses(view, p, down, seen.top).max(misses(view, p, glam::DVec3::ZERO, seen.farthest()));
+        if view.moon.is_none() {
+            (false, Reason::of("the scene has no moon"))
+        } else if !frame.has_air() {
+            NO_AIR
+        } else if !frame.is_on(&Sunlight) {
+            (false, Reason::of("there is no light to hide"))
+        } else if frame.settings.bound.is_some() && apart > 0.0 {
+            (false, Reason::number("the moon's shadow misses the air in sight by", apart / 1e3, " km"))
+        } else {
+            (true, Reason::of("the moon's shadow falls on air in sight"))
+        }
+    }
+
+    fn push_nodes(&self, frame: &Frame, nodes: &mut Vec<Node>) {
+        let Some(shadow) = frame.moon_shadow() else { return };
+        let extent = Extent { size: [TEXELS as u32, 2], texel: Texel::Exact };
+        let upload = Work::Upload(|frame| frame.moon_shadow().map_or_else(Vec::new, |s| s.texels().to_vec()));
+        let key = Uniform::new(&shadow.key());
+        nodes.push(Node::fill("moon-shadow LUT", Runs::PerAltitude, upload, MOON_SHADOW, extent, key));
+    }
+}
+
+impl Frame {
+    /// The moon's shadow, if it falls on what is seen.
+    pub(crate) fn moon_shadow(&self) -> Option<MoonShadow> {
+        let moon = self.view.moon.as_ref().filter(|_| self.is_on(&Eclipse))?;
+        Some(MoonShadow::new(&self.view, &self.scene.atmosphere, moon))
+    }
+
+    /// The block that says where it is, if it falls on what is seen.
+    pub(crate) fn moon_shadow_block(&self) -> Option<ShadowUniform> {
+        let moon = self.view.moon.as_ref().filter(|_| self.is_on(&Eclipse))?;
+        Some(shadow_block(&self.view, &self.scene.atmosphere, moon, &self.moon_shadow()?))
+    }
+
+    /// The block of a pass that marches under the moon's shadow.
+    pub(crate) fn with_eclipse(&self, frame: FrameUniform) -> Uniform {
+        let steps = self.luts().map_or(0, |luts| {
+            // Half of what a texel of the LUTs gets: here it is for each pixel.
+            (luts.sky_view_steps / 2).max(4)
+        });
+        let moon_shadow = self.moon_shadow_block().unwrap_or_default();
+        let luts = if steps > 0 { LutsUniform { steps, ..self.luts_block } } else { LutsUniform::default() };
+        Uniform::new(&EclipseUniform { frame, luts, moon_shadow })
+    }
+}
 
 /// Where the moon stands as seen from the camera: across the sun's direction and along it, metres.
 fn offset(view: &ZenithView, moon: &Moon) -> (glam::DVec3, f64) {
@@ -46,7 +125,7 @@ fn penumbra(moon: &Moon, sun_radius: f64, behind: f64) -> f64 {
 }
 
 /// How far from a ball (metres; centre from the camera) the penumbra passes; 0 where it touches it.
-pub(crate) fn misses(view: &ZenithView, p: &AtmosphereParams, center: glam::DVec3, radius: f64) -> f64 {
+fn misses(view: &ZenithView, p: &AtmosphereParams, center: glam::DVec3, radius: f64) -> f64 {
     let Some(moon) = &view.moon else { return f64::INFINITY };
     let (across, along) = offset(view, moon);
     let beside = center.dot(view.sun);
@@ -58,14 +137,14 @@ pub(crate) fn misses(view: &ZenithView, p: &AtmosphereParams, center: glam::DVec
     (apart - radius - penumbra(moon, p.sun_angular_radius, behind)).max(0.0)
 }
 
-/// How far around a point the sunlight counts that is scattered there again: mean distance in scale heights of the gas.
-/// Chosen for the Earth by path tracing under a total eclipse, see docs/eclipse.md: much the same for red and blue, so
-/// that it is the air's depth that decides and not how far light goes in it.
+/// How far around a point the sunlight counts that is scattered there again: mean distance in scale heights
+/// of the gas. Chosen for the Earth by path tracing under a total eclipse, see docs/eclipse.md: much the same
+/// for red and blue, so that it is the air's depth that decides and not how far light goes in it.
 const AROUND: f64 = 5.0;
 
-/// What the shade is made of; it is made again where this changes. Metres and radians.
+/// What the moon-shadow LUT is made of; it is made again where this changes. Metres and radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Shade {
+pub(crate) struct MoonShadow {
     /// Distance of the planet's middle behind the moon.
     behind: f64,
     moon_radius: f64,
@@ -75,7 +154,7 @@ pub(crate) struct Shade {
     limb_darkening: bool,
 }
 
-impl Shade {
+impl MoonShadow {
     pub fn new(view: &ZenithView, p: &AtmosphereParams, moon: &Moon) -> Self {
         let (_, along) = offset(view, moon);
         // At the planet's middle: over the planet the cones change by a percent.
@@ -87,6 +166,19 @@ impl Shade {
             length: AROUND * p.rayleigh_scale_height,
             limb_darkening: moon.limb_darkening,
         }
+    }
+
+    fn key(&self) -> ShadowKey {
+        let Self { behind, moon_radius, sun_angular_radius, length, limb_darkening } = *self;
+        let length = if limb_darkening { length } else { -length };
+        let mut halves = [0; 10];
+        for (pair, v) in
+            halves.chunks_exact_mut(2).zip([behind, moon_radius, sun_angular_radius, length, 0.0])
+        {
+            let bits = v.to_bits();
+            (pair[0], pair[1]) = (bits as u32, (bits >> 32) as u32);
+        }
+        ShadowKey { halves, pad: [0; 2] }
     }
 
     /// Distance from the shadow's axis up to which the first row reaches, metres.
@@ -102,9 +194,10 @@ impl Shade {
         Disks { sun: self.sun_angular_radius, moon, apart }
     }
 
-    /// Share of sunlight by the distance from the shadow's axis, as a mean over points all around whose distances are
-    /// distributed like `exp(-x / length)`. In a second row what a darker edge of the sun makes of the share: over
-    /// that of a uniform disk, at the places of `limb_place` in `moon_shadow.wgsl`. Red, green, blue, unused; per texel.
+    /// Share of sunlight by the distance from the shadow's axis, as a mean over points all around whose
+    /// distances are distributed like `exp(-x / length)`. In a second row what a darker edge of the sun makes
+    /// of the share: over that of a uniform disk, at the positions of `moon_distance_to_u` in
+    /// `lib/moon_shadow.wgsl`. Red, green, blue, unused; per texel.
     pub fn texels(&self) -> [f32; 8 * TEXELS] {
         let step = self.reach() / (TEXELS - 1) as f64;
         // Of the point itself.
@@ -121,7 +214,8 @@ impl Shade {
         // Midpoints of equal weights: in the distance, and around half of a turn.
         const RINGS: usize = 12;
         const TURNS: usize = 8;
-        let rings: [f64; RINGS] = std::array::from_fn(|i| -self.length * (1.0 - (i as f64 + 0.5) / RINGS as f64).ln());
+        let rings: [f64; RINGS] =
+            std::array::from_fn(|i| -self.length * (1.0 - (i as f64 + 0.5) / RINGS as f64).ln());
         let turns: [f64; TURNS] = std::array::from_fn(|i| ((i as f64 + 0.5) / TURNS as f64 * PI).cos());
         let mut texels = [1.0; 8 * TEXELS];
         let (around, limb) = texels.split_at_mut(4 * TEXELS);
@@ -149,24 +243,27 @@ impl Shade {
         texels
     }
 
-    /// `limb_place` the other way: the angle at a share of the second row.
+    /// `moon_distance_to_u` the other way: the angle at a share of the second row.
     fn apart_at(&self, share: f64) -> f64 {
         let Disks { sun, moon, .. } = self.disks(0.0);
         let inner = (sun - moon).abs();
-        if share < 0.25 { 4.0 * share * inner } else { inner + 2.0 * sun.min(moon) * ((share - 0.25) / 0.75).powi(2) }
+        if share < 0.25 {
+            4.0 * share * inner
+        } else {
+            inner + 2.0 * sun.min(moon) * ((share - 0.25) / 0.75).powi(2)
+        }
     }
 }
 
-/// The block of a shadow with this shade.
-pub(crate) fn shadow(view: &ZenithView, p: &AtmosphereParams, moon: &Moon, shade: &Shade) -> ShadowUniform {
+fn shadow_block(view: &ZenithView, p: &AtmosphereParams, moon: &Moon, shadow: &MoonShadow) -> ShadowUniform {
     let (across, along) = offset(view, moon);
     ShadowUniform {
         across: (across * 1e-3).as_vec3().to_array(),
         along: (along * 1e-3) as f32,
         radius: (moon.radius * 1e-3) as f32,
-        tangent: p.sun_angular_radius.tan() as f32,
-        least: moon.floor as f32,
-        rate: (1e3 / shade.reach()) as f32,
+        tan_sun_radius: p.sun_angular_radius.tan() as f32,
+        min_visibility: moon.floor as f32,
+        inv_extent: (1e3 / shadow.reach()) as f32,
     }
 }
 
@@ -178,7 +275,7 @@ mod tests {
     fn a_darker_edge_is_a_factor_between_the_texels_too() {
         for size in [0.3, 0.95, 1.0, 1.0566, 1.3_f64] {
             let sun = 4.65e-3;
-            let shade = Shade {
+            let shade = MoonShadow {
                 behind: 3.7e8,
                 moon_radius: (size * sun).sin() * 3.7e8,
                 sun_angular_radius: sun,

@@ -1,103 +1,53 @@
-//! What a picture sees of a planet, and upper bounds of what its air does to light.
+//! What may be left out of a frame: upper bounds of what the air does to light, and the choice of what costs
+//! least of the
+//! [`Bound`].
 
 use std::f64::consts::PI;
 
-use super::plan::{Bound, MARGIN};
+use super::visibility::{MARGIN, Visibility};
 use crate::model::atmosphere::{AtmosphereParams, MiePhase};
-use crate::model::scene::ZenithView;
+use crate::settings::Bound;
 
-/// What part of a bound something uses up.
-pub(crate) fn share(change: f64, bound: f64) -> f64 {
+/// The part of a bound that a change uses up; 0 for no change.
+pub(crate) fn cost(change: f64, bound: f64) -> f64 {
     if change <= 0.0 { 0.0 } else { change / bound }
 }
 
-/// What a picture sees: the cone around its middle that holds its corners, and the planet. Radians and metres.
-pub(crate) struct Sight {
-    pub radius: f64,
-    pub top: f64,
-    /// Of the camera; ground level where it is below that.
-    pub r: f64,
-    pub altitude: f64,
-    /// Half angle under which the planet is seen.
-    pub planet: f64,
-    pub sun_elevation: f64,
-    /// Whether air can be in the picture; rays that end on the ground; rays through air that do not.
-    pub air: bool,
-    pub ground: bool,
-    pub sky: bool,
-    /// Lowest altitude of the air in the picture.
-    pub lowest: f64,
+/// Fraction of the bound below which what is on goes off; off goes on again above the whole bound. So a scene
+/// on a threshold does not switch in every frame.
+const STAYS_ON: f64 = 0.5;
+
+/// Something that may be left out.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Candidate {
+    /// The part of the bound that leaving it out uses up; infinite where that cannot be said.
+    pub cost: f64,
+    /// Whether the scene has it at all: what is absent costs nothing to leave out, not even of no bound.
+    pub absent: bool,
+    /// Whether it was on in the frame before.
+    pub was_on: bool,
 }
 
-impl Sight {
-    pub fn new(p: &AtmosphereParams, view: &ZenithView) -> Self {
-        let b = &view.basis;
-        let axis = b.forward.normalize_or_zero();
-        let corners = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
-        let corners = corners.map(|(x, y)| (b.forward + b.right * x + b.up * y).normalize_or_zero());
-        let most = |of: glam::DVec3| corners.iter().map(|&c| angle(c, of)).fold(0.0, f64::max);
-        // Beyond a right angle the cone does not hold what lies between its corners.
-        let widest = Some(most(axis)).filter(|w| *w < 0.5 * PI).unwrap_or(PI);
-        let (radius, top) = (p.planet_radius, p.atmosphere_radius);
-        let altitude = view.altitude.max(0.0);
-        let r = radius + altitude;
-        let planet = (radius / r).min(1.0).asin();
-        let shell = if r > top { (top / r).asin() } else { PI };
-        // Angles from straight down to the picture: no nearer than its cone and than each of its four sides.
-        let down = -glam::DVec3::Z;
-        let side = |i: usize| {
-            let inward = corners[i].cross(corners[(i + 1) % 4]).normalize_or_zero();
-            let inward = if inward.dot(axis) < 0.0 { -inward } else { inward };
-            (-inward.dot(down)).clamp(0.0, 1.0).asin()
-        };
-        let nearest = (0..4).map(side).fold(angle(axis, down) - widest, f64::max) - MARGIN;
-        let (nearest, farthest) = (nearest.max(0.0), most(down) + MARGIN);
-        let air = nearest <= shell;
-        let ground = nearest <= planet;
-        let lowest = match nearest {
-            _ if ground => 0.0,
-            n if n < 0.5 * PI => (r * n.sin() - radius).max(0.0),
-            _ => altitude,
-        };
-        Self {
-            radius,
-            top,
-            r,
-            altitude,
-            planet,
-            sun_elevation: view.sun.z.clamp(-1.0, 1.0).asin(),
-            air,
-            ground,
-            sky: air && farthest >= planet,
-            lowest,
+/// Which candidates are left out: the cheapest, as long as their costs add up to no more than the bound.
+/// bounded: `false` leaves out only what is absent.
+pub(crate) fn omit<const N: usize>(candidates: [Candidate; N], bounded: bool) -> [bool; N] {
+    let mut order: [usize; N] = std::array::from_fn(|i| i);
+    order.sort_unstable_by(|&a, &b| candidates[a].cost.total_cmp(&candidates[b].cost));
+    let mut spent = 0.0;
+    let mut out = [false; N];
+    for i in order {
+        let Candidate { cost, absent, was_on } = candidates[i];
+        let most = if was_on { STAYS_ON } else { 1.0 };
+        if absent || (bounded && spent + cost <= most) {
+            spent += if absent { 0.0 } else { cost };
+            out[i] = true;
         }
     }
-
-    /// Whether the planet hides all of a disk. radius: radians.
-    pub fn hides(&self, towards: glam::DVec3, radius: f64) -> bool {
-        angle(towards, -glam::DVec3::Z) + radius + MARGIN < self.planet
-    }
-
-    /// Distance to the farthest air that a straight line from the camera reaches before the ground or space, metres.
-    pub fn farthest(&self) -> f64 {
-        let to = |r: f64| ((r - self.radius) * (r + self.radius)).max(0.0).sqrt();
-        to(self.r) + to(self.top)
-    }
-
-    /// Angle at the planet's centre from the camera to the farthest air above an altitude that it sees.
-    pub fn reach(&self, low: f64) -> f64 {
-        let a = self.radius + low;
-        (a / self.r).min(1.0).acos() + (a / self.top).min(1.0).acos()
-    }
-}
-
-/// Of two unit vectors.
-fn angle(a: glam::DVec3, b: glam::DVec3) -> f64 {
-    a.dot(b).clamp(-1.0, 1.0).acos()
+    out
 }
 
 /// Upper bounds of optical depths and of light, for the air above an altitude.
-pub(crate) struct Scattering<'a> {
+pub(crate) struct LightBounds<'a> {
     p: &'a AtmosphereParams,
     low: f64,
     /// Densities along the longest path in sight, and of a sunbeam to it, metres.
@@ -105,11 +55,11 @@ pub(crate) struct Scattering<'a> {
     sunbeam: [f64; 3],
 }
 
-impl<'a> Scattering<'a> {
-    pub fn new(p: &'a AtmosphereParams, sight: &Sight, low: f64) -> Self {
+impl<'a> LightBounds<'a> {
+    pub fn new(p: &'a AtmosphereParams, visibility: &Visibility, low: f64) -> Self {
         let seen = longest(p, low);
         // Where the sun stands above the horizon of all air in sight, no beam comes from below.
-        let below = sight.sun_elevation < sight.reach(low);
+        let below = visibility.sun_elevation < visibility.arc_to_air_above(low);
         Self { p, low, seen, sunbeam: if below { longest(p, 0.0) } else { seen } }
     }
 
@@ -149,13 +99,13 @@ impl<'a> Scattering<'a> {
         }
     }
 
-    /// The share of a bound that leaving a constituent out uses up.
+    /// The part of a bound that leaving a constituent out uses up.
     ///
-    /// Without its extinction, light on the way to the eye and on the way from the sun is brighter by at most the
-    /// exponential of its optical depth along both. The light that it scatters is at most its optical depth
-    /// times its largest phase function times the light that there is; and against the other constituent, at most
-    /// the largest ratio of what both scatter at any altitude in any direction. Light that comes from elsewhere
-    /// counts as three times the sun's: that of a white ground and of the air.
+    /// Without its extinction, light on the way to the eye and on the way from the sun is brighter by at most
+    /// the exponential of its optical depth along both. The light that it scatters is at most its optical
+    /// depth times its largest phase function times the light that there is; and against the other
+    /// constituent, at most the largest ratio of what both scatter at any altitude in any direction. Light
+    /// that comes from elsewhere counts as three times the sun's: that of a white ground and of the air.
     pub fn without(&self, i: usize, bound: Bound) -> f64 {
         let depth = largest(self.extinction(i)) * (self.seen[i] + self.sunbeam[i]);
         let scattering = self.scattering(i);
@@ -172,28 +122,32 @@ impl<'a> Scattering<'a> {
                 ratio = ratio.max(if own <= 0.0 { 0.0 } else { own / others });
             }
         }
-        share(depth.exp_m1(), bound.relative) + share(light, bound.absolute).min(share(2.0 * ratio, bound.relative))
+        cost(depth.exp_m1(), bound.relative)
+            + cost(light, bound.absolute).min(cost(2.0 * ratio, bound.relative))
     }
 
-    /// Radiance of light that was scattered more than once, at most: what is scattered into a ray of all that the sun
-    /// and the ground send, twice where the air is thin enough for this to matter.
+    /// Radiance of light that was scattered more than once, at most: what is scattered into a ray of all that
+    /// the sun and the ground send, twice where the air is thin enough for this to matter.
     pub fn multiple(&self) -> f64 {
         let again = (0..2).map(|i| largest(self.scattering(i)) * longest(self.p, 0.0)[i]).sum::<f64>();
         let ground = 2.0 * largest(self.p.ground_albedo);
         let field = self.p.sun_intensity * (ground + 4.0 * again) / (1.0 - (ground + again).min(0.9));
-        let phase = (0..2).map(|i| largest(self.scattering(i)) * self.seen[i] * self.phase(i)[1]).sum::<f64>();
+        let phase =
+            (0..2).map(|i| largest(self.scattering(i)) * self.seen[i] * self.phase(i)[1]).sum::<f64>();
         phase * field
     }
 
     /// Radiance of the air in sight where the sun is far below the horizon, at most; infinite otherwise.
     ///
-    /// Scattered once, there is none where the planet's shadow covers all air in sight. Of all orders: the lowest
-    /// lit point that a horizontal ray meets is at `z = R (1 / cos(d / 2) - 1)` for a sun `d` below the horizon, and
-    /// the light falls with the scale heights `x` that this is up. The exponential lies above
-    /// the all-orders tables of every preset from `x = 4` on, by 1.6 (Mars) and more; tests hold it to that.
-    pub fn night(&self, sight: &Sight, tables: bool) -> f64 {
-        let depression = -sight.sun_elevation - (sight.radius / sight.r).acos();
-        let dip = (sight.radius / sight.top).acos();
+    /// Scattered once, there is none where the planet's shadow covers all air in sight. Of all orders: the
+    /// lowest lit point that a horizontal ray meets is at `z = R (1 / cos(d / 2) - 1)` for a sun `d` below
+    /// the horizon, and the light falls with the scale heights `x` that this is up. The exponential lies
+    /// above the all-orders tables of every preset from `x = 4` on, by 1.6 (Mars) and more; tests hold it to
+    /// that.
+    pub fn night(&self, visibility: &Visibility, tables: bool) -> f64 {
+        let depression =
+            -visibility.sun_elevation - (visibility.planet_radius / visibility.camera_radius).acos();
+        let dip = (visibility.planet_radius / visibility.top).acos();
         if !tables && depression > 2.0 * dip + MARGIN {
             return 0.0;
         }
@@ -204,7 +158,7 @@ impl<'a> Scattering<'a> {
         if depression <= 0.0 || height <= 0.0 {
             return if height <= 0.0 { 0.0 } else { f64::INFINITY };
         }
-        let x = sight.radius * (1.0 / (0.5 * depression).cos() - 1.0) / height;
+        let x = visibility.planet_radius * (1.0 / (0.5 * depression).cos() - 1.0) / height;
         if x < 4.0 {
             return f64::INFINITY;
         }
@@ -213,8 +167,8 @@ impl<'a> Scattering<'a> {
     }
 }
 
-/// Radiance per irradiance and optical depth that the light at night begins with, 1/sr; how fast it falls with the scale
-/// heights up to the lit air; and the least depth that counts. See `Scattering::night`.
+/// Radiance per irradiance and optical depth that the light at night begins with, 1/sr; how fast it falls
+/// with the scale heights up to the lit air; and the least depth that counts. See `LightBounds::night`.
 const NIGHT_LIGHT: f64 = 1.1e-3;
 const NIGHT_FALL: f64 = 0.7;
 const NIGHT_DEPTH: f64 = 0.2;
@@ -223,16 +177,18 @@ fn largest(v: [f64; 3]) -> f64 {
     v.into_iter().fold(0.0, f64::max)
 }
 
-/// Densities integrated along a straight line that comes down to an altitude, from top to top: at most. Metres.
+/// Densities integrated along a straight line that comes down to an altitude, from top to top: at most.
+/// Metres.
 ///
-/// Of an exponential: its Chapman function for a horizontal ray, `sqrt(2 pi r H) (1 + 3 H / (8 r))` and less, and
-/// no more than the line is long. Of the absorber: its largest density times the length within it.
+/// Of an exponential: its Chapman function for a horizontal ray, `sqrt(2 pi r H) (1 + 3 H / (8 r))` and less,
+/// and no more than the line is long. Of the absorber: its largest density times the length within it.
 fn longest(p: &AtmosphereParams, low: f64) -> [f64; 3] {
     let a = p.planet_radius + low;
     let half = |h: f64| ((h - low) * (p.planet_radius + h + a)).max(0.0).sqrt();
     let line = 2.0 * half(p.thickness());
-    let exponential =
-        |height: f64| (-low / height).exp() * line.min((2.0 * PI * a * height).sqrt() * (1.0 + 0.375 * height / a));
+    let exponential = |height: f64| {
+        (-low / height).exp() * line.min((2.0 * PI * a * height).sqrt() * (1.0 + 0.375 * height / a))
+    };
     let (center, width) = (p.ozone_center_altitude, p.ozone_half_width);
     let (from, to) = ((center - width).max(low), (center + width).min(p.thickness()));
     let densest = (1.0 - (low - center).max(0.0) / width).max(0.0);

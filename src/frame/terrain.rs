@@ -1,22 +1,21 @@
 //! The demonstration's terrain: a planet-scale height field, so that occlusion and depth are real.
 //!
-//! It stands in for a user's own scene. The mesh is made in the vertex shader (`terrain.wgsl`); the same
+//! It stands in for a user's own scene. The mesh is made in the vertex shader (`pass/terrain.wgsl`); the same
 //! height field is here in f64, for cameras that shall stand on it and for the CPU renderer.
 
 use glam::{DVec3, IVec3};
 
-use super::eclipse::ShadowUniform;
-use super::lut::TablesUniform;
-use super::uniforms::{FrameOptions, FrameUniform, block};
-use crate::error::Result;
-use crate::gpu::{Backend, DepthUse, Pass, Target, Uniform, reads};
+use super::eclipse::{MOON_SHADOW, ShadowUniform};
+use super::graph::{Node, Resource, Stage, reads};
+use super::luts::LutsUniform;
+use super::uniforms::{FrameUniform, block};
+use super::{Air, Frame};
+use crate::gpu::{DepthUse, Uniform};
 use crate::model::atmosphere::AtmosphereParams;
-use crate::model::scene::Scene;
-use crate::render::sky::{GroundLight, texture};
-use crate::shaders::{Program, TERRAIN_RINGS};
+use crate::shaders::terrain;
 
 block! {
-    /// `struct Terrain` in `terrain.wgsl`.
+    /// `struct Terrain` in `pass/terrain.wgsl`.
     #[allow(missing_docs)]
     TerrainUniform {
         frame: FrameUniform,
@@ -36,10 +35,10 @@ block! {
         mountain_rate: f32,
         high_albedo: [f32; 3],
         snow_line: f32,
-        sky_share: [f32; 3],
+        sky_light: [f32; 3],
         pad: f32,
-        tables: TablesUniform,
-        eclipse: ShadowUniform,
+        luts: LutsUniform,
+        moon_shadow: ShadowUniform,
     }
 }
 
@@ -86,7 +85,7 @@ impl TerrainStyle {
     }
 }
 
-/// `lattice` in `noise.wgsl`.
+/// `lattice` in `lib/noise.wgsl`.
 fn lattice(p: IVec3) -> f64 {
     let mut h = (p.x as u32).wrapping_mul(0x8da6_b343)
         ^ (p.y as u32).wrapping_mul(0xd816_3841)
@@ -97,7 +96,7 @@ fn lattice(p: IVec3) -> f64 {
     f64::from(h >> 8) / 16_777_216.0
 }
 
-/// `noise` in `noise.wgsl`: value and gradient.
+/// `noise` in `lib/noise.wgsl`: value and gradient.
 fn noise(p: DVec3) -> (f64, DVec3) {
     let cell = p.floor();
     let i = cell.as_ivec3();
@@ -108,7 +107,8 @@ fn noise(p: DVec3) -> (f64, DVec3) {
     let mix = |a: f64, b: f64, t: f64| a + (b - a) * t;
     let (v000, v100, v010, v110) = (at(0, 0, 0), at(1, 0, 0), at(0, 1, 0), at(1, 1, 0));
     let (v001, v101, v011, v111) = (at(0, 0, 1), at(1, 0, 1), at(0, 1, 1), at(1, 1, 1));
-    let (x00, x10, x01, x11) = (mix(v000, v100, w.x), mix(v010, v110, w.x), mix(v001, v101, w.x), mix(v011, v111, w.x));
+    let (x00, x10, x01, x11) =
+        (mix(v000, v100, w.x), mix(v010, v110, w.x), mix(v001, v101, w.x), mix(v011, v111, w.x));
     let (y0, y1) = (mix(x00, x10, w.y), mix(x01, x11, w.y));
     let dx = mix(mix(v100 - v000, v110 - v010, w.y), mix(v101 - v001, v111 - v011, w.y), w.z);
     let dy = mix(x10 - x00, x11 - x01, w.z);
@@ -121,7 +121,7 @@ impl TerrainStyle {
     }
 
     /// Height above the surface (metres, ≥ 0) and its gradient (metres per radian) below a unit direction
-    /// in the planet's own axes. `height_field` in `terrain.wgsl`.
+    /// in the planet's own axes. `height_field` in `pass/terrain.wgsl`.
     pub fn height(&self, n: DVec3, planet_radius: f64) -> (f64, DVec3) {
         let mut land = (0.0, DVec3::ZERO);
         for (rate, shift, gain) in [(2.3, 11.0, 0.6), (5.1, 5.0, 0.3), (13.7, 3.0, 0.1)] {
@@ -155,7 +155,7 @@ impl TerrainStyle {
 
     /// Sky light on level ground per unit of the sun's irradiance, sun in the zenith: half of what a
     /// vertical beam loses to scattering. A rough stand-in where no table holds the sky's irradiance.
-    pub fn sky_share(params: &AtmosphereParams) -> [f64; 3] {
+    pub fn sky_light(params: &AtmosphereParams) -> [f64; 3] {
         std::array::from_fn(|c| {
             let tau = params.rayleigh_scattering[c] * params.rayleigh_scale_height
                 + params.mie_scattering[c] * params.mie_scale_height;
@@ -163,20 +163,10 @@ impl TerrainStyle {
         })
     }
 
-    /// The pass that draws the ground with depth, after the sky. `target.depth` must be there and cleared to
-    /// [`crate::DepthConvention::background`]. `light`: what [`crate::SkyRenderer::ground_light`] says.
-    pub fn pass(&self, backend: &mut dyn Backend, scene: &Scene, target: Target, light: &GroundLight) -> Result<Pass> {
-        let view = scene.validate()?;
-        let desc = texture(backend, target.color)?;
-        let options = FrameOptions {
-            size: [desc.width, desc.height],
-            rows: desc.rows,
-            view_samples: 1,
-            light_samples: 1,
-            sky_weight: 1.0,
-            low_resolution: false,
-        };
-        let frame = FrameUniform::new(scene, &view, &options);
+    /// The node that draws the ground with depth, after the sky. The target's depth must be cleared to
+    /// [`crate::DepthConvention::background`].
+    pub(crate) fn node(&self, of: &Frame) -> Node {
+        let (scene, view, frame) = (&of.scene, &of.view, of.uniform);
         let rows = view.world_to_zenith;
         let to_zenith = |v: DVec3| (rows * v).as_vec3().to_array();
         let (radius, h) = (scene.atmosphere.planet_radius, view.altitude.max(1.0));
@@ -192,7 +182,8 @@ impl TerrainStyle {
         // right × up points backwards in a right-handed frame.
         let axis = if axis.dot(b.forward) < 0.0 { -axis } else { axis };
         let offset = |side: DVec3| (b.forward.dot(side) / side.length_squared()) as f32;
-        // Columns of the matrix are the zenith frame's axes in world coordinates, transposed: rows to go back.
+        // Columns of the matrix are the zenith frame's axes in world coordinates, transposed: rows to go
+        // back.
         let back = rows.transpose();
         let row = |i: usize| back.row(i).as_vec3().to_array();
         let color = |c: [f64; 3]| c.map(|v| v as f32);
@@ -203,7 +194,8 @@ impl TerrainStyle {
             grid_x: to_zenith(east),
             arc_scale: arc_scale as f32,
             grid_y: to_zenith(up.cross(east)),
-            arc_rate: (((0.5 * arc_max).tan() / arc_scale).asinh() / f64::from(TERRAIN_RINGS)) as f32,
+            arc_rate: (((0.5 * arc_max).tan() / arc_scale).asinh() / f64::from(terrain::numbers::RINGS))
+                as f32,
             planet_x: row(0),
             sea: if self.sea { 1.0 } else { 0.0 },
             planet_y: row(1),
@@ -214,24 +206,20 @@ impl TerrainStyle {
             mountain_rate: self.mountain_rate(radius) as f32,
             high_albedo: color(self.high_albedo),
             snow_line: (self.snow_line / 1000.0).min(1e6) as f32,
-            sky_share: color(Self::sky_share(&scene.atmosphere)),
+            sky_light: color(Self::sky_light(&scene.atmosphere)),
             pad: 0.0,
-            tables: light.tables,
-            eclipse: light.shadow.map(|(block, _)| block).unwrap_or_default(),
+            luts: if of.rounds() > 0 { of.luts_block } else { LutsUniform::default() },
+            moon_shadow: of.moon_shadow_block().unwrap_or_default(),
         };
-        let mut textures = reads([]);
-        for (slot, id) in textures.iter_mut().zip(light.shadow.map(|(_, shade)| shade).into_iter().chain(light.moments))
-        {
-            *slot = Some(id);
-        }
-        let program = Program::Terrain { sky: light.moments.is_some(), moon: light.shadow.is_some() };
-        Ok(Pass {
-            label: "terrain",
-            program: Some(backend.create_program(program)?),
-            textures,
+        let light = of.multi_scattering();
+        let shadow = of.moon_shadow().map(|_| MOON_SHADOW);
+        let program =
+            Air::ALL.program(&terrain::INFO, [("SKY_LIGHT", light.is_some()), ("MOON", shadow.is_some())]);
+        Node {
             uniform: Uniform::new(&uniform),
-            target,
+            reads: reads([("moon_shadow_lut", shadow), ("multi_scattering_lut", light)]),
             depth: DepthUse::Nearer { reversed: scene.depth.is_reversed() },
-        })
+            ..Node::draw("terrain", Stage::Scene, program, Resource::Background)
+        }
     }
 }

@@ -1,13 +1,14 @@
 //! Exposure, tone mapping, sRGB encoding and dither: the pass, and the same formulas on the CPU.
 
+use super::graph::{Node, Resource, Stage, reads};
 use super::uniforms::block;
 use crate::error::{Error, Result, in_range};
-use crate::gpu::{Backend, DepthUse, Format, Pass, Target, TextureId, Uniform, reads};
-use crate::shaders::Program;
-pub use crate::shaders::ToneMap;
+use crate::gpu::{Backend, Format, Inputs, Pass, Program, Target, TextureId, Uniform};
+use crate::settings::ToneMap;
+use crate::shaders::tone_map;
 
 block! {
-    /// `struct Tone` in `tonemap.wgsl`.
+    /// `struct Tone` in `pass/tone_map.wgsl`.
     #[allow(missing_docs)]
     ToneUniform {
         exposure: f32,
@@ -16,13 +17,45 @@ block! {
     }
 }
 
+/// How a picture's radiance becomes display values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Display {
+    pub tone_map: ToneMap,
+    /// Display units per unit of radiance, 0 to 1e9.
+    pub exposure: f64,
+    /// Adds [`dither`] before an 8-bit target rounds, so that gradients show no bands.
+    pub dither: bool,
+    /// Whether the rows of radiance and display are in opposite order.
+    pub flipped: bool,
+}
+
+impl Display {
+    /// The node that tone-maps the finished radiance.
+    pub(crate) fn node(&self) -> Node {
+        let on = [
+            (tone_map::ACES, self.tone_map == ToneMap::Aces),
+            (tone_map::AGX, self.tone_map == ToneMap::AgX),
+            (tone_map::DITHER, self.dither),
+        ];
+        let constants = on.into_iter().filter(|(_, on)| *on).fold(0, |all, (bit, _)| all | bit);
+        let program = Program::new(&tone_map::INFO, constants);
+        let block =
+            ToneUniform { exposure: self.exposure as f32, flipped: self.flipped.into(), pad: [0.0; 2] };
+        Node {
+            uniform: Uniform::new(&block),
+            reads: reads([("scene_color", Some(Resource::Radiance))]),
+            ..Node::draw("tone mapping", Stage::Display, program, Resource::Display)
+        }
+    }
+}
+
 /// A pass that tone-maps `from` to `to` (usually [`Format::Rgba8`], same size); their row orders may differ.
 ///
-/// `dither` adds [`dither`] before an 8-bit target rounds, so that gradients show no bands; it does nothing to
-/// targets of other formats.
+/// `dither` adds [`dither`] before an 8-bit target rounds, so that gradients show no bands; it does nothing
+/// to targets of other formats.
 ///
 /// # Errors
-/// [`crate::Error::Invalid`] unless `exposure` is from 0 to 1e9 and the sizes are equal.
+/// [`crate::ErrorKind::Invalid`] unless `exposure` is from 0 to 1e9 and the sizes are equal.
 pub fn tone_pass(
     backend: &mut dyn Backend,
     map: ToneMap,
@@ -32,7 +65,7 @@ pub fn tone_pass(
     to: TextureId,
 ) -> Result<Pass> {
     in_range("exposure", exposure, 0.0, 1e9, "")?;
-    let [source, target] = [crate::render::sky::texture(backend, from)?, crate::render::sky::texture(backend, to)?];
+    let [source, target] = [crate::gpu::known(backend, from)?, crate::gpu::known(backend, to)?];
     if (source.width, source.height) != (target.width, target.height) {
         return Err(Error::invalid(
             "tone mapping target",
@@ -40,16 +73,24 @@ pub fn tone_pass(
             format_args!("as large as the radiance: {} × {}", source.width, source.height),
         ));
     }
-    let flipped = (source.rows != target.rows).into();
-    let bytes = matches!(target.format, Format::Rgba8 | Format::Bgra8);
+    let node = Display {
+        tone_map: map,
+        exposure,
+        dither: dither && is_8_bit(target.format),
+        flipped: source.rows != target.rows,
+    }
+    .node();
     Ok(Pass {
-        label: "tone mapping",
-        program: Some(backend.create_program(Program::ToneMap { map, dither: dither && bytes })?),
-        textures: reads([from]),
-        uniform: Uniform::new(&ToneUniform { exposure: exposure as f32, flipped, pad: [0.0; 2] }),
-        target: Target::color(to),
-        depth: DepthUse::Always,
+        program: node.work.program().map(|p| backend.create_program(p)).transpose()?,
+        inputs: Inputs::new([("scene_color", Some(from))]),
+        uniform: node.uniform,
+        ..Pass::clear(node.label, Target::color(to))
     })
+}
+
+/// Whether a target rounds to 8 bits.
+pub(crate) fn is_8_bit(format: Format) -> bool {
+    matches!(format, Format::Rgba8 | Format::Bgra8)
 }
 
 /// Rows times a column.
@@ -57,14 +98,21 @@ fn mul(m: [[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
     m.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
 }
 
-/// Display value (linear, 0 to 1 once clamped) of exposed radiance; sources in `tonemap.wgsl`.
-pub fn tone_map(tone_map: ToneMap, color: [f64; 3]) -> [f64; 3] {
+/// Display value (linear, 0 to 1 once clamped) of exposed radiance; sources in `pass/tone_map.wgsl`.
+pub fn tone_map(curve: ToneMap, color: [f64; 3]) -> [f64; 3] {
     let color = color.map(|c| c.max(0.0));
-    match tone_map {
+    match curve {
         ToneMap::Aces => {
-            let v = mul([[0.59719, 0.35458, 0.04823], [0.07600, 0.90834, 0.01566], [0.02840, 0.13383, 0.83777]], color);
-            let fit = v.map(|v| (v * (v + 0.0245786) - 0.000090537) / (v * (0.983729 * v + 0.4329510) + 0.238081));
-            mul([[1.60475, -0.53108, -0.07367], [-0.10208, 1.10813, -0.00605], [-0.00327, -0.07276, 1.07602]], fit)
+            let v = mul(
+                [[0.59719, 0.35458, 0.04823], [0.07600, 0.90834, 0.01566], [0.02840, 0.13383, 0.83777]],
+                color,
+            );
+            let fit =
+                v.map(|v| (v * (v + 0.0245786) - 0.000090537) / (v * (0.983729 * v + 0.4329510) + 0.238081));
+            mul(
+                [[1.60475, -0.53108, -0.07367], [-0.10208, 1.10813, -0.00605], [-0.00327, -0.07276, 1.07602]],
+                fit,
+            )
         }
         ToneMap::AgX => {
             let inset = [
@@ -103,8 +151,8 @@ pub fn tone_map(tone_map: ToneMap, color: [f64; 3]) -> [f64; 3] {
     }
 }
 
-/// sRGB encoding of a linear value, clamped to 0..1 (IEC 61966-2-1): as in `tonemap.wgsl`, where a fit by roots stands for
-/// the standard's power. It is off by at most 4.5e-5, 0.012 of a step of 8 bits.
+/// sRGB encoding of a linear value, clamped to 0..1 (IEC 61966-2-1): as in `pass/tone_map.wgsl`, where a fit
+/// by roots stands for the standard's power. It is off by at most 4.5e-5, 0.012 of a step of 8 bits.
 pub fn srgb_encode(linear: f64) -> f64 {
     let c = linear.clamp(0.0, 1.0);
     if c <= 0.0031308 {
@@ -115,8 +163,9 @@ pub fn srgb_encode(linear: f64) -> f64 {
     (0.64236099 * r2 + 0.71211629 * r4 - 0.33687249 * r4.sqrt() - 0.01756167 * c).min(1.0)
 }
 
-/// Noise of a pixel (column and row from 0), in steps of an 8-bit display value: more than -1/2, less than 1/2, its mean
-/// over a few pixels next to 0. The same numbers as in `tonemap.wgsl`, which has the source.
+/// Noise of a pixel (column and row from 0), in steps of an 8-bit display value: more than -1/2, less than
+/// 1/2, its mean over a few pixels next to 0. The same numbers as in `pass/tone_map.wgsl`, which has the
+/// source.
 pub fn dither([x, y]: [u32; 2]) -> [f64; 3] {
     let n = x.wrapping_mul(0xc13f_a9a9).wrapping_add(y.wrapping_mul(0x91e1_0da5));
     [0, 0x5555_5555, 0xaaaa_aaaa].map(|offset| {

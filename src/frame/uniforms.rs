@@ -1,4 +1,4 @@
-//! The uniform block of the atmosphere's passes; its WGSL twin is `struct Frame` in `frame.wgsl`.
+//! The uniform block of the atmosphere's passes; its WGSL twin is `struct Frame` in `lib/frame.wgsl`.
 
 use glam::DVec3;
 
@@ -18,6 +18,7 @@ macro_rules! block {
 
         impl $name {
             /// Name and byte offset of every field, for the check against naga's layout.
+            #[allow(dead_code)] // Blocks of private modules are checked through the blocks that hold them.
             pub fn offsets() -> Vec<(&'static str, u32)> {
                 vec![$((stringify!($field), std::mem::offset_of!($name, $field) as u32),)*]
             }
@@ -57,7 +58,7 @@ block! {
 }
 
 block! {
-    /// `struct Frame`: see the fields' comments in `frame.wgsl`.
+    /// `struct Frame`: see the fields' comments in `lib/frame.wgsl`.
     #[allow(missing_docs)]
     FrameUniform {
         medium: MediumUniform,
@@ -75,9 +76,9 @@ block! {
         depth: DepthUniform,
         view_samples: u32,
         light_samples: u32,
-        low_resolution: u32,
+        reduced: u32,
         camera_altitude: f32,
-        limb: [f32; 4],
+        sky_view_mapping: [f32; 4],
     }
 }
 
@@ -102,33 +103,16 @@ impl MediumUniform {
     }
 }
 
-/// What of the frame is not the scene's.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FrameOptions {
-    /// Pixels.
-    pub size: [u32; 2],
-    /// Which end of the picture the target's first row is.
-    pub rows: RowOrder,
-    /// Steps along the view ray.
-    pub view_samples: u32,
-    /// Steps towards the sun.
-    pub light_samples: u32,
-    /// Share of the background pass, 0 to 1; the depth-aware pass takes the rest.
-    pub sky_weight: f64,
-    /// Mark planet pixels instead of discarding them.
-    pub low_resolution: bool,
-}
-
 fn vec3(v: DVec3) -> [f32; 3] {
     v.as_vec3().to_array()
 }
 
 impl FrameUniform {
-    /// How the sky table shares its rows above the horizon, at an altitude (metres): the part for rays that go down and
-    /// pass the ground, how far that part is spaced as seen from outside (0 to 1), evenly in the altitude that a
-    /// ray passes, and the share that it has near the ground, as many rows as crowding at the horizon alone would give
-    /// it. Last: the horizon's cosine of the zenith angle with its sign changed.
-    pub(crate) fn limb(altitude: f64, p: &AtmosphereParams) -> [f32; 4] {
+    /// How the sky table shares its rows above the horizon, at an altitude (metres): the part for rays that
+    /// go down and pass the ground, how far that part is spaced as seen from outside (0 to 1), evenly in the
+    /// altitude that a ray passes, and the share that it has near the ground, as many rows as crowding at the
+    /// horizon alone would give it. Last: the horizon's cosine of the zenith angle with its sign changed.
+    pub(crate) fn sky_view_mapping(altitude: f64, p: &AtmosphereParams) -> [f32; 4] {
         let radius = p.planet_radius;
         let horizon = (altitude * (2.0 * radius + altitude)).sqrt() / (radius + altitude);
         let s_max = (0.5 + 0.5 * horizon).sqrt();
@@ -137,10 +121,20 @@ impl FrameUniform {
         [near + (1.0 - near) * bend, bend, near, horizon].map(|v| v as f32)
     }
 
-    /// From a scene and its [`Scene::validate`]d view. The camera's altitude counts as 0 below the ground.
-    pub fn new(scene: &Scene, view: &ZenithView, options: &FrameOptions) -> Self {
+    /// The block of a checked scene's picture. The camera's altitude counts as 0 below the ground. size:
+    /// pixels; rows: which end of the picture the target's first row is; samples: along the view ray and from
+    /// each of them towards the sun; background_weight: fraction of the sky's light that the background pass
+    /// draws, 0 to 1.
+    pub fn new(
+        scene: &Scene,
+        view: &ZenithView,
+        size: [u32; 2],
+        rows: RowOrder,
+        [view_samples, light_samples]: [u32; 2],
+        background_weight: f64,
+    ) -> Self {
         let p = &scene.atmosphere;
-        let flip = if options.rows == RowOrder::BottomUp { -1.0 } else { 1.0 };
+        let flip = if rows == RowOrder::BottomUp { -1.0 } else { 1.0 };
         let [scale, bias, log, background] = scene.depth.coefficients();
         let chord = 2.0 * (0.5 * p.sun_angular_radius).sin();
         Self {
@@ -148,26 +142,50 @@ impl FrameUniform {
             ray_forward: vec3(view.basis.forward),
             altitude: (view.altitude.max(0.0) / KM) as f32,
             ray_right: vec3(view.basis.right),
-            sky_weight: options.sky_weight as f32,
+            sky_weight: background_weight as f32,
             ray_up: vec3(view.basis.up * flip),
-            shell_weight: (1.0 - options.sky_weight) as f32,
+            shell_weight: (1.0 - background_weight) as f32,
             sun: vec3(view.sun),
             sun_chord: chord as f32,
-            size: options.size.map(|s| s as f32),
+            size: size.map(|s| s as f32),
             // Uniform disk: irradiance 1 over its solid angle, 2 pi (1 - cos) = pi chord^2.
             sun_disk: (1.0 / (std::f64::consts::PI * chord * chord)) as f32,
-            pixel_angle: (2.0 * view.basis.up.length() / f64::from(options.size[1].max(1))) as f32,
+            pixel_angle: pixel_angle(view, size),
             depth: DepthUniform {
                 scale: (scale * KM) as f32,
                 bias: (bias * KM) as f32,
                 log: log as f32,
                 background: background as f32,
             },
-            view_samples: options.view_samples,
-            light_samples: options.light_samples,
-            low_resolution: options.low_resolution.into(),
+            view_samples,
+            light_samples,
+            reduced: 0,
             camera_altitude: (view.altitude / KM) as f32,
-            limb: Self::limb(view.altitude.max(0.0), p),
+            sky_view_mapping: Self::sky_view_mapping(view.altitude.max(0.0), p),
         }
     }
+
+    /// The same block for a smaller picture of the same view, whose planet pixels are marked instead of
+    /// discarded.
+    pub(crate) fn reduced(self, view: &ZenithView, size: [u32; 2]) -> Self {
+        let pixel_angle = pixel_angle(view, size);
+        Self { size: size.map(|s| s as f32), pixel_angle, reduced: 1, ..self }
+    }
+
+    /// What of the block the LUTs of a view depend on: medium, altitude and sun; the rest is 0, so that
+    /// turning the camera leaves its bytes as they are. LUTs hold light per unit of irradiance.
+    pub(crate) fn of_view_luts(&self) -> Self {
+        Self {
+            medium: MediumUniform { irradiance: [0.0; 3], ..self.medium },
+            altitude: self.altitude,
+            sun: self.sun,
+            sky_view_mapping: self.sky_view_mapping,
+            ..Self::default()
+        }
+    }
+}
+
+/// Angle of one pixel in the middle of a picture of a size in pixels, radians.
+fn pixel_angle(view: &ZenithView, size: [u32; 2]) -> f32 {
+    (2.0 * view.basis.up.length() / f64::from(size[1].max(1))) as f32
 }

@@ -50,21 +50,18 @@ impl Headless {
     /// wherever a thread has several.
     ///
     /// # Errors
-    /// [`Error::Driver`] with what EGL answers.
+    /// [`crate::ErrorKind::Driver`] with what EGL answers.
     pub fn make_current(&self) -> Result<()> {
         let Context { egl, display, context } = &self.context;
-        egl.make_current(*display, None, None, Some(*context)).map_err(|e| Error::Driver {
-            backend: "webgl2",
-            what: "make current".into(),
-            reason: e.to_string(),
-        })
+        egl.make_current(*display, None, None, Some(*context))
+            .map_err(|e| Error::driver("webgl2", "make current", e.to_string()))
     }
 
     /// Opens a surfaceless context: on the first EGL device that has ES 3 (a GPU, if its driver is
     /// installed), else through Mesa's surfaceless platform.
     ///
     /// # Errors
-    /// [`Error::Unavailable`] with what each attempt answered.
+    /// [`crate::ErrorKind::Unavailable`] with what each attempt answered.
     pub fn new() -> Result<Self> {
         let mut answers = Vec::new();
         for platform in [PLATFORM_DEVICE_EXT, PLATFORM_SURFACELESS_MESA] {
@@ -73,7 +70,7 @@ impl Headless {
                 Err(e) => answers.push(e),
             }
         }
-        Err(Error::Unavailable { backend: "webgl2", reason: answers.join("; ") })
+        Err(Error::unavailable("webgl2", answers.join("; ")))
     }
 
     fn open(platform: egl::Enum) -> Result<Self, String> {
@@ -81,7 +78,8 @@ impl Headless {
         let egl = egl()?;
         let display = display(egl, platform)?;
         egl.bind_api(egl::OPENGL_ES_API).map_err(|e| text("OpenGL ES", &e))?;
-        let wanted = [egl::SURFACE_TYPE, egl::PBUFFER_BIT, egl::RENDERABLE_TYPE, egl::OPENGL_ES3_BIT, egl::NONE];
+        let wanted =
+            [egl::SURFACE_TYPE, egl::PBUFFER_BIT, egl::RENDERABLE_TYPE, egl::OPENGL_ES3_BIT, egl::NONE];
         let config = egl
             .choose_first_config(display, &wanted)
             .map_err(|e| text("config", &e))?
@@ -107,7 +105,8 @@ fn egl() -> Result<&'static Egl, String> {
     static LOADED: OnceLock<Result<Egl, String>> = OnceLock::new();
     let load = || {
         // SAFETY: the system's EGL loader; its initialisers have no preconditions.
-        let library = unsafe { libloading::Library::new("libEGL.so.1") }.map_err(|e| format!("libEGL.so.1: {e}"))?;
+        let library =
+            unsafe { libloading::Library::new("libEGL.so.1") }.map_err(|e| format!("libEGL.so.1: {e}"))?;
         // SAFETY: symbols are looked up by their standard names.
         unsafe { Egl::load_required_from(library) }.map_err(|e| format!("EGL 1.5: {e}"))
     };
@@ -123,8 +122,8 @@ struct Initialised {
 // SAFETY: EGL handles belong to the process, and its functions may be called from any thread (EGL 1.5, 2.2).
 unsafe impl Send for Initialised {}
 
-/// A platform's display. All contexts of a process share one: EGL gives the same handle again, and what one caller
-/// initialises or terminates is so for all (EGL 1.5, 3.2).
+/// A platform's display. All contexts of a process share one: EGL gives the same handle again, and what one
+/// caller initialises or terminates is so for all (EGL 1.5, 3.2).
 fn display(egl: &Egl, platform: egl::Enum) -> Result<egl::Display, String> {
     static INITIALISED: Mutex<Vec<Initialised>> = Mutex::new(Vec::new());
     let mut initialised = INITIALISED.lock().unwrap_or_else(PoisonError::into_inner);
@@ -142,7 +141,8 @@ fn display(egl: &Egl, platform: egl::Enum) -> Result<egl::Display, String> {
 
 /// The first device of `EGL_EXT_device_enumeration`.
 fn first_device(egl: &Egl) -> Result<*mut std::ffi::c_void, String> {
-    type QueryDevices = unsafe extern "system" fn(egl::Int, *mut *mut std::ffi::c_void, *mut egl::Int) -> egl::Boolean;
+    type QueryDevices =
+        unsafe extern "system" fn(egl::Int, *mut *mut std::ffi::c_void, *mut egl::Int) -> egl::Boolean;
     let query = egl.get_proc_address("eglQueryDevicesEXT").ok_or("EGL_EXT_device_enumeration is missing")?;
     // SAFETY: the extension's function has this signature.
     let query: QueryDevices = unsafe { std::mem::transmute(query) };

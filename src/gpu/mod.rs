@@ -6,13 +6,25 @@
 
 #[cfg(feature = "egl")]
 pub mod egl;
+#[cfg(any(feature = "wgpu", feature = "webgl"))]
+mod map;
+pub mod pool;
+mod program;
 #[cfg(feature = "webgl")]
 pub mod webgl;
 #[cfg(feature = "wgpu")]
 pub mod wgpu;
 
+#[cfg(any(feature = "wgpu", feature = "webgl"))]
+use std::sync::atomic::{AtomicU64, Ordering};
+
 use crate::error::{Error, Result};
-use crate::shaders::Program;
+pub use pool::{PoolKey, TexturePool};
+#[cfg(feature = "webgl")]
+pub use program::Glsl;
+#[cfg(any(feature = "wgpu", feature = "translate"))]
+pub(crate) use program::SAMPLER_BINDING;
+pub use program::{Inputs, Program, ProgramInfo, TEXTURES_MAX, TextureSlot, Vertices};
 
 slotmap::new_key_type! {
     /// A texture of a backend.
@@ -145,24 +157,6 @@ impl Target {
     }
 }
 
-/// Most textures that a pass reads.
-pub const TEXTURES_MAX: usize = 6;
-
-/// Where shaders find the sampler: bilinear, clamped to the edges.
-#[cfg(feature = "wgpu")]
-pub(crate) const SAMPLER_BINDING: u32 = TEXTURES_MAX as u32 + 1;
-
-/// What a pass reads, at bindings 1, 2, …
-pub type Textures = [Option<TextureId>; TEXTURES_MAX];
-
-/// Textures at bindings 1, 2, …
-pub fn reads<const N: usize>(ids: [TextureId; N]) -> Textures {
-    const { assert!(N <= TEXTURES_MAX, "more textures than TEXTURES_MAX") };
-    let mut textures = [None; TEXTURES_MAX];
-    textures.iter_mut().zip(ids).for_each(|(slot, id)| *slot = Some(id));
-    textures
-}
-
 /// Largest uniform block, bytes.
 pub const UNIFORM_MAX: usize = 768;
 
@@ -205,14 +199,43 @@ pub struct Pass {
     pub label: &'static str,
     /// What to run; `None` only clears the target.
     pub program: Option<ProgramId>,
-    /// Textures at bindings 1, 2, …
-    pub textures: Textures,
+    /// The textures that the program reads, by name.
+    pub inputs: Inputs,
     /// The block at binding 0.
     pub uniform: Uniform,
     /// Where it draws.
     pub target: Target,
     /// What it does with the target's depth.
     pub depth: DepthUse,
+    /// Names what the colour target holds once the pass has run; 0 for nothing that anybody asks for. See
+    /// [`Backend::content`].
+    pub content: u64,
+    /// Names what the depth target holds once a pass that clears or writes it has run.
+    pub depth_content: u64,
+}
+
+impl Pass {
+    /// A pass that clears its target as the target says and draws nothing; fill in the rest for more.
+    pub fn clear(label: &'static str, target: Target) -> Self {
+        Self {
+            label,
+            program: None,
+            inputs: Inputs::NONE,
+            uniform: Uniform::NONE,
+            target,
+            depth: DepthUse::Always,
+            content: 0,
+            depth_content: 0,
+        }
+    }
+
+    /// Which textures hold something else once it has run, and what.
+    #[cfg(any(feature = "wgpu", feature = "webgl"))]
+    pub(crate) fn contents(&self) -> impl Iterator<Item = (TextureId, u64)> {
+        let writes_depth = self.target.clear_depth.is_some() || self.depth != DepthUse::Always;
+        let depth = self.target.depth.filter(|_| writes_depth).map(|id| (id, self.depth_content));
+        std::iter::once((self.target.color, self.content)).chain(depth)
+    }
 }
 
 /// How a backend measures a pass.
@@ -239,6 +262,29 @@ impl std::fmt::Display for TimerKind {
     }
 }
 
+/// How precisely fragment shaders compute. Less than 32 bits for plain numbers is no adapter: it is refused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Precision {
+    /// 32 bits, which WebGPU guarantees; it was not tested.
+    Guaranteed,
+    /// 32 bits, also for the members of structs: a pixel showed it.
+    Full,
+    /// 32 bits for plain numbers, fewer for the members of GLSL structs, as a pixel showed. Adreno GPUs up to
+    /// the 6xx do that (<https://github.com/KhronosGroup/WebGL/issues/3351>). No shader of this crate holds a
+    /// struct value, so that its pictures are right; your own shaders may suffer.
+    StructMembersReduced,
+}
+
+impl std::fmt::Display for Precision {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Guaranteed => "32 bits by WebGPU's rules",
+            Self::Full => "32 bits",
+            Self::StructMembersReduced => "32 bits, fewer in structs",
+        })
+    }
+}
+
 /// What draws.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AdapterInfo {
@@ -252,13 +298,17 @@ pub struct AdapterInfo {
     pub timer: TimerKind,
     /// Largest texture side, texels.
     pub max_texture_size: u32,
-    /// Whether it interpolates between texels of 32-bit floats. Where it does not, the sky tables have 16 bits.
+    /// Whether it interpolates between texels of 32-bit floats. Where it does not, the sky tables have 16
+    /// bits.
     pub filters_f32: bool,
+    /// How precisely its fragment shaders compute.
+    pub precision: Precision,
 }
 
 impl std::fmt::Display for AdapterInfo {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}: {}, {}, timer: {}", self.backend, self.adapter, self.driver, self.timer)
+        let Self { backend, adapter, driver, timer, precision, .. } = self;
+        write!(f, "{backend}: {adapter}, {driver}, timer: {timer}, floats: {precision}")
     }
 }
 
@@ -292,11 +342,22 @@ pub trait Backend {
     /// A new texture; its content is undefined.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for a side of 0 or beyond [`AdapterInfo::max_texture_size`]; [`Error::Driver`].
+    /// [`crate::ErrorKind::Invalid`] for a side of 0 or beyond [`AdapterInfo::max_texture_size`];
+    /// [`crate::ErrorKind::Driver`].
     fn create_texture(&mut self, desc: &TextureDesc) -> Result<TextureId>;
 
     /// What a texture was made with.
     fn texture(&self, id: TextureId) -> Option<TextureDesc>;
+
+    /// A number that no other backend of this process has. Ids mean nothing on a backend of another epoch.
+    fn epoch(&self) -> u64;
+
+    /// The name of what a texture holds: [`Pass::content`] of the last pass that was run or recorded with it
+    /// as its target, or what [`Self::set_content`] said since. 0 if that is unknown.
+    fn content(&self, id: TextureId) -> u64;
+
+    /// Names what a texture holds, after it was written by other means than a pass.
+    fn set_content(&mut self, id: TextureId, content: u64);
 
     /// Frees a texture; unknown ids are ignored.
     fn destroy_texture(&mut self, id: TextureId);
@@ -347,42 +408,46 @@ pub trait Backend {
 }
 
 fn cannot_wait(backend: &'static str) -> Error {
-    Error::Unavailable { backend, reason: "this platform cannot wait for the GPU: poll instead".into() }
+    Error::unavailable(backend, "this platform cannot wait for the GPU: poll instead")
+}
+
+/// An epoch for a new backend.
+#[cfg(any(feature = "wgpu", feature = "webgl"))]
+pub(crate) fn next_epoch() -> u64 {
+    static EPOCH: AtomicU64 = AtomicU64::new(1);
+    EPOCH.fetch_add(1, Ordering::Relaxed)
+}
+
+/// What a texture was made with, or an error.
+pub(crate) fn known(backend: &dyn Backend, id: TextureId) -> Result<TextureDesc> {
+    backend.texture(id).ok_or_else(|| unknown(backend.info().backend, "texture"))
 }
 
 /// The error for an id that this backend does not (or no longer) know.
 pub(crate) fn unknown(backend: &'static str, what: &str) -> Error {
-    Error::Driver {
-        backend,
-        what: what.to_owned(),
-        reason: "no such object: it was destroyed or belongs to another backend".into(),
-    }
+    Error::driver(backend, what, "no such object: it was destroyed or belongs to another backend")
 }
 
-/// Checks that a pass gives its program what it reads.
+/// Checks that a pass gives its program what it reads; answers the textures in the order of the program's
+/// slots.
 #[cfg(any(feature = "wgpu", feature = "webgl"))]
-pub(crate) fn check_pass(backend: &'static str, pass: &Pass, program: Program) -> Result<()> {
-    let textures = pass.textures.iter().flatten().count();
-    if pass.uniform.bytes().len() != program.uniform_size() || textures != program.textures() {
-        return Err(Error::Driver {
-            backend,
-            what: format!("pass {} with program {}", pass.label, program.name()),
-            reason: format!(
-                "{} uniform bytes and {textures} textures given, {} and {} needed",
-                pass.uniform.bytes().len(),
-                program.uniform_size(),
-                program.textures()
-            ),
-        });
+pub(crate) fn check_pass(backend: &'static str, pass: &Pass, program: Program) -> Result<program::Bound> {
+    let fault = |reason| {
+        Error::driver(backend, format!("pass {} with program {}", pass.label, program.name()), reason)
+    };
+    let (given, needed) = (pass.uniform.bytes().len(), program.info().uniform_size as usize);
+    if given != needed {
+        return Err(fault(format!("{given} uniform bytes given, {needed} needed")));
     }
-    if pass.textures.iter().flatten().any(|t| *t == pass.target.color || Some(*t) == pass.target.depth) {
+    let bound = pass.inputs.by_slot(program.info()).map_err(fault)?;
+    if bound.iter().flatten().any(|t| *t == pass.target.color || Some(*t) == pass.target.depth) {
         return Err(Error::invalid(
             format_args!("pass {}", pass.label),
             "a texture that is also the target",
             "different textures to read and to draw to",
         ));
     }
-    Ok(())
+    Ok(bound)
 }
 
 /// Reads texels of a format into f32.
@@ -391,7 +456,9 @@ pub(crate) fn decode_texels(format: Format, bytes: &[u8], out: &mut Vec<f32>) {
     match format {
         Format::Rgba8 => out.extend(bytes.iter().map(|&b| f32::from(b) / 255.0)),
         Format::Bgra8 => {
-            out.extend(bytes.chunks_exact(4).flat_map(|t| [t[2], t[1], t[0], t[3]]).map(|b| f32::from(b) / 255.0));
+            out.extend(
+                bytes.chunks_exact(4).flat_map(|t| [t[2], t[1], t[0], t[3]]).map(|b| f32::from(b) / 255.0),
+            );
         }
         Format::Rgba16Float => {
             out.extend(bytes.chunks_exact(2).map(|b| half::f16::from_le_bytes([b[0], b[1]]).to_f32()));

@@ -8,20 +8,21 @@
 //! Needed: OpenGL ES 3.0 or WebGL2 with `EXT_color_buffer_float`.
 #![allow(unsafe_code)] // Every OpenGL call is a foreign function; see the reason at each block.
 
+mod precision;
 mod state;
 
-use std::collections::HashMap;
 use std::rc::Rc;
 
 use glow::HasContext as _;
 use slotmap::SlotMap;
 
+use super::map::Map;
 use super::{
-    AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, ProgramId, ReadId, TEXTURES_MAX, TextureDesc,
-    TextureId, TimerId, TimerKind, UNIFORM_MAX, check_pass, decode_texels, encode_texels, unknown,
+    AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, Precision, Program, ProgramId, ReadId,
+    TEXTURES_MAX, TextureDesc, TextureId, TimerId, TimerKind, UNIFORM_MAX, Vertices, check_pass,
+    decode_texels, encode_texels, unknown,
 };
 use crate::error::{Error, Result};
-use crate::shaders::Program;
 use state::{PLAIN_PIXELS, SWITCHES, Saved, store_pixels};
 
 const NAME: &str = "webgl2";
@@ -31,6 +32,9 @@ const TIME_ELAPSED: u32 = 0x88BF;
 const GPU_DISJOINT: u32 = 0x8FBB;
 /// Uniform blocks in flight; the buffer is a ring.
 const RING: u32 = 64;
+
+/// Takes a context's state, and gives it back.
+type Save = (fn(&glow::Context, bool) -> Saved, fn(&Saved, &glow::Context, bool));
 
 #[derive(Clone, Copy)]
 enum Source {
@@ -42,6 +46,8 @@ enum Source {
 
 struct Texture {
     desc: TextureDesc,
+    /// See [`Backend::content`].
+    content: u64,
     source: Source,
 }
 
@@ -56,13 +62,15 @@ struct Timer {
 
 /// See the [module](self).
 pub struct WebGlBackend {
+    epoch: u64,
     gl: Rc<glow::Context>,
     info: AdapterInfo,
-    shared: bool,
+    /// On a user's context: how its state is kept. A program without such a context has no code for it.
+    save: Option<Save>,
     web: bool,
     textures: SlotMap<TextureId, Texture>,
     programs: SlotMap<ProgramId, Compiled>,
-    framebuffers: HashMap<(TextureId, Option<TextureId>), glow::Framebuffer>,
+    framebuffers: Map<(TextureId, Option<TextureId>), glow::Framebuffer>,
     reads: SlotMap<ReadId, Vec<f32>>,
     timers: SlotMap<TimerId, Timer>,
     vertex_array: glow::VertexArray,
@@ -90,7 +98,7 @@ fn format(format: Format) -> Option<(u32, u32, u32)> {
 }
 
 fn driver(what: impl ToString, reason: impl ToString) -> Error {
-    Error::Driver { backend: NAME, what: what.to_string(), reason: reason.to_string() }
+    Error::driver(NAME, what.to_string(), reason.to_string())
 }
 
 impl WebGlBackend {
@@ -98,35 +106,36 @@ impl WebGlBackend {
     /// is put back after each call; see the [module](self) for the one exception.
     ///
     /// # Errors
-    /// [`Error::Unavailable`] if the context cannot draw to float textures.
+    /// [`crate::ErrorKind::Unavailable`] if the context cannot draw to float textures, or if it computes
+    /// fragment shaders with fewer than 32 bits: one pixel is drawn to find out.
     pub fn new(gl: Rc<glow::Context>) -> Result<Self> {
-        Self::make(gl, true)
+        Self::make(gl, Some((Saved::take, Saved::restore)))
     }
 
     /// As [`Self::new`], on a context that nobody else uses: its state is not saved and put back.
     pub fn own(gl: Rc<glow::Context>) -> Result<Self> {
-        Self::make(gl, false)
+        Self::make(gl, None)
     }
 
-    fn make(gl: Rc<glow::Context>, shared: bool) -> Result<Self> {
+    fn make(gl: Rc<glow::Context>, save: Option<Save>) -> Result<Self> {
         let web = cfg!(target_arch = "wasm32");
         let extensions = gl.supported_extensions();
         // Natively the names begin with GL_.
         if !extensions.iter().any(|e| e.ends_with("EXT_color_buffer_float")) {
-            return Err(Error::Unavailable {
-                backend: NAME,
-                reason: "the context has no EXT_color_buffer_float: it cannot draw to float textures".into(),
-            });
+            return Err(Error::unavailable(
+                NAME,
+                "the context has no EXT_color_buffer_float: it cannot draw to float textures",
+            ));
         }
         let timer = if extensions.iter().any(|e| e.contains("disjoint_timer_query")) {
             TimerKind::TimerQuery
         } else {
             TimerKind::Clock
         };
-        let saved = shared.then(|| Saved::take(&gl, web));
+        let saved = save.map(|(take, restore)| (take(&gl, web), restore));
         let failed = |e: String| driver("create", e);
         // SAFETY: the caller's context is current; only objects made here are touched.
-        let made = unsafe {
+        let mut made = unsafe {
             // Left-over errors of the user are not ours.
             while gl.get_error() != glow::NO_ERROR {}
             let alignment = gl.get_parameter_i32(glow::UNIFORM_BUFFER_OFFSET_ALIGNMENT).max(16) as u32;
@@ -149,6 +158,7 @@ impl WebGlBackend {
             };
             let (nearest, linear) = (sampler(glow::NEAREST)?, sampler(glow::LINEAR)?);
             Self {
+                epoch: super::next_epoch(),
                 info: AdapterInfo {
                     backend: NAME,
                     adapter: gl.get_parameter_string(glow::RENDERER),
@@ -156,12 +166,13 @@ impl WebGlBackend {
                     timer,
                     max_texture_size: gl.get_parameter_i32(glow::MAX_TEXTURE_SIZE).max(1) as u32,
                     filters_f32: extensions.iter().any(|e| e.ends_with("OES_texture_float_linear")),
+                    precision: Precision::Full,
                 },
-                shared,
+                save,
                 web,
                 textures: SlotMap::with_key(),
                 programs: SlotMap::with_key(),
-                framebuffers: HashMap::new(),
+                framebuffers: Map::new(),
                 reads: SlotMap::with_key(),
                 timers: SlotMap::with_key(),
                 vertex_array: gl.create_vertex_array().map_err(failed)?,
@@ -176,9 +187,11 @@ impl WebGlBackend {
                 gl,
             }
         };
-        if let Some(saved) = saved {
-            saved.restore(&made.gl, web);
+        let precision = precision::test(&made.gl, web, made.vertex_array, made.ring, made.binding_point);
+        if let Some((saved, restore)) = saved {
+            restore(&saved, &made.gl, web);
         }
+        made.info.precision = precision?;
         Ok(made)
     }
 
@@ -190,7 +203,7 @@ impl WebGlBackend {
     /// Makes a user's texture known, to be read by passes or drawn to; it stays the user's.
     pub fn import_texture(&mut self, texture: glow::Texture, desc: TextureDesc) -> Result<TextureId> {
         desc.validate(self.info.max_texture_size)?;
-        Ok(self.textures.insert(Texture { desc, source: Source::User(texture) }))
+        Ok(self.textures.insert(Texture { desc, content: 0, source: Source::User(texture) }))
     }
 
     /// Makes a user's framebuffer known as a target (`None`: the default one). Its rows are usually
@@ -201,7 +214,7 @@ impl WebGlBackend {
         desc: TextureDesc,
     ) -> Result<TextureId> {
         desc.validate(self.info.max_texture_size)?;
-        Ok(self.textures.insert(Texture { desc, source: Source::Framebuffer(framebuffer) }))
+        Ok(self.textures.insert(Texture { desc, content: 0, source: Source::Framebuffer(framebuffer) }))
     }
 
     /// Gives [`AdapterInfo::adapter`] a better name than the context's own, which browsers keep vague.
@@ -217,12 +230,12 @@ impl WebGlBackend {
     /// Runs `f` with the user's state put back afterwards.
     fn guarded<T>(&mut self, f: impl FnOnce(&mut Self) -> Result<T>) -> Result<T> {
         if let Some(reason) = &self.lost {
-            return Err(Error::Lost { backend: NAME, reason: reason.clone() });
+            return Err(Error::lost(NAME, reason.as_str()));
         }
-        let saved = self.shared.then(|| Saved::take(&self.gl, self.web));
+        let saved = self.save.map(|(take, restore)| (take(&self.gl, self.web), restore));
         let result = f(self);
-        if let Some(saved) = saved {
-            saved.restore(&self.gl, self.web);
+        if let Some((saved, restore)) = saved {
+            restore(&saved, &self.gl, self.web);
         }
         result
     }
@@ -246,14 +259,18 @@ impl WebGlBackend {
             code @ (0x9242 | 0x0507) => {
                 let reason = format!("context lost (GL error {code:#06x})");
                 self.lost = Some(reason.clone());
-                Err(Error::Lost { backend: NAME, reason })
+                Err(Error::lost(NAME, reason))
             }
             code => Err(driver(what, format!("GL error {code:#06x}"))),
         }
     }
 
     /// The framebuffer that draws to these textures; made at the first use.
-    fn framebuffer(&mut self, color: TextureId, depth: Option<TextureId>) -> Result<Option<glow::Framebuffer>> {
+    fn framebuffer(
+        &mut self,
+        color: TextureId,
+        depth: Option<TextureId>,
+    ) -> Result<Option<glow::Framebuffer>> {
         let handle = |this: &Self, id: TextureId| -> Result<Source> {
             Ok(this.textures.get(id).ok_or_else(|| unknown(NAME, "target"))?.source)
         };
@@ -275,7 +292,13 @@ impl WebGlBackend {
             if let Some(depth) = depth
                 && let Source::Own(t) | Source::User(t) = handle(self, depth)?
             {
-                gl.framebuffer_texture_2d(glow::FRAMEBUFFER, glow::DEPTH_ATTACHMENT, glow::TEXTURE_2D, Some(t), 0);
+                gl.framebuffer_texture_2d(
+                    glow::FRAMEBUFFER,
+                    glow::DEPTH_ATTACHMENT,
+                    glow::TEXTURE_2D,
+                    Some(t),
+                    0,
+                );
             }
             let status = gl.check_framebuffer_status(glow::FRAMEBUFFER);
             if status != glow::FRAMEBUFFER_COMPLETE {
@@ -289,17 +312,27 @@ impl WebGlBackend {
     }
 
     fn draw(&mut self, pass: &Pass) -> Result<()> {
+        self.draw_only(pass)?;
+        for (id, content) in pass.contents() {
+            self.set_content(id, content);
+        }
+        Ok(())
+    }
+
+    fn draw_only(&mut self, pass: &Pass) -> Result<()> {
+        let mut bound = [None; TEXTURES_MAX];
         let program = match pass.program {
             Some(id) => {
                 let compiled = self.programs.get(id).ok_or_else(|| unknown(NAME, "program"))?;
-                check_pass(NAME, pass, compiled.program)?;
+                bound = check_pass(NAME, pass, compiled.program)?;
                 Some((compiled.program, compiled.handle))
             }
             None => None,
         };
         let desc = self.texture(pass.target.color).ok_or_else(|| unknown(NAME, "target"))?;
         let mut read = [None; TEXTURES_MAX];
-        for (slot, id) in read.iter_mut().zip(pass.textures) {
+        for (slot, id) in read.iter_mut().zip(bound) {
+            // Nothing is bound where the program's constants leave a texture unread.
             let Some(id) = id else { continue };
             *slot = match self.textures.get(id).ok_or_else(|| unknown(NAME, "texture"))?.source {
                 Source::Own(t) | Source::User(t) => Some(t),
@@ -339,16 +372,16 @@ impl WebGlBackend {
             }
             gl.use_program(Some(handle));
             gl.bind_vertex_array(Some(self.vertex_array));
-            for (unit, texture) in (0..).zip(read) {
+            for ((unit, texture), slot) in (0..).zip(read).zip(program.info().textures) {
                 if texture.is_some() {
                     gl.active_texture(glow::TEXTURE0 + unit);
                     gl.bind_texture(glow::TEXTURE_2D, texture);
-                    let filtered = program.filtered() & (1 << unit) != 0;
-                    gl.bind_sampler(unit, Some(if filtered { self.linear } else { self.nearest }));
+                    gl.bind_sampler(unit, Some(if slot.filtered { self.linear } else { self.nearest }));
                 }
             }
             let bytes = pass.uniform.bytes();
             if !bytes.is_empty() {
+                crate::count::one(|c| &mut c.uniform_uploads);
                 let offset = (self.ring_next * self.ring_stride) as i32;
                 gl.bind_buffer(glow::UNIFORM_BUFFER, Some(self.ring));
                 gl.buffer_sub_data_u8_slice(glow::UNIFORM_BUFFER, offset, bytes);
@@ -360,8 +393,9 @@ impl WebGlBackend {
                     UNIFORM_MAX as i32,
                 );
             }
-            let mode = if program.makes_vertices() { glow::TRIANGLE_STRIP } else { glow::TRIANGLES };
-            gl.draw_arrays(mode, 0, program.vertices() as i32);
+            let vertices = program.info().vertices;
+            let mode = if vertices == Vertices::Triangle { glow::TRIANGLES } else { glow::TRIANGLE_STRIP };
+            gl.draw_arrays(mode, 0, vertices.count() as i32);
             // Textures stay bound to no unit of ours: the next pass may draw to them.
             for (unit, texture) in (0..).zip(read) {
                 if texture.is_some() {
@@ -377,14 +411,12 @@ impl WebGlBackend {
 
     fn compile(&self, program: Program) -> Result<glow::Program> {
         let name = program.name();
-        let source = program
-            .glsl()
-            .ok_or_else(|| driver(format!("program {name}"), "it was not translated: run `welkin shaders`"))?;
+        let (names, [vertex, fragment]) = (&program.info().glsl, program.glsl());
         let gl = &self.gl;
         // SAFETY: objects made here; on failure they are deleted before returning.
         unsafe {
             let handle = gl.create_program().map_err(|e| driver(&name, e))?;
-            let stages = [(glow::VERTEX_SHADER, source.vertex()), (glow::FRAGMENT_SHADER, source.fragment())];
+            let stages = [(glow::VERTEX_SHADER, vertex), (glow::FRAGMENT_SHADER, fragment)];
             let mut problem = None;
             for (stage, text) in stages {
                 let shader = gl.create_shader(stage).map_err(|e| driver(&name, e))?;
@@ -407,16 +439,15 @@ impl WebGlBackend {
                 gl.delete_program(handle);
                 return Err(driver(format!("program {name}"), problem));
             }
-            for block in source.blocks.iter().filter(|b| !b.is_empty()) {
+            for block in names.blocks.iter().filter(|b| !b.is_empty()) {
                 if let Some(index) = gl.get_uniform_block_index(handle, block) {
                     gl.uniform_block_binding(handle, index, self.binding_point);
                 }
             }
             gl.use_program(Some(handle));
-            for (unit, texture) in (0..).zip(source.textures) {
-                if !texture.is_empty() {
-                    gl.uniform_1_i32(gl.get_uniform_location(handle, texture).as_ref(), unit);
-                }
+            for (unit, sampler) in (0..).zip(names.samplers) {
+                // Drivers drop a sampler that is not read: it has no location, and setting that does nothing.
+                gl.uniform_1_i32(gl.get_uniform_location(handle, sampler).as_ref(), unit);
             }
             Ok(handle)
         }
@@ -464,12 +495,26 @@ impl Backend for WebGlBackend {
                 unsafe { this.gl.delete_texture(handle) };
                 return Err(e);
             }
-            Ok(this.textures.insert(Texture { desc, source: Source::Own(handle) }))
+            Ok(this.textures.insert(Texture { desc, content: 0, source: Source::Own(handle) }))
         })
     }
 
     fn texture(&self, id: TextureId) -> Option<TextureDesc> {
         self.textures.get(id).map(|t| t.desc)
+    }
+
+    fn epoch(&self) -> u64 {
+        self.epoch
+    }
+
+    fn content(&self, id: TextureId) -> u64 {
+        self.textures.get(id).map_or(0, |t| t.content)
+    }
+
+    fn set_content(&mut self, id: TextureId, content: u64) {
+        if let Some(texture) = self.textures.get_mut(id) {
+            texture.content = content;
+        }
     }
 
     fn destroy_texture(&mut self, id: TextureId) {
@@ -499,7 +544,8 @@ impl Backend for WebGlBackend {
                 format_args!("{want} values, and not for a depth buffer"),
             ));
         }
-        let (Source::Own(handle) | Source::User(handle), Some((_, layout, kind))) = (t.source, format(desc.format))
+        let (Source::Own(handle) | Source::User(handle), Some((_, layout, kind))) =
+            (t.source, format(desc.format))
         else {
             return Err(unknown(NAME, "a framebuffer, which cannot be written"));
         };
@@ -579,14 +625,23 @@ impl Backend for WebGlBackend {
                 // To both ends: with the canvas to draw to, Chromium reads as if from there.
                 this.gl.bind_framebuffer(glow::FRAMEBUFFER, framebuffer);
                 let (w, h) = (desc.width as i32, desc.height as i32);
-                this.gl.read_pixels(0, 0, w, h, glow::RGBA, kind, glow::PixelPackData::Slice(Some(&mut bytes)));
+                this.gl.read_pixels(
+                    0,
+                    0,
+                    w,
+                    h,
+                    glow::RGBA,
+                    kind,
+                    glow::PixelPackData::Slice(Some(&mut bytes)),
+                );
             }
             this.check("read back")?;
             let mut values = Vec::with_capacity(desc.texels() * 4);
             decode_texels(wire, &bytes, &mut values);
             Ok(values)
         })?;
-        let values = if desc.format.channels() == 1 { values.into_iter().step_by(4).collect() } else { values };
+        let values =
+            if desc.format.channels() == 1 { values.into_iter().step_by(4).collect() } else { values };
         Ok(self.reads.insert(values))
     }
 
@@ -627,8 +682,11 @@ impl Backend for WebGlBackend {
         let gl = &self.gl;
         let queries: Vec<_> = timer.passes.iter().filter_map(|(_, q, _)| *q).collect();
         // SAFETY: queries made by this backend and not yet deleted.
-        let ready =
-            || queries.iter().all(|&q| unsafe { gl.get_query_parameter_u32(q, glow::QUERY_RESULT_AVAILABLE) } != 0);
+        let ready = || {
+            queries
+                .iter()
+                .all(|&q| unsafe { gl.get_query_parameter_u32(q, glow::QUERY_RESULT_AVAILABLE) } != 0)
+        };
         if !self.web {
             // SAFETY: no arguments.
             unsafe { gl.finish() };
@@ -695,7 +753,15 @@ impl WebGlBackend {
             let mut pixel = [0; 16];
             // SAFETY: one pixel into a buffer that holds it.
             unsafe {
-                this.gl.read_pixels(0, 0, 1, 1, glow::RGBA, glow::FLOAT, glow::PixelPackData::Slice(Some(&mut pixel)))
+                this.gl.read_pixels(
+                    0,
+                    0,
+                    1,
+                    1,
+                    glow::RGBA,
+                    glow::FLOAT,
+                    glow::PixelPackData::Slice(Some(&mut pixel)),
+                )
             };
         };
         let now = || js_sys::Date::now();

@@ -4,19 +4,18 @@
 //! views with [`WgpuBackend::import_view`] and record passes into your own encoder with
 //! [`WgpuBackend::encode`].
 
-use std::collections::HashMap;
 use std::num::NonZeroU64;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use slotmap::SlotMap;
 
+use super::map::Map;
 use super::{
-    AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, ProgramId, ReadId, SAMPLER_BINDING, TEXTURES_MAX,
-    TextureDesc, TextureId, Textures, TimerId, TimerKind, UNIFORM_MAX, check_pass, decode_texels, encode_texels,
-    unknown,
+    AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, Precision, Program, ProgramId, ReadId,
+    SAMPLER_BINDING, TEXTURES_MAX, TextureDesc, TextureId, TimerId, TimerKind, UNIFORM_MAX, Vertices,
+    check_pass, decode_texels, encode_texels, program::Bound, unknown,
 };
 use crate::error::{Error, Result};
-use crate::shaders::Program;
 
 const NAME: &str = "webgpu";
 
@@ -25,6 +24,8 @@ pub const RING_PASSES: u32 = 256;
 
 struct Texture {
     desc: TextureDesc,
+    /// See [`Backend::content`].
+    content: u64,
     view: wgpu::TextureView,
     /// `None` for a user's view.
     texture: Option<wgpu::Texture>,
@@ -56,16 +57,19 @@ struct Timer {
 
 /// See the [module](self).
 pub struct WgpuBackend {
+    epoch: u64,
     device: wgpu::Device,
     queue: wgpu::Queue,
     info: AdapterInfo,
     textures: SlotMap<TextureId, Texture>,
     programs: SlotMap<ProgramId, Compiled>,
-    pipelines: HashMap<(ProgramId, Format, Option<DepthUse>), wgpu::RenderPipeline>,
-    bind_groups: HashMap<(ProgramId, Textures), wgpu::BindGroup>,
+    pipelines: Map<(ProgramId, Format, Option<DepthUse>), wgpu::RenderPipeline>,
+    bind_groups: Map<(ProgramId, Bound), wgpu::BindGroup>,
     reads: SlotMap<ReadId, Read>,
     timers: SlotMap<TimerId, Timer>,
     sampler: wgpu::Sampler,
+    /// Bound where a program's constants leave a texture unread.
+    placeholder: wgpu::TextureView,
     ring: wgpu::Buffer,
     ring_stride: u32,
     ring_next: u32,
@@ -97,9 +101,9 @@ impl WgpuBackend {
     /// Makes a device of its own on the adapter that can present to `surface` (any, if `None`), best first.
     ///
     /// # Errors
-    /// [`Error::Unavailable`] with the reason if there is no adapter or no device.
+    /// [`crate::ErrorKind::Unavailable`] with the reason if there is no adapter or no device.
     pub async fn new(instance: &wgpu::Instance, surface: Option<&wgpu::Surface<'_>>) -> Result<Self> {
-        let unavailable = |reason: String| Error::Unavailable { backend: NAME, reason };
+        let unavailable = |reason: String| Error::unavailable(NAME, reason);
         let adapter = instance
             .request_adapter(&wgpu::RequestAdapterOptions {
                 power_preference: wgpu::PowerPreference::HighPerformance,
@@ -107,9 +111,14 @@ impl WgpuBackend {
                 ..Default::default()
             })
             .await
-            .map_err(|e| unavailable(e.to_string()))?;
-        let wanted =
-            wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::FLOAT32_BLENDABLE | wgpu::Features::FLOAT32_FILTERABLE;
+            .map_err(|e| match e {
+                // What else wgpu has to say is about APIs that a browser does not have.
+                _ if cfg!(target_arch = "wasm32") => unavailable("the browser offers no adapter".into()),
+                e => unavailable(e.to_string()),
+            })?;
+        let wanted = wgpu::Features::TIMESTAMP_QUERY
+            | wgpu::Features::FLOAT32_BLENDABLE
+            | wgpu::Features::FLOAT32_FILTERABLE;
         let limits = wgpu::Limits {
             max_texture_dimension_2d: adapter.limits().max_texture_dimension_2d,
             ..wgpu::Limits::downlevel_defaults()
@@ -126,12 +135,17 @@ impl WgpuBackend {
         let about = adapter.get_info();
         let driver = format!("{:?} {} {}", about.backend, about.driver, about.driver_info);
         let kind = if about.device_type == wgpu::DeviceType::Cpu { " (software)" } else { "" };
-        let name =
-            if about.name.is_empty() { format!("adapter that the browser does not name{kind}") } else { about.name };
+        let name = if about.name.is_empty() {
+            format!("adapter that the browser does not name{kind}")
+        } else {
+            about.name
+        };
         let mut backend = Self::from_device(device, queue, &name)?;
         driver.trim_end().clone_into(&mut backend.info.driver);
         let lost = backend.lost.clone();
-        backend.device.set_device_lost_callback(move |reason, text| *lock(&lost) = Some(format!("{reason:?}: {text}")));
+        backend
+            .device
+            .set_device_lost_callback(move |reason, text| *lock(&lost) = Some(format!("{reason:?}: {text}")));
         let failure = backend.failure.clone();
         backend.device.on_uncaptured_error(Arc::new(move |e: wgpu::Error| {
             lock(&failure).get_or_insert_with(|| e.to_string());
@@ -163,6 +177,18 @@ impl WgpuBackend {
             min_filter: wgpu::FilterMode::Linear,
             ..Default::default()
         });
+        let placeholder = device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("welkin placeholder"),
+            size: wgpu::Extent3d { width: 1, height: 1, depth_or_array_layers: 1 },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            // One that every device filters.
+            format: wgpu::TextureFormat::Rgba8Unorm,
+            usage: wgpu::TextureUsages::TEXTURE_BINDING,
+            view_formats: &[],
+        });
+        let placeholder = placeholder.create_view(&Default::default());
         let ring_stride = (UNIFORM_MAX as u32).next_multiple_of(limits.min_uniform_buffer_offset_alignment);
         let ring = device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("welkin uniforms"),
@@ -171,6 +197,7 @@ impl WgpuBackend {
             mapped_at_creation: false,
         });
         Ok(Self {
+            epoch: super::next_epoch(),
             info: AdapterInfo {
                 backend: NAME,
                 adapter: name.to_owned(),
@@ -178,16 +205,18 @@ impl WgpuBackend {
                 timer,
                 max_texture_size: limits.max_texture_dimension_2d,
                 filters_f32,
+                precision: Precision::Guaranteed,
             },
             device,
             queue,
             textures: SlotMap::with_key(),
             programs: SlotMap::with_key(),
-            pipelines: HashMap::new(),
-            bind_groups: HashMap::new(),
+            pipelines: Map::new(),
+            bind_groups: Map::new(),
             reads: SlotMap::with_key(),
             timers: SlotMap::with_key(),
             sampler,
+            placeholder,
             ring,
             ring_stride,
             ring_next: 0,
@@ -210,7 +239,7 @@ impl WgpuBackend {
     /// The view must match `desc`; what it may be used for is the user's choice of usages.
     pub fn import_view(&mut self, view: wgpu::TextureView, desc: TextureDesc) -> Result<TextureId> {
         desc.validate(self.info.max_texture_size)?;
-        Ok(self.textures.insert(Texture { desc, view, texture: None }))
+        Ok(self.textures.insert(Texture { desc, content: 0, view, texture: None }))
     }
 
     /// Records passes into a user's encoder. At most [`RING_PASSES`] between two submissions.
@@ -230,6 +259,9 @@ impl WgpuBackend {
         }
         for (index, pass) in passes.iter().enumerate() {
             self.record(encoder, pass, queries.map(|q| (q, index as u32)))?;
+            for (id, content) in pass.contents() {
+                self.set_content(id, content);
+            }
         }
         Ok(())
     }
@@ -239,46 +271,50 @@ impl WgpuBackend {
         let color = self.textures.get(pass.target.color).ok_or_else(|| unknown(NAME, "target"))?.desc;
         if let Some(depth) = pass.target.depth {
             let depth = self.textures.get(depth).ok_or_else(|| unknown(NAME, "depth target"))?.desc;
-            if depth.format != Format::Depth32Float || (depth.width, depth.height) != (color.width, color.height) {
+            if depth.format != Format::Depth32Float
+                || (depth.width, depth.height) != (color.width, color.height)
+            {
                 return Err(Error::invalid(
                     format_args!("pass {} depth target", pass.label),
-                    format_args!("{depth:?}"),
+                    format_args!("{:?}, {} × {}", depth.format, depth.width, depth.height),
                     "Depth32Float and as large as the colour target",
                 ));
             }
         }
         let Some(program) = pass.program else { return self.check() };
         let compiled = self.programs.get(program).ok_or_else(|| unknown(NAME, "program"))?;
-        check_pass(NAME, pass, compiled.program)?;
-        if !self.bind_groups.contains_key(&(program, pass.textures)) {
+        let info = compiled.program.info();
+        let bound = check_pass(NAME, pass, compiled.program)?;
+        if !self.bind_groups.contains_key(&(program, bound)) {
             let mut entries = Vec::with_capacity(2 + TEXTURES_MAX);
-            if compiled.program.filtered() != 0 {
+            if info.textures.iter().any(|slot| slot.filtered) {
                 let resource = wgpu::BindingResource::Sampler(&self.sampler);
                 entries.push(wgpu::BindGroupEntry { binding: SAMPLER_BINDING, resource });
             }
-            if compiled.program.uniform_size() > 0 {
+            if info.uniform_size > 0 {
                 entries.push(wgpu::BindGroupEntry {
                     binding: 0,
                     resource: wgpu::BindingResource::Buffer(wgpu::BufferBinding {
                         buffer: &self.ring,
                         offset: 0,
-                        size: NonZeroU64::new(compiled.program.uniform_size() as u64),
+                        size: NonZeroU64::new(info.uniform_size.into()),
                     }),
                 });
             }
-            for (binding, id) in (1..).zip(pass.textures.iter().flatten()) {
-                let texture = self.textures.get(*id).ok_or_else(|| unknown(NAME, "texture"))?;
-                entries.push(wgpu::BindGroupEntry {
-                    binding,
-                    resource: wgpu::BindingResource::TextureView(&texture.view),
-                });
+            for (slot, id) in info.textures.iter().zip(bound) {
+                let view = match id {
+                    Some(id) => &self.textures.get(id).ok_or_else(|| unknown(NAME, "texture"))?.view,
+                    None => &self.placeholder,
+                };
+                let resource = wgpu::BindingResource::TextureView(view);
+                entries.push(wgpu::BindGroupEntry { binding: slot.binding, resource });
             }
             let group = self.device.create_bind_group(&wgpu::BindGroupDescriptor {
                 label: Some(pass.label),
                 layout: &compiled.layout,
                 entries: &entries,
             });
-            self.bind_groups.insert((program, pass.textures), group);
+            self.bind_groups.insert((program, bound), group);
         }
         let key = (program, color.format, pass.target.depth.map(|_| pass.depth));
         if !self.pipelines.contains_key(&key) {
@@ -301,10 +337,9 @@ impl WgpuBackend {
                 buffers: &[],
             },
             primitive: wgpu::PrimitiveState {
-                topology: if program.makes_vertices() {
-                    wgpu::PrimitiveTopology::TriangleStrip
-                } else {
-                    wgpu::PrimitiveTopology::TriangleList
+                topology: match program.info().vertices {
+                    Vertices::Triangle => wgpu::PrimitiveTopology::TriangleList,
+                    Vertices::Strip(_) => wgpu::PrimitiveTopology::TriangleStrip,
                 },
                 ..Default::default()
             },
@@ -351,7 +386,12 @@ impl WgpuBackend {
                 resolve_target: None,
                 ops: wgpu::Operations {
                     load: pass.target.clear.map_or(wgpu::LoadOp::Load, |[r, g, b, a]| {
-                        wgpu::LoadOp::Clear(wgpu::Color { r: r.into(), g: g.into(), b: b.into(), a: a.into() })
+                        wgpu::LoadOp::Clear(wgpu::Color {
+                            r: r.into(),
+                            g: g.into(),
+                            b: b.into(),
+                            a: a.into(),
+                        })
                     }),
                     store: wgpu::StoreOp::Store,
                 },
@@ -373,9 +413,11 @@ impl WgpuBackend {
         });
         let Some(program) = pass.program else { return Ok(()) };
         let key = (program, color.desc.format, depth.map(|_| pass.depth));
-        let (Some(pipeline), Some(group), Some(compiled)) =
-            (self.pipelines.get(&key), self.bind_groups.get(&(program, pass.textures)), self.programs.get(program))
-        else {
+        let (Some(pipeline), Some(compiled)) = (self.pipelines.get(&key), self.programs.get(program)) else {
+            return Err(unknown(NAME, pass.label));
+        };
+        let bound = check_pass(NAME, pass, compiled.program)?;
+        let Some(group) = self.bind_groups.get(&(program, bound)) else {
             return Err(unknown(NAME, pass.label));
         };
         render.set_pipeline(pipeline);
@@ -383,10 +425,11 @@ impl WgpuBackend {
         if pass.uniform.bytes().is_empty() {
             render.set_bind_group(0, group, &[]);
         } else {
+            crate::count::one(|c| &mut c.uniform_uploads);
             self.queue.write_buffer(&self.ring, u64::from(offset), pass.uniform.bytes());
             render.set_bind_group(0, group, &[offset]);
         }
-        render.draw(0..compiled.program.vertices(), 0..1);
+        render.draw(0..compiled.program.info().vertices.count(), 0..1);
         drop(render);
         self.ring_next = (self.ring_next + 1) % RING_PASSES;
         Ok(())
@@ -395,10 +438,10 @@ impl WgpuBackend {
     /// The device's loss or first error since the last call.
     fn check(&self) -> Result<()> {
         if let Some(reason) = self.lost() {
-            return Err(Error::Lost { backend: NAME, reason });
+            return Err(Error::lost(NAME, reason));
         }
         match lock(&self.failure).take() {
-            Some(reason) => Err(Error::Driver { backend: NAME, what: "device".into(), reason }),
+            Some(reason) => Err(Error::driver(NAME, "device", reason)),
             None => Ok(()),
         }
     }
@@ -417,11 +460,9 @@ impl WgpuBackend {
     /// Lets the device make progress; waits for it natively.
     fn poll(&self) -> Result<()> {
         #[cfg(not(target_arch = "wasm32"))]
-        self.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| Error::Driver {
-            backend: NAME,
-            what: "wait".into(),
-            reason: e.to_string(),
-        })?;
+        self.device
+            .poll(wgpu::PollType::wait_indefinitely())
+            .map_err(|e| Error::driver(NAME, "wait", e.to_string()))?;
         self.check()
     }
 
@@ -442,7 +483,7 @@ impl WgpuBackend {
     }
 
     fn mapped<T>(buffer: &wgpu::Buffer, f: impl FnOnce(&[u8]) -> T) -> Result<T> {
-        let failed = |reason: String| Error::Driver { backend: NAME, what: "read back".into(), reason };
+        let failed = |reason: String| Error::driver(NAME, "read back", reason);
         let range = buffer.get_mapped_range(..).map_err(|e| failed(e.to_string()))?;
         let value = f(&range);
         drop(range);
@@ -492,11 +533,25 @@ impl Backend for WgpuBackend {
         });
         let view = texture.create_view(&Default::default());
         self.check()?;
-        Ok(self.textures.insert(Texture { desc: *desc, view, texture: Some(texture) }))
+        Ok(self.textures.insert(Texture { desc: *desc, content: 0, view, texture: Some(texture) }))
     }
 
     fn texture(&self, id: TextureId) -> Option<TextureDesc> {
         self.textures.get(id).map(|t| t.desc)
+    }
+
+    fn epoch(&self) -> u64 {
+        self.epoch
+    }
+
+    fn content(&self, id: TextureId) -> u64 {
+        self.textures.get(id).map_or(0, |t| t.content)
+    }
+
+    fn set_content(&mut self, id: TextureId, content: u64) {
+        if let Some(texture) = self.textures.get_mut(id) {
+            texture.content = content;
+        }
     }
 
     fn destroy_texture(&mut self, id: TextureId) {
@@ -534,13 +589,13 @@ impl Backend for WgpuBackend {
             return Ok(id);
         }
         self.alive()?;
-        let label = program.name();
+        let (label, info) = (program.name(), program.info());
         let module = self.device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some(&label),
             source: wgpu::ShaderSource::Wgsl(program.wgsl().into()),
         });
         let mut entries = Vec::with_capacity(2 + TEXTURES_MAX);
-        if program.filtered() != 0 {
+        if info.textures.iter().any(|slot| slot.filtered) {
             entries.push(wgpu::BindGroupLayoutEntry {
                 binding: SAMPLER_BINDING,
                 visibility: wgpu::ShaderStages::FRAGMENT,
@@ -548,35 +603,34 @@ impl Backend for WgpuBackend {
                 count: None,
             });
         }
-        if program.uniform_size() > 0 {
+        if info.uniform_size > 0 {
             entries.push(wgpu::BindGroupLayoutEntry {
                 binding: 0,
                 visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
                 ty: wgpu::BindingType::Buffer {
                     ty: wgpu::BufferBindingType::Uniform,
                     has_dynamic_offset: true,
-                    min_binding_size: NonZeroU64::new(program.uniform_size() as u64),
+                    min_binding_size: NonZeroU64::new(info.uniform_size.into()),
                 },
                 count: None,
             });
         }
-        for binding in 1..=program.textures() as u32 {
+        for slot in info.textures {
             entries.push(wgpu::BindGroupLayoutEntry {
-                binding,
+                binding: slot.binding,
                 visibility: wgpu::ShaderStages::FRAGMENT,
                 ty: wgpu::BindingType::Texture {
-                    sample_type: wgpu::TextureSampleType::Float {
-                        filterable: program.filtered() & (1 << (binding - 1)) != 0,
-                    },
+                    sample_type: wgpu::TextureSampleType::Float { filterable: slot.filtered },
                     view_dimension: wgpu::TextureViewDimension::D2,
                     multisampled: false,
                 },
                 count: None,
             });
         }
-        let layout = self
-            .device
-            .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(&label), entries: &entries });
+        let layout = self.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+            label: Some(&label),
+            entries: &entries,
+        });
         let pipeline_layout = self.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some(&label),
             bind_group_layouts: &[Some(&layout)],
@@ -606,8 +660,8 @@ impl Backend for WgpuBackend {
         self.alive()?;
         let t = self.textures.get(id).ok_or_else(|| unknown(NAME, "texture"))?;
         let texture = t.texture.as_ref().ok_or_else(|| unknown(NAME, "an imported view"))?;
-        let row_bytes =
-            (t.desc.width * t.desc.format.bytes() as u32).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+        let row_bytes = (t.desc.width * t.desc.format.bytes() as u32)
+            .next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
         let size = u64::from(row_bytes) * u64::from(t.desc.height);
         let buffer = self.read_buffer("welkin read back", size, wgpu::BufferUsages::MAP_READ);
         let mut encoder = self.encoder();
@@ -615,7 +669,11 @@ impl Backend for WgpuBackend {
             texture.as_image_copy(),
             wgpu::TexelCopyBufferInfo {
                 buffer: &buffer,
-                layout: wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row_bytes), rows_per_image: None },
+                layout: wgpu::TexelCopyBufferLayout {
+                    offset: 0,
+                    bytes_per_row: Some(row_bytes),
+                    rows_per_image: None,
+                },
             },
             texture.size(),
         );
@@ -629,7 +687,7 @@ impl Backend for WgpuBackend {
         let ready = lock(&self.reads.get(id).ok_or_else(|| unknown(NAME, "read"))?.done).take();
         let Some(ready) = ready else { return Ok(None) };
         let Some(read) = self.reads.remove(id) else { return Ok(None) };
-        ready.map_err(|e| Error::Driver { backend: NAME, what: "read back".into(), reason: e.to_string() })?;
+        ready.map_err(|e| Error::driver(NAME, "read back", e.to_string()))?;
         let row = (read.desc.width * read.desc.format.bytes() as u32) as usize;
         Self::mapped(&read.buffer, |bytes| {
             let mut out = Vec::with_capacity(read.desc.texels() * read.desc.format.channels());
@@ -651,10 +709,7 @@ impl Backend for WgpuBackend {
                 return Ok(self.timers.insert(Timer { labels, buffer, done: Slot::default(), times }));
             }
             #[cfg(target_arch = "wasm32")]
-            return Err(Error::Unavailable {
-                backend: NAME,
-                reason: "this device has no timestamps and a page cannot wait".into(),
-            });
+            return Err(Error::unavailable(NAME, "this device has no timestamps and a page cannot wait"));
         }
         let count = 2 * passes.len().max(1) as u32;
         let queries = self.device.create_query_set(&wgpu::QuerySetDescriptor {
@@ -686,11 +741,12 @@ impl Backend for WgpuBackend {
         let ready = lock(&timer.done).take();
         let Some(ready) = ready else { return Ok(None) };
         let Some(timer) = self.timers.remove(id) else { return Ok(None) };
-        ready.map_err(|e| Error::Driver { backend: NAME, what: "times".into(), reason: e.to_string() })?;
+        ready.map_err(|e| Error::driver(NAME, "times", e.to_string()))?;
         let period = f64::from(self.queue.get_timestamp_period());
         Self::mapped(&timer.buffer, |bytes| {
-            let stamp =
-                |i: usize| bytes.get(8 * i..8 * i + 8).and_then(|b| b.try_into().ok()).map_or(0, u64::from_le_bytes);
+            let stamp = |i: usize| {
+                bytes.get(8 * i..8 * i + 8).and_then(|b| b.try_into().ok()).map_or(0, u64::from_le_bytes)
+            };
             let times = timer.labels.iter().enumerate().map(|(i, &label)| PassTime {
                 label,
                 nanoseconds: stamp(2 * i + 1).saturating_sub(stamp(2 * i)) as f64 * period,

@@ -1,6 +1,6 @@
 //! The medium: what the air is made of, presets with their sources, and what is accepted.
 
-use crate::error::{Error, Result, in_range};
+use crate::error::{Error, Quoted, Result, in_range};
 
 /// Which phase function the aerosol (Mie) constituent scatters with.
 ///
@@ -190,7 +190,7 @@ impl AtmosphereParams {
             "earth-like" => Ok(Self::earth_like(6_371_000.0)),
             _ => Err(Error::invalid(
                 "planet",
-                format_args!("{name:?}"),
+                Quoted(name),
                 format_args!("one of {}", Self::PRESETS.join(", ")),
             )),
         }
@@ -224,18 +224,21 @@ impl AtmosphereParams {
     pub fn extinction(&self, altitude: f64) -> [f64; 3] {
         let [gas, aerosol, ozone] = self.densities(altitude);
         let mie = self.mie_extinction();
-        std::array::from_fn(|c| self.rayleigh_scattering[c] * gas + mie[c] * aerosol + self.ozone_absorption[c] * ozone)
+        std::array::from_fn(|c| {
+            self.rayleigh_scattering[c] * gas + mie[c] * aerosol + self.ozone_absorption[c] * ozone
+        })
     }
 
     /// Checks every field. The error names the first that is wrong, its value and what is allowed.
     ///
-    /// For everything that is accepted, what the GPU makes of it is finite and possible. The light along a whole
-    /// ray is also right within 0.1 % (or 1e-6 of the brightest channel) of the same sum in f64, for the ray and
-    /// the air that 32-bit floats can tell from others (2^-22 relative, 1.5 m of the closest approach to a planet
-    /// of Earth's size, the edge of its shadow included), where the planet's radius is 1 km to 70,000 km, the shell 1e-5 to 2 radii thick, the
-    /// scale heights 1 m to 1000 km and the optical depth, coefficients times scale heights, at most 10,000.
-    /// A density or transmittance below 2^-126 (1.2e-38, the least normal 32-bit float) counts as 0, so light may be
-    /// less by that times coefficient, phase function and length: under 1e-24 of the sun's irradiance per steradian.
+    /// For everything that is accepted, what the GPU makes of it is finite and possible. The light along a
+    /// whole ray is also right within 0.1 % (or 1e-6 of the brightest channel) of the same sum in f64, for
+    /// the ray and the air that 32-bit floats can tell from others (2^-22 relative, 1.5 m of the closest
+    /// approach to a planet of Earth's size, the edge of its shadow included), where the planet's radius is 1
+    /// km to 70,000 km, the shell 1e-5 to 2 radii thick, the scale heights 1 m to 1000 km and the optical
+    /// depth, coefficients times scale heights, at most 10,000. A density or transmittance below 2^-126
+    /// (1.2e-38, the least normal 32-bit float) counts as 0, so light may be less by that times coefficient,
+    /// phase function and length: under 1e-24 of the sun's irradiance per steradian.
     pub fn validate(&self) -> Result<()> {
         in_range("atmosphere.planet_radius", self.planet_radius, 1e2, 1e9, "m")?;
         let r = self.planet_radius;

@@ -1,34 +1,36 @@
 //! The moon before the sun: which share of the sun's disk a point sees, in f64.
 //!
-//! Both disks are taken as plane ones, their angular radii and the angle between their centres as lengths. On the sphere
-//! of directions that is off by the square of these angles, 1e-5 of the share for the Earth's sun and moon. The sun
-//! is infinitely far, as everywhere in this crate: the shadow is exact at the camera, and at a distance x from it it lies
-//! off by x times the ratio of the distances of moon and sun, 0.3 % of x for the Earth.
+//! Both disks are taken as plane ones, their angular radii and the angle between their centres as lengths. On
+//! the sphere of directions that is off by the square of these angles, 1e-5 of the share for the Earth's sun
+//! and moon. The sun is infinitely far, as everywhere in this crate: the shadow is exact at the camera, and
+//! at a distance x from it it lies off by x times the ratio of the distances of moon and sun, 0.3 % of x for
+//! the Earth.
 
 use std::f64::consts::PI;
 
 use glam::DVec3;
 
-use crate::error::{Result, in_range};
-use crate::reference::quadrature::gauss_32;
-use crate::reference::ray_sphere_intersect;
+use crate::error::{Decimal, Result, in_range};
+use crate::model::quadrature::gauss_32;
+use crate::model::rays::ray_sphere_intersect;
 
-/// Exponents of the sun's limb darkening at 680, 550 and 440 nm: `I(μ) = I(1) μ^α`, μ the cosine of the angle to the
-/// photosphere's normal.
+/// Exponents of the sun's limb darkening at 680, 550 and 440 nm: `I(μ) = I(1) μ^α`, μ the cosine of the angle
+/// to the photosphere's normal.
 ///
-/// Hestroffer & Magnan 1998, "Wavelength dependency of the Solar limb darkening", A&A 333, 338–342, equation 1 with u = 1
-/// and the α of table 2 after Pierce & Slaughter at 679.1, 552.2 and 443.9 nm. Their fit over wavelengths,
-/// α = −0.023 + 0.292 μm / λ from 416 to 1099 nm, gives 0.406, 0.508 and 0.641 here.
+/// Hestroffer & Magnan 1998, "Wavelength dependency of the Solar limb darkening", A&A 333, 338–342, equation
+/// 1 with u = 1 and the α of table 2 after Pierce & Slaughter at 679.1, 552.2 and 443.9 nm. Their fit over
+/// wavelengths, α = −0.023 + 0.292 μm / λ from 416 to 1099 nm, gives 0.406, 0.508 and 0.641 here.
 pub const LIMB_DARKENING: [f64; 3] = [0.397, 0.503, 0.652];
 
-/// The moon's mean radius, metres: k = 0.2725076 (IAU 1982) times the Earth's equatorial radius of 6378.137 km.
+/// The moon's mean radius, metres: k = 0.2725076 (IAU 1982) times the Earth's equatorial radius of 6378.137
+/// km.
 pub const MOON_RADIUS: f64 = 0.272_507_6 * 6_378_137.0;
 
 /// The moon's visual geometric albedo, all channels alike: NASA's Moon Fact Sheet.
 pub const MOON_ALBEDO: f64 = 0.12;
 
-/// Brightness of the sun's disk over its mean, for 680, 550 and 440 nm, at `r` sun radii from its middle (0 to 1;
-/// clamped).
+/// Brightness of the sun's disk over its mean, for 680, 550 and 440 nm, at `r` sun radii from its middle (0
+/// to 1; clamped).
 pub fn limb_darkening(r: f64) -> [f64; 3] {
     let mu2 = ((1.0 - r) * (1.0 + r)).clamp(0.0, 1.0);
     // The mean of mu^a over the disk is 2 / (a + 2).
@@ -56,11 +58,11 @@ pub struct Moon {
     pub radius: f64,
     /// Least share of sunlight that reaches a point, 0 to 1; 0 is what physics says.
     pub floor: f64,
-    /// Light that the planet throws on the moon's side towards the camera, per sunlight there; 0 to 1, and 0 to leave it out.
-    /// The Earth's is some 1e-4 at new moon.
+    /// Light that the planet throws on the moon's side towards the camera, per sunlight there; 0 to 1, and 0
+    /// to leave it out. The Earth's is some 1e-4 at new moon.
     pub earthshine: f64,
-    /// Whether the share counts the sun's edge as darker than its middle ([`LIMB_DARKENING`]); otherwise all of
-    /// the disk counts the same.
+    /// Whether the share counts the sun's edge as darker than its middle ([`LIMB_DARKENING`]); otherwise all
+    /// of the disk counts the same.
     pub limb_darkening: bool,
 }
 
@@ -73,7 +75,7 @@ impl Moon {
     /// Checks the ranges, and that `camera` (same frame, metres) is outside of it.
     ///
     /// # Errors
-    /// [`crate::Error::Invalid`] with `moon.position`, `moon.radius`, `moon.floor` or `moon.earthshine`.
+    /// [`crate::ErrorKind::Invalid`] with `moon.position`, `moon.radius`, `moon.floor` or `moon.earthshine`.
     pub fn validate(&self, camera: DVec3) -> Result<()> {
         for (axis, c) in ["x", "y", "z"].iter().zip(self.position.to_array()) {
             in_range(format_args!("moon.position.{axis}"), c, -1e15, 1e15, "m")?;
@@ -85,15 +87,15 @@ impl Moon {
         if distance <= self.radius {
             return Err(crate::Error::invalid(
                 "moon.position",
-                format_args!("{distance} m from the camera"),
-                format_args!("more than moon.radius ({} m) from it", self.radius),
+                format_args!("{} m from the camera", Decimal(distance)),
+                format_args!("more than moon.radius ({} m) from it", Decimal(self.radius)),
             ));
         }
         Ok(())
     }
 
-    /// The two disks as seen from `point` (the moon's frame, metres). sun: unit; sun_radius: radians. `None` inside the
-    /// moon.
+    /// The two disks as seen from `point` (the moon's frame, metres). sun: unit; sun_radius: radians. `None`
+    /// inside the moon.
     pub fn disks(&self, point: DVec3, sun: DVec3, sun_radius: f64) -> Option<Disks> {
         let to_moon = self.position - point;
         let distance = to_moon.length();
@@ -104,8 +106,8 @@ impl Moon {
         })
     }
 
-    /// Share of the sun's light that the moon lets pass to `point`, for each channel; at least [`Self::floor`].
-    /// Arguments as for [`Self::disks`].
+    /// Share of the sun's light that the moon lets pass to `point`, for each channel; at least
+    /// [`Self::floor`]. Arguments as for [`Self::disks`].
     pub fn sunlight(&self, point: DVec3, sun: DVec3, sun_radius: f64) -> [f64; 3] {
         let share = match self.disks(point, sun, sun_radius) {
             Some(disks) if self.limb_darkening => disks.visible_limb_darkened(),
@@ -115,8 +117,9 @@ impl Moon {
         share.map(|v| v.max(self.floor))
     }
 
-    /// Radiance of its disk per unit of the sun's irradiance, 1/sr, where a ray from `camera` meets it, and `None` where it
-    /// does not. direction, sun: unit. After Lommel and Seeliger (see `moon.wgsl`), with [`MOON_ALBEDO`].
+    /// Radiance of its disk per unit of the sun's irradiance, 1/sr, where a ray from `camera` meets it, and
+    /// `None` where it does not. direction, sun: unit. After Lommel and Seeliger (see `pass/moon_disk.wgsl`),
+    /// with [`MOON_ALBEDO`].
     pub fn radiance(&self, camera: DVec3, direction: DVec3, sun: DVec3) -> Option<f64> {
         let (near, _) = ray_sphere_intersect(camera, direction, self.position, self.radius)?;
         if near < 0.0 {
@@ -127,8 +130,8 @@ impl Moon {
         Some(MOON_ALBEDO / PI * (2.0 * mu0 / (mu0 + mu.max(1e-4)) + self.earthshine))
     }
 
-    /// Where along a ray (metres from `origin`, ascending) the share of sunlight may bend: on the edges of umbra and penumbra.
-    /// direction, sun: unit; sun_radius: radians.
+    /// Where along a ray (metres from `origin`, ascending) the share of sunlight may bend: on the edges of
+    /// umbra and penumbra. direction, sun: unit; sun_radius: radians.
     pub(crate) fn edges(&self, origin: DVec3, direction: DVec3, sun: DVec3, sun_radius: f64) -> Vec<f64> {
         let m = self.position - origin;
         let (nu, along) = (direction.dot(sun), m.dot(sun));
@@ -195,8 +198,8 @@ impl Disks {
         }
     }
 
-    /// Share of the sun's diameter that is covered; in a total or annular eclipse the ratio of the diameters, as NASA's
-    /// eclipse predictions define it. 0 without an eclipse.
+    /// Share of the sun's diameter that is covered; in a total or annular eclipse the ratio of the diameters,
+    /// as NASA's eclipse predictions define it. 0 without an eclipse.
     pub fn magnitude(&self) -> f64 {
         match self.phase() {
             Phase::None => 0.0,
@@ -222,14 +225,18 @@ impl Disks {
                 let (at_moon, _) = half_angle(self.moon, self.apart, self.sun);
                 let moon = ratio * ratio * segment(at_moon);
                 // More than half of the sun's circle within the moon's: what is left is a crescent.
-                let share =
-                    if beyond < at_sun { (segment(beyond) - moon) / PI } else { 1.0 - (segment(at_sun) + moon) / PI };
+                let share = if beyond < at_sun {
+                    (segment(beyond) - moon) / PI
+                } else {
+                    1.0 - (segment(at_sun) + moon) / PI
+                };
                 share.clamp(0.0, 1.0)
             }
         }
     }
 
-    /// Share of the sun's light that is not covered, for 680, 550 and 440 nm, with [`LIMB_DARKENING`]; to 1e-6.
+    /// Share of the sun's light that is not covered, for 680, 550 and 440 nm, with [`LIMB_DARKENING`]; to
+    /// 1e-6.
     pub fn visible_limb_darkened(&self) -> [f64; 3] {
         let (moon, apart) = (self.moon / self.sun, self.apart / self.sun);
         match self.phase() {
@@ -260,8 +267,8 @@ impl Disks {
     }
 }
 
-/// Half the arc of a circle of radius `own` that lies in a circle of radius `other`, `apart` away, and what of
-/// half a turn is left. Kahan's form for a triangle's angle by its sides.
+/// Half the arc of a circle of radius `own` that lies in a circle of radius `other`, `apart` away, and what
+/// of half a turn is left. Kahan's form for a triangle's angle by its sides.
 fn half_angle(own: f64, apart: f64, other: f64) -> (f64, f64) {
     // The difference of the radii first: it is exact where they are alike.
     let more = other - own;
@@ -290,7 +297,8 @@ mod tests {
         Disks { sun: 4.65e-3, moon: moon * 4.65e-3, apart: apart * 4.65e-3 }
     }
 
-    /// Rings of the sun, each cut by the moon's edge; a plain midpoint rule over radius and azimuth's closed form.
+    /// Rings of the sun, each cut by the moon's edge; a plain midpoint rule over radius and azimuth's closed
+    /// form.
     fn by_rings(d: &Disks, brightness: impl Fn(f64) -> f64) -> f64 {
         let (moon, apart) = (d.moon / d.sun, d.apart / d.sun);
         const RINGS: usize = 400_000;
@@ -298,7 +306,8 @@ mod tests {
         for i in 0..RINGS {
             let r = (i as f64 + 0.5) / RINGS as f64;
             let cos = (r * r + apart * apart - moon * moon) / (2.0 * r * apart);
-            let hidden = if apart == 0.0 { f64::from(u8::from(r < moon)) } else { cos.clamp(-1.0, 1.0).acos() / PI };
+            let hidden =
+                if apart == 0.0 { f64::from(u8::from(r < moon)) } else { cos.clamp(-1.0, 1.0).acos() / PI };
             sum += 2.0 * r * brightness(r) * (1.0 - hidden) / RINGS as f64;
         }
         sum
@@ -356,8 +365,11 @@ mod tests {
         for moon in [0.2, 0.95, 0.999, 1.0, 1.001, 1.05, 5.0f64] {
             for contact in [1.0 + moon, (1.0 - moon).abs()] {
                 for step in [1e-6, 1e-9, 1e-12f64] {
-                    let (inside, outside) = (disks(moon, (contact - step).max(0.0)), disks(moon, contact + step));
-                    assert!((inside.visible() - outside.visible()).abs() < 3.0 * step.powf(0.5) * moon + 1e-12);
+                    let (inside, outside) =
+                        (disks(moon, (contact - step).max(0.0)), disks(moon, contact + step));
+                    assert!(
+                        (inside.visible() - outside.visible()).abs() < 3.0 * step.powf(0.5) * moon + 1e-12
+                    );
                     for c in 0..3 {
                         let step = outside.visible_limb_darkened()[c] - inside.visible_limb_darkened()[c];
                         assert!(step.abs() < 2e-3, "{moon} {contact} {c}: {step}");
@@ -380,7 +392,10 @@ mod tests {
             let there = disks(moon, apart);
             let back = Disks { sun: there.moon, moon: there.sun, apart: there.apart };
             let (a, b) = (there.obscuration() * there.sun.powi(2), back.obscuration() * back.sun.powi(2));
-            assert!((a - b).abs() < 1e-13 * there.sun.powi(2).max(there.moon.powi(2)), "{moon} {apart}: {a} {b}");
+            assert!(
+                (a - b).abs() < 1e-13 * there.sun.powi(2).max(there.moon.powi(2)),
+                "{moon} {apart}: {a} {b}"
+            );
         }
     }
 
@@ -400,7 +415,11 @@ mod tests {
             let d = Disks { sun: 1.0, moon: 1.05, apart: 0.05 + depth };
             let chord = (2.0 * depth * 1.05 / 0.05).sqrt();
             let crescent = 4.0 / 3.0 * depth * chord / PI;
-            assert!((d.visible() / crescent - 1.0).abs() < 15.0 * depth + 1e-6, "{depth}: {} {crescent}", d.visible());
+            assert!(
+                (d.visible() / crescent - 1.0).abs() < 15.0 * depth + 1e-6,
+                "{depth}: {} {crescent}",
+                d.visible()
+            );
         }
     }
 

@@ -8,15 +8,15 @@
 
 use glam::{DMat3, DVec2, DVec3};
 
-use crate::error::{Error, Result, direction, in_range};
+use crate::error::{Decimal, Error, Result, Vector, direction, in_range};
 use crate::model::atmosphere::AtmosphereParams;
 use crate::model::moon::Moon;
 
 /// A pinhole camera. Metres and radians, in any right-handed frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
-    /// Where it is, metres, |component| ≤ 1e15. Its distance to [`Scene::planet_center`] is known to the spacing of f64 at
-    /// the larger of both: 1e-4 m at 1e12 m, 0.1 m at 1e15 m.
+    /// Where it is, metres, |component| ≤ 1e15. Its distance to [`Scene::planet_center`] is known to the
+    /// spacing of f64 at the larger of both: 1e-4 m at 1e12 m, 0.1 m at 1e15 m.
     pub position: DVec3,
     /// Where it looks; any length but zero.
     pub forward: DVec3,
@@ -94,7 +94,11 @@ impl Camera {
         let up = direction("camera.up", self.up)?;
         let right = forward.cross(up);
         if right.length() < 1e-6 {
-            return Err(Error::invalid("camera.up", self.up, "a direction that is not parallel to camera.forward"));
+            return Err(Error::invalid(
+                "camera.up",
+                Vector(self.up),
+                "a direction that is not parallel to camera.forward",
+            ));
         }
         let right = right.normalize();
         let up = right.cross(forward);
@@ -105,7 +109,13 @@ impl Camera {
         if t.right - t.left < 1e-9 || t.top - t.bottom < 1e-9 {
             return Err(Error::invalid(
                 "camera.tangents",
-                format_args!("{t:?}"),
+                format_args!(
+                    "Tangents {{ left: {}, right: {}, bottom: {}, top: {} }}",
+                    Decimal(t.left),
+                    Decimal(t.right),
+                    Decimal(t.bottom),
+                    Decimal(t.top)
+                ),
                 "left < right and bottom < top, by at least 1e-9",
             ));
         }
@@ -176,9 +186,9 @@ impl DepthConvention {
     /// Checks the planes: `near` from 1e-4 m, `far` up to 1e15 m and at least 1.001 × near.
     pub fn validate(&self) -> Result<()> {
         let (near, far) = match *self {
-            Self::ZeroToOne { near, far } | Self::Reversed { near, far } | Self::NegativeOneToOne { near, far } => {
-                (near, Some(far))
-            }
+            Self::ZeroToOne { near, far }
+            | Self::Reversed { near, far }
+            | Self::NegativeOneToOne { near, far } => (near, Some(far)),
             Self::ReversedInfinite { near } => (near, None),
             Self::Logarithmic { far } => (1e-3, Some(far)),
         };
@@ -220,7 +230,8 @@ impl DepthConvention {
         if d == self.background() { f64::INFINITY } else { 1.0 / (a * d + b) }
     }
 
-    /// `[a, b, log2(1 + far), background]`, metres: `1 / z = a d + b`, or the logarithm where the third is not 0.
+    /// `[a, b, log2(1 + far), background]`, metres: `1 / z = a d + b`, or the logarithm where the third is
+    /// not 0.
     pub(crate) fn coefficients(&self) -> [f64; 4] {
         let background = self.background();
         match *self {
@@ -236,12 +247,12 @@ impl DepthConvention {
 
 /// Everything that a sky depends on.
 ///
-/// What the shaders' 32-bit floats leave of it, on every driver that was tried (`docs/stability.md`): distances and
-/// altitudes along a ray are right to 1e-5 or 1 m, whichever is more (on planets smaller than the Earth, that metre in
-/// proportion), for a ray turned by up to 2^-22 of the smaller of its zenith angle's sine and cosine. On an Earth that
-/// moves where a ray passes the planet by up to 1.5 m, from the ground as from 1 au. Altitudes within metres of the top
-/// of the air are known to 2^-22 of the shell's thickness. Light is within 0.1 %, or 1e-6 of the ray's brightest
-/// channel, of the same sum in f64.
+/// What the shaders' 32-bit floats leave of it, on every driver that was tried (`docs/stability.md`):
+/// distances and altitudes along a ray are right to 1e-5 or 1 m, whichever is more (on planets smaller than
+/// the Earth, that metre in proportion), for a ray turned by up to 2^-22 of the smaller of its zenith angle's
+/// sine and cosine. On an Earth that moves where a ray passes the planet by up to 1.5 m, from the ground as
+/// from 1 au. Altitudes within metres of the top of the air are known to 2^-22 of the shell's thickness.
+/// Light is within 0.1 %, or 1e-6 of the ray's brightest channel, of the same sum in f64.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
     /// The observer.
@@ -254,8 +265,8 @@ pub struct Scene {
     pub sun_direction: DVec3,
     /// How the scene's depth is stored.
     pub depth: DepthConvention,
-    /// A moon that may hide the sun; the camera is outside of it. It is drawn, and hides the sun's disk; light in the air
-    /// under its shadow is marched for each pixel.
+    /// A moon that may hide the sun; the camera is outside of it. It is drawn, and hides the sun's disk;
+    /// light in the air under its shadow is marched for each pixel.
     pub moon: Option<Moon>,
 }
 
@@ -277,6 +288,7 @@ pub struct ZenithView {
 impl Scene {
     /// Checks everything; see [`AtmosphereParams::validate`] for the medium. Returns the zenith view.
     pub fn validate(&self) -> Result<ZenithView> {
+        crate::count::one(|c| &mut c.scene_checks);
         self.atmosphere.validate()?;
         self.depth.validate()?;
         for (name, v) in [("camera.position", self.camera.position), ("planet_center", self.planet_center)] {
@@ -294,8 +306,11 @@ impl Scene {
         if r < 0.5 * self.atmosphere.planet_radius {
             return Err(Error::invalid(
                 "camera.position",
-                format_args!("{} m from the planet's centre", r),
-                format_args!("at least half the planet's radius ({} m) from it", 0.5 * self.atmosphere.planet_radius),
+                format_args!("{} m from the planet's centre", Decimal(r)),
+                format_args!(
+                    "at least half the planet's radius ({} m) from it",
+                    Decimal(0.5 * self.atmosphere.planet_radius)
+                ),
             ));
         }
         let z = from_center / r;

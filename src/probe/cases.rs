@@ -49,10 +49,15 @@ impl Iterator for Cases {
 /// The media of the grid.
 fn media() -> Vec<AtmosphereParams> {
     let earth = AtmosphereParams::earth();
-    let thin =
-        |shell: f64| AtmosphereParams { atmosphere_radius: earth.planet_radius * (1.0 + shell), ..earth.clone() };
-    let scale =
-        |height: f64| AtmosphereParams { rayleigh_scale_height: height, mie_scale_height: height, ..earth.clone() };
+    let thin = |shell: f64| AtmosphereParams {
+        atmosphere_radius: earth.planet_radius * (1.0 + shell),
+        ..earth.clone()
+    };
+    let scale = |height: f64| AtmosphereParams {
+        rayleigh_scale_height: height,
+        mie_scale_height: height,
+        ..earth.clone()
+    };
     let depth = |tau: f64| AtmosphereParams {
         rayleigh_scattering: [tau / earth.rayleigh_scale_height; 3],
         mie_scattering: [0.0; 3],
@@ -279,8 +284,9 @@ fn build(p: &AtmosphereParams, h: f64, sun_number: usize, direction: usize, rng:
         21 | 22 => at(dip(thickness * (1.2 * rng.f64() - 0.1))),
         23 => {
             let e = log(rng, 1e-7, 1.0);
-            (sun * if rng.bool() { 1.0 } else { -1.0 } + DVec3::new(e * rng.f64(), e * rng.f64(), -e * rng.f64()))
-                .normalize()
+            (sun * if rng.bool() { 1.0 } else { -1.0 }
+                + DVec3::new(e * rng.f64(), e * rng.f64(), -e * rng.f64()))
+            .normalize()
         }
         _ => {
             let z = 2.0 * rng.f64() - 1.0;
@@ -310,8 +316,8 @@ fn build(p: &AtmosphereParams, h: f64, sun_number: usize, direction: usize, rng:
         altitude,
         sun: sun.as_vec3().to_array(),
         fraction,
-        path_x: x,
-        path_b: b,
+        path_excess: x,
+        path_r_mu: b,
         path_distance: (length * f64::from(fraction)) as f32,
         samples: [1.0, 2.0, 4.0, 7.0][rng.usize(0..4)],
         away: match rng.u8(0..6) {
@@ -323,7 +329,7 @@ fn build(p: &AtmosphereParams, h: f64, sun_number: usize, direction: usize, rng:
         light_samples: [1.0, 2.0, 3.0][rng.usize(0..3)],
         // Rays to the ground and others; outside, the planet is all that there is without air.
         to_ground: f32::from(rng.bool()),
-        share: [(); 2].map(|()| match rng.u8(0..8) {
+        uv: [(); 2].map(|()| match rng.u8(0..8) {
             0 => 0.0,
             1 => 1.0,
             2 => log(rng, 1e-9, 1.0) as f32,
@@ -361,13 +367,13 @@ pub fn describe(case: &Case) -> String {
         case.direction,
         case.sun,
         case.fraction,
-        case.path_x,
-        case.path_b,
+        case.path_excess,
+        case.path_r_mu,
         case.path_distance,
         case.samples,
         case.light_samples,
         case.away,
-        case.share,
+        case.uv,
         if case.to_ground > 0.5 { "to the ground" } else { "to the sky" },
         case.node,
     )

@@ -1,7 +1,8 @@
-//! Where a film's camera and sun go, and how far neighbouring frames lie apart: `welkin film` and the tests share it.
+//! Where a film's camera and sun go, and how far neighbouring frames lie apart: `cargo lab film` and the
+//! tests share it.
 
 use crate::AtmosphereParams;
-use crate::render::sky::HAND_OVER;
+use crate::frame::HAND_OVER;
 
 /// Lowest and highest camera of a climb, metres.
 pub const CLIMB: [f64; 2] = [2.0, 1e9];
@@ -24,21 +25,28 @@ pub struct Moment {
 }
 
 impl Moment {
-    /// Of a climb, in pictures of this width over height. The horizon is in the middle near the ground; from 100 km on
-    /// the camera turns towards the planet's centre, which it looks at from 10,000 km; from where the whole planet fits
-    /// into 60°, it fills 5/6 of the picture.
+    /// Of a climb, in pictures of this width over height. The horizon is in the middle near the ground; from
+    /// 100 km on the camera turns towards the planet's centre, which it looks at from 10,000 km; from where
+    /// the whole planet fits into 60°, it fills 5/6 of the picture.
     pub fn climb(params: &AtmosphereParams, altitude: f64, sun_elevation: f64, aspect: f64) -> Self {
         let radius = params.planet_radius;
-        // Of the planet's edge from the point below the camera; the horizon lies 90° - edge below the horizontal.
+        // Of the planet's edge from the point below the camera; the horizon lies 90° - edge below the
+        // horizontal.
         let edge = (radius / (radius + altitude)).min(1.0).asin().to_degrees();
         let t = ((altitude / 1e5).max(1.0).ln() / 1e2_f64.ln()).min(1.0);
         let down = t * t * (3.0 - 2.0 * t);
         let fov = (2.4 * edge / aspect.min(1.0)).min(60.0);
-        Self { altitude, pitch: (edge * (1.0 - down) - 90.0).max(-90.0), fov, sun_elevation, sun_azimuth: 0.0 }
+        Self {
+            altitude,
+            pitch: (edge * (1.0 - down) - 90.0).max(-90.0),
+            fov,
+            sun_elevation,
+            sun_azimuth: 0.0,
+        }
     }
 
-    /// Of a day, `angle` degrees along the sun's way through the zenith: from [`NIGHT`] to 180 - [`NIGHT`]. The camera
-    /// sees the horizon above which the sun sets.
+    /// Of a day, `angle` degrees along the sun's way through the zenith: from [`NIGHT`] to 180 - [`NIGHT`].
+    /// The camera sees the horizon above which the sun sets.
     pub fn day(altitude: f64, angle: f64) -> Self {
         let (sun_elevation, sun_azimuth) = if angle <= 90.0 { (angle, 0.0) } else { (180.0 - angle, 180.0) };
         Self { altitude, pitch: 20.0, fov: 60.0, sun_elevation, sun_azimuth }
@@ -65,8 +73,8 @@ pub fn angles(n: u32) -> Vec<f64> {
     even(NIGHT, 180.0 - NIGHT, n).collect()
 }
 
-/// About `n` altitudes: [`log_spaced`], and a quarter of them each where the passes hand over and around the top of the
-/// air, in even steps.
+/// About `n` altitudes: [`log_spaced`], and a quarter of them each where the passes hand over and around the
+/// top of the air, in even steps.
 pub fn altitudes(params: &AtmosphereParams, n: u32) -> Vec<f64> {
     let top = params.thickness();
     let mut all = log_spaced(n - n / 2);
@@ -77,7 +85,8 @@ pub fn altitudes(params: &AtmosphereParams, n: u32) -> Vec<f64> {
     all
 }
 
-/// How far two neighbouring frames lie apart, as a share of the brightest value of each channel in the reference's two.
+/// How far two neighbouring frames lie apart, as a share of the brightest value of each channel in the
+/// reference's two.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Step {
     /// Mean over pixels and channels: drawn, the reference's, and of the difference between the two changes.

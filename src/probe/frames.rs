@@ -1,5 +1,6 @@
-//! Whole pictures of random scenes over everything that [`Scene::validate`] accepts: whether all of their light is finite
-//! and possible. Small ones, but by the passes, tables and textures that large ones are drawn with.
+//! Whole pictures of random scenes over everything that [`Scene::validate`] accepts: whether all of their
+//! light is finite and possible. Small ones, but by the passes, tables and textures that large ones are drawn
+//! with.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -8,12 +9,11 @@ use glam::{DQuat, DVec3};
 
 use super::cases;
 use crate::error::Result;
-use crate::frame::lut::LutSettings;
-use crate::frame::plan::Bound;
 use crate::gpu::{Backend, Format, Pass, Target, TextureDesc, TextureId};
 use crate::model::atmosphere::{AtmosphereParams, MiePhase};
 use crate::model::scene::{Camera, DepthConvention, Pose, Scene};
-use crate::render::sky::{Composition, Method, SkyRenderer, SkySettings};
+use crate::render::sky::{AerialTargets, FrameTargets, SkyRenderer};
+use crate::settings::{Bound, Composition, Look, LutSettings, Quality, SkySettings};
 
 /// A scene, how it is drawn, and what stands before the camera.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,7 +24,8 @@ pub struct Frame {
     pub settings: SkySettings,
     /// Pixels.
     pub size: [u32; 2],
-    /// Distances of planes along the camera's axis, metres, one a row of pixels and again from the first; infinite: none.
+    /// Distances of planes along the camera's axis, metres, one a row of pixels and again from the first;
+    /// infinite: none.
     pub planes: Vec<f64>,
 }
 
@@ -39,17 +40,8 @@ pub struct Fault {
     pub what: &'static str,
 }
 
-/// Tables as small as can be, and next to that: so many frames fit into a test.
-const TINY: LutSettings = LutSettings {
-    columns: [8, 8],
-    moments: [8, 8],
-    moment_steps: 4,
-    orders: 2,
-    sky: [8, 8],
-    sky_steps: 4,
-    air: [4, 4, 4],
-    air_steps: 1,
-};
+/// LUTs as small as can be, and next to that: so many frames fit into a test.
+const TINY: LutSettings = LutSettings { orders: 2, ..LutSettings::TINY };
 
 /// The frame of a seed and number.
 pub fn frame(seed: u64, number: u64) -> Frame {
@@ -64,8 +56,9 @@ pub fn frame(seed: u64, number: u64) -> Frame {
         // One constituent alone, or none.
         let keep = rng.u8(0..4);
         let a = &mut atmosphere;
-        for (i, c) in
-            [&mut a.rayleigh_scattering, &mut a.mie_scattering, &mut a.ozone_absorption].into_iter().enumerate()
+        for (i, c) in [&mut a.rayleigh_scattering, &mut a.mie_scattering, &mut a.ozone_absorption]
+            .into_iter()
+            .enumerate()
         {
             if i != usize::from(keep) {
                 *c = [0.0; 3];
@@ -135,11 +128,17 @@ pub fn frame(seed: u64, number: u64) -> Frame {
         3 => DepthConvention::NegativeOneToOne { near, far },
         _ => DepthConvention::Logarithmic { far: far.max(0.01) },
     };
-    let method = match rng.u8(0..8) {
-        0 => Method::Lut(LutSettings::LOW),
-        1 => Method::Single { view_samples: rng.u32(1..8), light_samples: rng.u32(1..4) },
-        2 => Method::Lut(LutSettings { orders: 4, sky: [16, 20], air: [4, 8, 7], air_steps: 2, ..TINY }),
-        _ => Method::Lut(TINY),
+    let quality = match rng.u8(0..8) {
+        0 => Quality::Luts(LutSettings::LOW),
+        1 => Quality::March { view_samples: rng.u32(1..8), light_samples: rng.u32(1..4) },
+        2 => Quality::Luts(LutSettings {
+            orders: 4,
+            sky_view: [16, 20],
+            aerial: [4, 8, 7],
+            aerial_steps: 2,
+            ..TINY
+        }),
+        _ => Quality::Luts(TINY),
     };
     let composition = match rng.u8(0..8) {
         0 => Composition::SkyDome,
@@ -158,13 +157,9 @@ pub fn frame(seed: u64, number: u64) -> Frame {
             moon: None,
         },
         settings: SkySettings {
-            enabled: true,
-            composition,
-            method,
+            quality,
             render_scale: if rng.u8(0..4) == 0 { 0.5 } else { 1.0 },
-            sun_disk: rng.bool(),
-            limb_darkening: rng.bool(),
-            foreground: true,
+            look: Look { composition, sun_disk: rng.bool(), limb_darkening: rng.bool(), ..Look::default() },
             bound: [None, Some(Bound::EXACT), Some(Bound::LINEAR)][rng.usize(0..3)],
         },
         size,
@@ -236,21 +231,16 @@ fn pictures(
     for (white, pixels) in [0.0, 1.0].into_iter().zip(&mut both) {
         let behind = [white, white, white, 1.0];
         let target = Target { clear: Some(behind), ..Target::color(color) };
-        let mut passes = sky.background(backend, scene, target)?.to_vec();
+        let over = frame.settings.look.composition == Composition::Planet;
+        let drawn = if over { Target::color(color) } else { Target::color(out) };
+        let aerial = AerialTargets { color: Some(color).filter(|_| !over), depth, target: drawn };
+        let drawn = sky.frame(backend, scene, &FrameTargets::background(target).with_aerial(aerial))?;
+        let mut passes = drawn.background.to_vec();
         if !passes.iter().any(|p| p.target.color == color) {
-            passes.push(Pass {
-                label: "clear",
-                program: None,
-                textures: Default::default(),
-                uniform: crate::gpu::Uniform::NONE,
-                target,
-                depth: Default::default(),
-            });
+            passes.push(Pass::clear("clear", target));
         }
-        let air = sky.aerial(backend, scene, color, depth, out)?;
-        let last = if air.is_empty() { color } else { out };
-        passes.extend_from_slice(air);
-        passes.extend_from_slice(sky.shell(backend, scene, depth, Target::color(color))?);
+        let last = if drawn.aerial.is_empty() || over { color } else { out };
+        passes.extend_from_slice(drawn.aerial);
         backend.run(&passes)?;
         *pixels = backend.read(last)?;
     }
@@ -283,12 +273,12 @@ pub fn shrink_frame(backend: &mut dyn Backend, frame: &Frame) -> Result<Frame> {
         },
         |f| f.scene.sun_direction = f.scene.sun_direction.normalize(),
         |f| f.scene.depth = DepthConvention::default(),
-        |f| f.settings.method = Method::Single { view_samples: 1, light_samples: 1 },
-        |f| f.settings.method = Method::Lut(TINY),
-        |f| f.settings.composition = Composition::SkyDome,
-        |f| f.settings.composition = Composition::AtmospherePost,
+        |f| f.settings.quality = Quality::March { view_samples: 1, light_samples: 1 },
+        |f| f.settings.quality = Quality::Luts(TINY),
+        |f| f.settings.look.composition = Composition::SkyDome,
+        |f| f.settings.look.composition = Composition::AtmospherePost,
         |f| f.settings.render_scale = 1.0,
-        |f| f.settings.sun_disk = false,
+        |f| f.settings.look.sun_disk = false,
         |f| f.planes = vec![f64::INFINITY],
         |f| f.size = [1, 1],
         |f| f.size = [16, 12],

@@ -331,7 +331,10 @@ fn geometry(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
         let sine = Promise { relative: 1e-5, absolute: RESOLUTION };
         note(among(Quantity::SunSine, cross2.sqrt(), sine, of(&|a| a.sin)));
         let t = f64::from(case.fraction * length.max(0.0));
-        note(Check { least: 0.0, ..among(Quantity::Altitude, altitude, promise, of(&|a| a.altitude_after(t))) });
+        note(Check {
+            least: 0.0,
+            ..among(Quantity::Altitude, altitude, promise, of(&|a| a.altitude_after(t)))
+        });
         let dark = |a: &Air| {
             let reach = |s: f64| s.clamp(0.0, f64::from(length.max(0.0)));
             if a.shadow[1] > a.shadow[0] { a.shadow.map(reach) } else { [0.0; 2] }
@@ -360,7 +363,7 @@ fn geometry(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
     let relative = Promise { relative: 1e-5, absolute: 0.0 };
     note(among(Quantity::Excess, excess, relative, std::iter::once(h * (2.0 * radius + h))));
     note(among(Quantity::AltitudeOf, back, promise, std::iter::once(h)));
-    let (x, b) = (f64::from(case.path_x), f64::from(case.path_b));
+    let (x, b) = (f64::from(case.path_excess), f64::from(case.path_r_mu));
     let air = Air64(case, LAYERS[0]);
     let near = moves(x, b).map(|(x, b)| air.to_top(x, b, 1.0));
     note(Check { least: 0.0, ..among(Quantity::ToTop, to_top, promise, near.into_iter()) });
@@ -412,7 +415,7 @@ type PathInput<'a> = ((f64, f64), Air64<'a>);
 
 fn path(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
     let n = case.samples as u32;
-    let (x, b) = (f64::from(case.path_x), f64::from(case.path_b));
+    let (x, b) = (f64::from(case.path_excess), f64::from(case.path_r_mu));
     let near: Vec<_> = moves(x, b)
         .map(|at| (at, LAYERS[0]))
         .into_iter()
@@ -422,8 +425,9 @@ fn path(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
     let of = |f: &dyn Fn(&PathInput) -> [f64; 3]| near.iter().map(f).collect::<Vec<_>>();
     let columns = of(&|((x, b), air)| air.columns(*x, *b, case.path_distance.into(), n));
     let longest = columns[0].into_iter().fold(0.0, f64::max);
-    let through =
-        of(&|((x, b), air)| air.extinction(air.columns(*x, *b, air.to_top(*x, *b, 1.0), n)).map(|tau| (-tau).exp()));
+    let through = of(&|((x, b), air)| {
+        air.extinction(air.columns(*x, *b, air.to_top(*x, *b, 1.0), n)).map(|tau| (-tau).exp())
+    });
     for c in 0..3 {
         let values = columns.iter().map(|v| v[c]);
         note(Check { least: 0.0, ..among(Quantity::Column, answers[0][c], Promise::step(longest), values) });
@@ -436,9 +440,9 @@ fn path(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
     }
 }
 
-/// Maps into the precomputed tables and back. What they are is no promise, but that each place stands for a ray of the
-/// kind that it says, and that a way there and back ends where it began: within a hundredth of a texel of the
-/// largest table, or within what f32 can tell from each other.
+/// Maps into the precomputed tables and back. What they are is no promise, but that each place stands for a
+/// ray of the kind that it says, and that a way there and back ends where it began: within a hundredth of a
+/// texel of the largest table, or within what f32 can tell from each other.
 fn tables(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
     use std::iter::once;
     // Of 1024 texels.
@@ -474,14 +478,15 @@ fn tables(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
         // The table holds half a turn.
         let mut dir = case.direction;
         dir[1] = dir[1].abs();
-        // Just below the top of the air rays that go up share few rows, next to nothing being above them, and those that
-        // go down are spaced by the altitude that they pass: what a rounded row changes, see `zenith_share`.
-        let [limb, bend, ..] = case.limb.map(f64::from);
+        // Just below the top of the air rays that go up share few rows, next to nothing being above them, and
+        // those that go down are spaced by the altitude that they pass: what a rounded row changes, see
+        // `zenith_share`.
+        let [limb, bend, ..] = case.sky_view_mapping.map(f64::from);
         let h = f64::from(case.altitude);
         let horizon = (h * (2.0 * radius + h)).sqrt() / r;
         let v = f64::from(-dir[2]) / horizon;
-        // A share's four roundings, twice, as its square is what both parts are given by; and Vulkan lets a division
-        // or a root round two and a half times.
+        // A share's four roundings, twice, as its square is what both parts are given by; and Vulkan lets a
+        // division or a root round two and a half times.
         let rounded = 4.0 * RESOLUTION;
         let crowded = match (outside, dir[2] >= 0.0) {
             (true, _) => 0.0,
@@ -496,11 +501,12 @@ fn tables(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
     let dir = [answers[2][0], answers[2][1], answers[2][2]];
     let [start, x, b, x_closest] = answers[3];
     let [azimuth, row, sun_b, _] = answers[4];
-    let finite =
-        [dir.as_slice(), &answers[3], &answers[4], &answers[5]].iter().all(|v| v.iter().all(|v| v.is_finite()));
+    let finite = [dir.as_slice(), &answers[3], &answers[4], &answers[5]]
+        .iter()
+        .all(|v| v.iter().all(|v| v.is_finite()));
     // Back at the same share, or at a ray that f32 cannot tell from it.
     let same_ray = apart(&dir, &answers[5]) <= angle.absolute;
-    for (got, want) in [(azimuth, case.share[0]), (row, case.share[1])] {
+    for (got, want) in [(azimuth, case.uv[0]), (row, case.uv[1])] {
         let want = f64::from(want);
         let back = if same_ray && finite { want } else { got.into() };
         let check = share(Quantity::TableReturn, back as f32, want, texel);
@@ -539,9 +545,9 @@ fn tables(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
     let [h, row, mu, column] = answers[6];
     let within = |check: Check, most: f32| Check { least: 0.0, most, ..check };
     note(within(among(Quantity::AltitudeRow, h, geometry, once(h.into())), case.medium.thickness));
-    note(share(Quantity::RowAltitude, row, case.share[1].into(), texel));
+    note(share(Quantity::RowAltitude, row, case.uv[1].into(), texel));
     note(Check { least: -1.0, most: 1.0, ..among(Quantity::SunRow, mu, texel, once(mu.into())) });
-    note(share(Quantity::RowSun, column, case.share[0].into(), texel));
+    note(share(Quantity::RowSun, column, case.uv[0].into(), texel));
     let [row, h, column, mu] = answers[7];
     note(place(Quantity::RowAltitude, row));
     note(among(Quantity::AltitudeRow, h, geometry, once(f64::from(case.altitude).min(thickness))));
@@ -564,24 +570,30 @@ fn tables(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
         let b = if d > 0.0 { ((excess - rho2) / d - d) * 0.5 } else { radius + h };
         [d.max(0.0), b.max(-rho2.sqrt()), rho2]
     };
-    let [along, up] = case.share.map(f64::from);
+    let [along, up] = case.uv.map(f64::from);
     let near = |v: f64| [v, v + RESOLUTION, (v - RESOLUTION).max(0.0)];
     let columns: Vec<_> = near(along).iter().flat_map(|&a| near(up).map(|u| column(a, u.min(1.0)))).collect();
     let of = |i: usize| columns.iter().map(move |c| c[i]).collect::<Vec<_>>().into_iter();
     note(Check { least: 0.0, ..among(Quantity::ColumnsDistance, d, geometry, of(0)) });
     note(among(Quantity::ColumnsB, b, geometry, of(1)));
-    note(Check { least: 0.0, ..among(Quantity::Excess, x, Promise { relative: 1e-5, absolute: 1e-30 }, of(2)) });
+    note(Check {
+        least: 0.0,
+        ..among(Quantity::Excess, x, Promise { relative: 1e-5, absolute: 1e-30 }, of(2))
+    });
     // The way back from where the shader says that it is, and that of a path; b beyond r is no path.
     let place_of = |x: f64, b: f64| {
         let rho = x.max(0.0).sqrt();
         let h = x / (radius + (radius * radius + x).max(0.0).sqrt());
         let shortest = (thickness - h).max(0.0);
         let air = Air64(case, LAYERS[0]);
-        [(air.to_top(x, b, 1.0) - shortest) / (rho + excess.sqrt() - shortest).max(1e-20), rho / excess.sqrt()]
+        [
+            (air.to_top(x, b, 1.0) - shortest) / (rho + excess.sqrt() - shortest).max(1e-20),
+            rho / excess.sqrt(),
+        ]
     };
     for (quantity, x, b, got) in [
         (Quantity::ColumnsReturn, x, b, &answers[9][..2]),
-        (Quantity::ColumnsPlace, case.path_x, case.path_b, &answers[9][2..]),
+        (Quantity::ColumnsPlace, case.path_excess, case.path_r_mu, &answers[9][2..]),
     ] {
         let (x, b) = (f64::from(x), f64::from(b));
         if b > (radius * radius + x).sqrt() * (1.0 + RESOLUTION) {
@@ -600,7 +612,8 @@ fn tables(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
     let up = case.node < 64.0;
     let limits = if up { [horizon, 1.0] } else { [-1.0, horizon] };
     let inside = f64::from(mu).clamp(limits[0], limits[1]);
-    let check = among(Quantity::NodeDirection, mu, Promise { relative: 0.0, absolute: RESOLUTION }, once(inside));
+    let check =
+        among(Quantity::NodeDirection, mu, Promise { relative: 0.0, absolute: RESOLUTION }, once(inside));
     note(if (above > 0.5) == up && (0.0..=std::f32::consts::PI).contains(&turn) {
         check
     } else {
@@ -622,7 +635,8 @@ fn tables(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
 /// [`AtmosphereParams::validate`](crate::AtmosphereParams::validate).
 fn promised(case: &Case) -> bool {
     let m = &case.medium;
-    let (gas, aerosol, layer) = (1.0 / m.rayleigh_inv_height, 1.0 / m.mie_inv_height, 1.0 / m.ozone_inv_half_width);
+    let (gas, aerosol, layer) =
+        (1.0 / m.rayleigh_inv_height, 1.0 / m.mie_inv_height, 1.0 / m.ozone_inv_half_width);
     let depth = (0..3).map(|c| m.rayleigh[c] * gas + m.mie_extinction[c] * aerosol + m.ozone[c] * layer);
     let within = |v: f32, low: f32, high: f32| (low * 0.999..=high * 1.001).contains(&v);
     within(m.radius, 1.0, 7e4)
@@ -677,12 +691,14 @@ fn scatter(case: &Case, answers: &[[f32; 4]], cornette_shanks: bool, note: &mut 
     let kept = |values: &[Light]| checks(values).iter().flatten().all(Check::kept);
     if length > 0.0 && !kept(&same) {
         same.extend(own.swept().filter_map(|i| light(&i)));
-        // Which neighbour is the case's own says nothing of whether it is shaded: the shadow of each may be so wrong.
+        // Which neighbour is the case's own says nothing of whether it is shaded: the shadow of each may be
+        // so wrong.
         let blurred = all.iter().flat_map(|i| [-1.0, 1.0].map(|blur| Input { blur, ..*i }));
         same.extend(blurred.filter_map(|i| light(&i)));
         if !kept(&same) {
             // All six numbers of one neighbour, which is then an instance of the case as f32 knows it.
-            let found = beside_the_shadow(&all, answers[0], &light, &|v: &Light| kept(std::slice::from_ref(v)));
+            let found =
+                beside_the_shadow(&all, answers[0], &light, &|v: &Light| kept(std::slice::from_ref(v)));
             if let Some(found) = found {
                 same = vec![found];
             }
@@ -694,9 +710,9 @@ fn scatter(case: &Case, answers: &[[f32; 4]], cornette_shanks: bool, note: &mut 
 /// Radiance and transmittance.
 type Light = ([f64; 3], [f64; 3]);
 
-/// Along the edge of the planet's shadow, a ray's light goes from none to all of it and through everything between
-/// within what the edge may move: too narrow a hump for any list of neighbours. Of each, with the edge moved evenly
-/// and then halved towards what was answered, the first that is right.
+/// Along the edge of the planet's shadow, a ray's light goes from none to all of it and through everything
+/// between within what the edge may move: too narrow a hump for any list of neighbours. Of each, with the
+/// edge moved evenly and then halved towards what was answered, the first that is right.
 fn beside_the_shadow(
     all: &[Input],
     got: [f32; 4],

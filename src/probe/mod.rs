@@ -1,7 +1,7 @@
 //! The shaders' own functions, one case at a time, against f64 (feature `probe`).
 //!
 //! Tens of thousands of [`Case`]s go into a texture, one draw runs the library's WGSL on each of them, and
-//! [`judge()`] compares what comes back with the same quantity in f64. `welkin stress` does it a million
+//! [`judge()`] compares what comes back with the same quantity in f64. `cargo lab stress` does it a million
 //! times; `tests/probe.rs` does it on both backends.
 //!
 //! Both sides start from the same f32 numbers, so what differs is what the shader's arithmetic loses.
@@ -10,6 +10,9 @@
 mod cases;
 pub mod film;
 mod frames;
+#[allow(dead_code)] // Constants that only some probes ask for.
+#[rustfmt::skip]
+mod generated;
 mod judge;
 mod report;
 pub mod scenes;
@@ -18,17 +21,18 @@ mod truth;
 
 pub use cases::{Cases, describe, grid, grid_len, random};
 pub use frames::{Fault, Frame, frame, look, shrink_frame};
+pub use generated::PROGRAMS;
 pub use judge::{Finding, Quantity, Row, Tally, explain, judge};
 pub use report::{NUMBERS, Record, side_by_side};
 pub use shrink::{Shrink, shrink};
 pub use truth::{Promise, RESOLUTION};
 
 use crate::error::Result;
-use crate::frame::lut::{LutSettings, TablesUniform};
+use crate::frame::luts::LutsUniform;
 use crate::frame::uniforms::{FrameUniform, MediumUniform};
-use crate::gpu::{Backend, Format, Pass, ReadId, Target, TextureDesc, TextureId, Uniform};
+use crate::gpu::{Backend, Format, Inputs, Pass, Program, ReadId, Target, TextureDesc, TextureId};
 use crate::model::atmosphere::{AtmosphereParams, MiePhase};
-use crate::shaders::Program;
+use crate::settings::LutSettings;
 
 /// Which functions a probe runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -43,7 +47,8 @@ pub enum Probe {
     Scatter(MiePhase),
     /// Which share of the sun a moon leaves; judged by a test of its own, on cases of its own.
     Eclipse,
-    /// Where in the precomputed tables a ray, an altitude or a sun's angle is, and what a place in them stands for.
+    /// Where in the precomputed tables a ray, an altitude or a sun's angle is, and what a place in them
+    /// stands for.
     Tables,
 }
 
@@ -60,7 +65,8 @@ impl Probe {
 
     /// Those that a batch of cases is tried with, by its number: the two phase functions' scattering in turn.
     pub fn of_batch(number: u64) -> [Self; 5] {
-        let phase = if number.is_multiple_of(2) { MiePhase::HenyeyGreenstein } else { MiePhase::CornetteShanks };
+        let phase =
+            if number.is_multiple_of(2) { MiePhase::HenyeyGreenstein } else { MiePhase::CornetteShanks };
         [Self::Geometry, Self::Medium, Self::Path, Self::Tables, Self::Scatter(phase)]
     }
 
@@ -77,30 +83,34 @@ impl Probe {
         }
     }
 
-    pub(crate) fn flag(self) -> &'static str {
-        match self {
-            Self::Geometry => "PROBE_GEOMETRY",
-            Self::Medium => "PROBE_MEDIUM",
-            Self::Path => "PROBE_PATH",
-            Self::Eclipse => "PROBE_ECLIPSE",
-            Self::Tables => "PROBE_TABLES",
-            Self::Scatter(_) => "PROBE_SCATTER",
-        }
+    /// The program that runs these functions, with all of its constants on but the other phase function.
+    fn program(self) -> Program {
+        let info = match self {
+            Self::Geometry => &generated::probe_geometry::INFO,
+            Self::Medium => &generated::probe_medium::INFO,
+            Self::Path => &generated::probe_path::INFO,
+            Self::Eclipse => &generated::probe_eclipse::INFO,
+            Self::Tables => &generated::probe_luts::INFO,
+            Self::Scatter(_) => &generated::probe_scatter::INFO,
+        };
+        let off = match self {
+            Self::Scatter(MiePhase::HenyeyGreenstein) => generated::probe_scatter::CORNETTE_SHANKS,
+            _ => 0,
+        };
+        Program::new(info, info.all() & !off)
     }
 
-    pub(crate) fn mie_phase(self) -> MiePhase {
-        if let Self::Scatter(phase) = self { phase } else { MiePhase::HenyeyGreenstein }
-    }
-
-    /// Pixels that one case fills; `ANSWERS` in `probe.wgsl`.
+    /// Pixels that one case fills.
     pub fn answers(self) -> usize {
-        match self {
-            Self::Geometry => 4,
-            Self::Medium => 5,
-            Self::Path | Self::Scatter(_) => 2,
-            Self::Eclipse => 1,
-            Self::Tables => 12,
-        }
+        let answers = match self {
+            Self::Geometry => generated::probe_geometry::numbers::ANSWERS,
+            Self::Medium => generated::probe_medium::numbers::ANSWERS,
+            Self::Path => generated::probe_path::numbers::ANSWERS,
+            Self::Scatter(_) => generated::probe_scatter::numbers::ANSWERS,
+            Self::Eclipse => generated::probe_eclipse::numbers::ANSWERS,
+            Self::Tables => generated::probe_luts::numbers::ANSWERS,
+        };
+        answers as usize
     }
 }
 
@@ -119,10 +129,10 @@ pub struct Case {
     pub sun: [f32; 3],
     /// Share of the ray's way through the air that is asked about, 0 to 1.
     pub fraction: f32,
-    /// r² − R² where a path begins.
-    pub path_x: f32,
+    /// Excess, r² − R², where a path begins.
+    pub path_excess: f32,
     /// r μ where a path begins.
-    pub path_b: f32,
+    pub path_r_mu: f32,
     /// Length of the path.
     pub path_distance: f32,
     /// Steps along it.
@@ -131,34 +141,35 @@ pub struct Case {
     pub away: f32,
     /// Steps towards the sun.
     pub light_samples: f32,
-    /// Of the tables' uniform block: `sun_first`.
+    /// Of the LUTs' uniform block: `sun_first`.
     pub sun_first: f32,
     /// `sun_span`.
     pub sun_span: f32,
-    /// A place in a table, 0 to 1 each.
-    pub share: [f32; 2],
-    /// 1 where that place is among the rays that end on the ground.
+    /// u and v of a LUT, 0 to 1 each.
+    pub uv: [f32; 2],
+    /// 1 where u and v are among the rays that end on the ground.
     pub to_ground: f32,
     /// Number of a direction in which light is gathered.
     pub node: f32,
     /// `altitude_steepness`, `altitude_growth`, `sun_middle` and `sun_width`.
     pub scales: [f32; 4],
-    /// Of the frame's uniform block, for this altitude: `limb`.
-    pub limb: [f32; 4],
+    /// Of the frame's uniform block, for this altitude: `sky_view_mapping`.
+    pub sky_view_mapping: [f32; 4],
 }
 
 impl Case {
     /// The tables' numbers for this medium.
     fn with_tables(self, params: &AtmosphereParams) -> Self {
-        let t = TablesUniform::new(params, &LutSettings::default());
+        let t = LutsUniform::new(params, &LutSettings::default());
         let scales = [t.altitude_steepness, t.altitude_growth, t.sun_middle, t.sun_width];
-        let limb = FrameUniform::limb(f64::from(self.altitude) * 1000.0, params);
-        Self { sun_first: t.sun_first, sun_span: t.sun_span, scales, limb, ..self }
+        let sky_view_mapping = FrameUniform::sky_view_mapping(f64::from(self.altitude) * 1000.0, params);
+        Self { sun_first: t.sun_first, sun_span: t.sun_span, scales, sky_view_mapping, ..self }
     }
 }
 
-/// Texels of a case; `CASE_TEXELS` in `probe.wgsl`.
+/// Texels of a case.
 const CASE_TEXELS: usize = size_of::<Case>() / 16;
+const _: () = assert!(CASE_TEXELS == generated::probe_luts::numbers::CASE_TEXELS as usize);
 /// Cases in a row of the texture: it is then no wider than the 2048 texels that WebGL2 promises.
 const ROW: usize = 156;
 
@@ -206,15 +217,9 @@ impl Running {
         let mut texels: Vec<f32> = bytemuck::cast_slice(cases).to_vec();
         texels.resize(desc.map_or(0, |d| d.texels() * 4), 0.0);
         backend.write_texture(input, &texels)?;
-        let mut pass = Pass {
-            label: "probe",
-            program: Some(backend.create_program(Program::Probe(probe))?),
-            textures: Default::default(),
-            uniform: Uniform::NONE,
-            target: Target::color(output),
-            depth: Default::default(),
-        };
-        pass.textures[0] = Some(input);
+        let program = Some(backend.create_program(probe.program())?);
+        let inputs = Inputs::new([("cases", Some(input))]);
+        let pass = Pass { program, inputs, ..Pass::clear("probe", Target::color(output)) };
         backend.run(&[pass])?;
         backend.begin_read(output)
     }
@@ -243,9 +248,11 @@ pub fn run(backend: &mut dyn Backend, probe: Probe, cases: &[Case]) -> Result<Ve
     for batch in cases.chunks(BATCH) {
         let running = Running::begin(backend, probe, batch)?;
         let done = running.poll(backend)?;
-        answers.extend(done.ok_or_else(|| crate::Error::Unavailable {
-            backend: backend.info().backend,
-            reason: "this platform cannot wait for the GPU: poll instead".into(),
+        answers.extend(done.ok_or_else(|| {
+            crate::Error::unavailable(
+                backend.info().backend,
+                "this platform cannot wait for the GPU: poll instead",
+            )
         })?);
     }
     Ok(answers)

@@ -20,7 +20,7 @@ pub struct Record {
     pub tally: Tally,
 }
 
-/// The table that `welkin stress` prints, a line for each quantity.
+/// The table that `cargo lab stress` prints, a line for each quantity.
 impl Display for Record {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         writeln!(
@@ -60,7 +60,9 @@ impl Record {
         let row = |(quantity, row): (&Quantity, &Row)| {
             let Row { tried, not_finite, steep, worst, promise, used: (used, case), broken } = row;
             let name = quantity.name();
-            format!("{name}\t{tried}\t{not_finite}\t{steep}\t{worst:e}\t{promise:e}\t{used:e}\t{case}\t{broken}\n")
+            format!(
+                "{name}\t{tried}\t{not_finite}\t{steep}\t{worst:e}\t{promise:e}\t{used:e}\t{case}\t{broken}\n"
+            )
         };
         head + &self.tally.rows.iter().map(row).collect::<String>()
     }
@@ -68,7 +70,7 @@ impl Record {
     /// From [`Self::save`]; without its findings.
     ///
     /// # Errors
-    /// [`Error::Invalid`] with the first line that is none of such a file.
+    /// [`crate::ErrorKind::Invalid`] with the first line that is none of such a file.
     pub fn load(text: &str) -> Result<Self> {
         fn part<T: std::str::FromStr>(parts: &mut std::str::Split<'_, char>) -> Option<T> {
             parts.next()?.parse().ok()
@@ -107,10 +109,12 @@ impl Record {
     }
 }
 
-/// Several records side by side, as Markdown: a table of the drivers, and the worst error of each quantity by each of them.
+/// Several records side by side, as Markdown: a table of the drivers, and the worst error of each quantity by
+/// each of them.
 pub fn side_by_side(records: &[Record]) -> String {
     let mut text = String::from(
-        "| | driver | seed | cases | numbers | non-finite | steep | broken |\n|---|---|---:|---:|---:|---:|---:|---:|\n",
+        "| | driver | seed | cases | numbers | non-finite | steep | broken \
+         |\n|---|---|---:|---:|---:|---:|---:|---:|\n",
     );
     let column = |i: usize| char::from(b'A' + (i % 26) as u8);
     for (i, r) in records.iter().enumerate() {
@@ -133,7 +137,8 @@ pub fn side_by_side(records: &[Record]) -> String {
         let Some(promise) = rows.iter().flatten().map(|r| r.promise).next() else { continue };
         text += &format!("| {} | {promise:.0e} |", quantity.name());
         for row in rows {
-            text += &row.map_or_else(|| " |".into(), |r| format!(" {:.1e}, {:.0} % |", r.worst, 100.0 * r.used.0));
+            text += &row
+                .map_or_else(|| " |".into(), |r| format!(" {:.1e}, {:.0} % |", r.worst, 100.0 * r.used.0));
         }
         text.push('\n');
     }
@@ -162,8 +167,8 @@ impl Finding {
 }
 
 /// The head of a table of [`Finding::line`]s.
-pub const NUMBERS: &str =
-    "quantity                                   shader               f64  neighbours from              to   allowed";
+pub const NUMBERS: &str = "quantity                                   shader               f64  \
+                           neighbours from              to   allowed";
 
 impl Finding {
     /// As a line of a table of numbers, see [`NUMBERS`].

@@ -1,7 +1,8 @@
-//! The fixed scenes of the accuracy report: `welkin accuracy` measures over them, and the tests measure again.
+//! The fixed scenes of the accuracy report: `cargo lab accuracy` measures over them, and the tests measure
+//! again.
 
-use glam::DVec3;
 use crate::{AtmosphereParams, Camera, DepthConvention, Pose, Scene};
+use glam::DVec3;
 
 /// A camera and a sun above a planet; the sun's azimuth is 0. Angles in degrees, no terrain.
 #[derive(Clone, Copy, Debug)]
@@ -51,7 +52,7 @@ impl Frame {
     }
 }
 
-pub use crate::settings::quality::MEDIA;
+pub use crate::settings::front::MEDIA;
 
 /// A medium of [`MEDIA`], with a sun of irradiance 1.
 ///

@@ -36,10 +36,11 @@ impl Shrink {
     /// Takes the answers to [`Self::tries`].
     pub fn take(&mut self, answers: &[[f32; 4]]) {
         let Finding { probe, index, quantity, .. } = self.best;
-        let broken = self.tries.iter().zip(answers.chunks_exact(probe.answers())).find_map(|(case, answers)| {
-            let tally = judge(probe, index, std::slice::from_ref(case), answers);
-            tally.findings.into_iter().find(|f| f.quantity == quantity)
-        });
+        let broken =
+            self.tries.iter().zip(answers.chunks_exact(probe.answers())).find_map(|(case, answers)| {
+                let tally = judge(probe, index, std::slice::from_ref(case), answers);
+                tally.findings.into_iter().find(|f| f.quantity == quantity)
+            });
         self.round += 1;
         self.tries = match broken {
             Some(ref broken) if self.round < ROUNDS => plainer(&broken.case),
@@ -85,7 +86,8 @@ fn plainer(case: &Case) -> Vec<Case> {
     with(&|c| c.medium.rayleigh_inv_height = earth.rayleigh_inv_height);
     with(&|c| c.medium.mie_inv_height = earth.mie_inv_height);
     with(&|c| {
-        (c.medium.ozone_center, c.medium.ozone_inv_half_width) = (earth.ozone_center, earth.ozone_inv_half_width)
+        (c.medium.ozone_center, c.medium.ozone_inv_half_width) =
+            (earth.ozone_center, earth.ozone_inv_half_width)
     });
     // In an order that cannot go round: only towards the front of each list.
     let mut first = |list: &[f32], get: &dyn Fn(&Case) -> f32, set: &dyn Fn(&mut Case, f32)| {

@@ -32,16 +32,16 @@ impl Promise {
         Self { relative: 1e-5, absolute: 1e-3 * (radius / 6360.0).min(1.0) }
     }
 
-    /// Single-step quantities: 0.1 %, or 1e-6 of the brightest value of the case. What f32 cannot hold (less than
-    /// 1.2e-38, also as the product of two factors one of which is) may be 0.
+    /// Single-step quantities: 0.1 %, or 1e-6 of the brightest value of the case. What f32 cannot hold (less
+    /// than 1.2e-38, also as the product of two factors one of which is) may be 0.
     pub fn step(brightest: f64) -> Self {
         Self { relative: 1e-3, absolute: (1e-6 * brightest).max(FAINT) }
     }
 
-    /// Light along a ray: as [`Self::step`]. The source, a density times what it sends into the ray per km, is a product
-    /// with up to three other factors of at most 1 (transmittance to the eye, within the step and to the sun): where one
-    /// of the four, or a product of some, is less than 2^-126 the light may be 0. `brightest_source`: the largest
-    /// coefficient times phase function, 1/(km sr); `length`: km.
+    /// Light along a ray: as [`Self::step`]. The source, a density times what it sends into the ray per km,
+    /// is a product with up to three other factors of at most 1 (transmittance to the eye, within the step
+    /// and to the sun): where one of the four, or a product of some, is less than 2^-126 the light may be 0.
+    /// `brightest_source`: the largest coefficient times phase function, 1/(km sr); `length`: km.
     pub fn light(brightest: f64, brightest_source: f64, length: f64) -> Self {
         let absolute = Self::step(brightest).absolute.max(LEAST * brightest_source * length);
         Self { absolute, ..Self::step(brightest) }
@@ -71,17 +71,24 @@ pub(super) struct Input {
     pub sun: DVec3,
     /// Factors of the absorbing layer's centre and half width.
     pub layer: [f64; 2],
-    /// Factor of the shadow's radius: whether a ray along its edge is lit is a difference of two large numbers.
+    /// Factor of the shadow's radius: whether a ray along its edge is lit is a difference of two large
+    /// numbers.
     pub shade: f64,
     /// What the shadow's begin and end are moved apart by, over what is promised of them.
     pub blur: f64,
-    /// Factor of the shell's thickness for the way to the sun: next to the top, that is a difference of altitudes.
+    /// Factor of the shell's thickness for the way to the sun: next to the top, that is a difference of
+    /// altitudes.
     pub lid: f64,
 }
 
 /// The absorbing layer's neighbours: near its foot the tent is a small difference of its inputs.
-pub(super) const LAYERS: [[f64; 2]; 5] =
-    [[1.0, 1.0], [1.0 + RESOLUTION, 1.0], [1.0 - RESOLUTION, 1.0], [1.0, 1.0 + RESOLUTION], [1.0, 1.0 - RESOLUTION]];
+pub(super) const LAYERS: [[f64; 2]; 5] = [
+    [1.0, 1.0],
+    [1.0 + RESOLUTION, 1.0],
+    [1.0 - RESOLUTION, 1.0],
+    [1.0, 1.0 + RESOLUTION],
+    [1.0, 1.0 - RESOLUTION],
+];
 
 impl Input {
     pub fn of(case: &Case) -> Self {
@@ -111,8 +118,8 @@ impl Input {
         Some([near, other])
     }
 
-    /// The direction turned up or down by a relative part of its sine or cosine, whichever is smaller: that is
-    /// what f32 holds finely.
+    /// The direction turned up or down by a relative part of its sine or cosine, whichever is smaller: that
+    /// is what f32 holds finely.
     pub fn tilted(self, e: f64) -> Self {
         let d = self.direction;
         let sin = d.x.hypot(d.y);
@@ -148,9 +155,9 @@ impl Input {
         }))
     }
 
-    /// The inputs as they are, and their neighbours within [`RESOLUTION`]: the direction turned up and down (in
-    /// several steps: near a tangent the answer goes with the root) and to the sides, altitude and thickness
-    /// moved, the sun turned by a quarter of that in radians, and the shadow's edge moved.
+    /// The inputs as they are, and their neighbours within [`RESOLUTION`]: the direction turned up and down
+    /// (in several steps: near a tangent the answer goes with the root) and to the sides, altitude and
+    /// thickness moved, the sun turned by a quarter of that in radians, and the shadow's edge moved.
     pub fn neighbours(self) -> Vec<Self> {
         let mut all = vec![self];
         let d = self.direction;
@@ -220,7 +227,8 @@ impl Air {
         let altitude = if start > 0.0 { i.thickness } else { i.altitude };
         // The point of entry, from the perigee's place: no difference of large numbers.
         let perigee = DVec3::new(-d.z * d.x, -d.z * d.y, d.x * d.x + d.y * d.y) * (i.radius + i.altitude);
-        let sun_b = if start > 0.0 { perigee.dot(i.sun) + s0 * nu } else { (i.radius + i.altitude) * i.sun.z };
+        let sun_b =
+            if start > 0.0 { perigee.dot(i.sun) + s0 * nu } else { (i.radius + i.altitude) * i.sun.z };
         let mut air = Self {
             chord,
             radius: i.radius,
@@ -242,7 +250,8 @@ impl Air {
         Some(air)
     }
 
-    /// Where the line is nearer to the axis through the planet's centre towards the sun than R, on the night side.
+    /// Where the line is nearer to the axis through the planet's centre towards the sun than R, on the night
+    /// side.
     fn shadow_of(&self, perigee: DVec3, d: DVec3, sun: DVec3, radius: f64) -> [f64; 2] {
         let none = [1.0, 0.0];
         let (p, q) = (perigee - sun * perigee.dot(sun), d - sun * self.nu);
@@ -287,7 +296,8 @@ impl Air64<'_> {
         [
             (-h * f64::from(m.rayleigh_inv_height)).exp(),
             (-h * f64::from(m.mie_inv_height)).exp(),
-            (1.0 - (h - f64::from(m.ozone_center) * self.1[0]).abs() * f64::from(m.ozone_inv_half_width) / self.1[1])
+            (1.0 - (h - f64::from(m.ozone_center) * self.1[0]).abs() * f64::from(m.ozone_inv_half_width)
+                / self.1[1])
                 .max(0.0),
         ]
     }
@@ -295,7 +305,9 @@ impl Air64<'_> {
     pub fn extinction(self, d: [f64; 3]) -> [f64; 3] {
         let m = &self.0.medium;
         channels(|c| {
-            f64::from(m.rayleigh[c]) * d[0] + f64::from(m.mie_extinction[c]) * d[1] + f64::from(m.ozone[c]) * d[2]
+            f64::from(m.rayleigh[c]) * d[0]
+                + f64::from(m.mie_extinction[c]) * d[1]
+                + f64::from(m.ozone[c]) * d[2]
         })
     }
 
@@ -314,7 +326,8 @@ impl Air64<'_> {
         })
     }
 
-    /// Columns by the shader's own rule, in f64: steps even in the root of the distance from the lowest point.
+    /// Columns by the shader's own rule, in f64: steps even in the root of the distance from the lowest
+    /// point.
     pub fn columns(self, x: f64, b: f64, distance: f64, samples: u32) -> [f64; 3] {
         let radius = f64::from(self.0.medium.radius);
         let mut sum = [0.0; 3];
@@ -370,13 +383,16 @@ fn steps(b: f64, distance: f64, samples: u32) -> impl Iterator<Item = Step> {
     })
 }
 
-/// What each density sends into the ray, per km, at most: coefficient times phase function, the brightest channel's.
+/// What each density sends into the ray, per km, at most: coefficient times phase function, the brightest
+/// channel's.
 pub(super) fn brightest_source(case: &Case, input: &Input, cornette_shanks: bool) -> f64 {
     let half = 0.5 * (input.direction - input.sun).length_squared();
     let medium = Air64(case, input.layer);
     let aerosol = if cornette_shanks { medium.cornette_shanks(half) } else { medium.henyey_greenstein(half) };
     let (m, gas) = (&case.medium, phase::rayleigh(1.0 - half));
-    (0..3).map(|c| f64::from(m.rayleigh[c]) * gas + f64::from(m.mie_scattering[c]) * aerosol[c]).fold(0.0, f64::max)
+    (0..3)
+        .map(|c| f64::from(m.rayleigh[c]) * gas + f64::from(m.mie_scattering[c]) * aerosol[c])
+        .fold(0.0, f64::max)
 }
 
 /// The f64 twin of `single_scattering`: radiance and transmittance.
@@ -406,12 +422,14 @@ pub(super) fn scattering(case: &Case, input: &Input, cornette_shanks: bool) -> O
             let h = air.altitude_after(lit);
             let x = h * (2.0 * input.radius + h);
             let sun_b = air.sun_b + air.nu * lit;
-            let columns = medium.columns(x, sun_b, medium.to_top(x, sun_b, input.lid), case.light_samples as u32);
+            let columns =
+                medium.columns(x, sun_b, medium.to_top(x, sun_b, input.lid), case.light_samples as u32);
             let light = medium.extinction(columns);
             let d = medium.densities(h);
             for c in 0..3 {
                 let own = if tau[c] > 1e-6 { -(-tau[c]).exp_m1() / tau[c] } else { 1.0 - 0.5 * tau[c] };
-                let source = f64::from(m.rayleigh[c]) * gas * d[0] + f64::from(m.mie_scattering[c]) * aerosol[c] * d[1];
+                let source = f64::from(m.rayleigh[c]) * gas * d[0]
+                    + f64::from(m.mie_scattering[c]) * aerosol[c] * d[1];
                 radiance[c] += through[c] * own * source * (-light[c]).exp() * (size - night);
             }
         }

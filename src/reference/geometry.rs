@@ -6,45 +6,9 @@
 //! nearer root is `c / q` (Press et al., Numerical Recipes, section 5.6), and a ray through the air is a
 //! [`Chord`]: measured from its perigee, in altitudes and not in radii.
 
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 
-/// Where a line meets a sphere: the two values of `t` with `|origin + t dir - center| = radius`,
-/// ascending, in lengths of `dir` (metres if `dir` has length 1). Negative values lie behind the origin.
-///
-/// `None` if the line misses, if `dir` has no length or if any input is not finite.
-/// A line that touches within rounding gives two equal values or `None`.
-pub fn ray_sphere_intersect(origin: DVec3, dir: DVec3, center: DVec3, radius: f64) -> Option<(f64, f64)> {
-    let from_center = origin - center;
-    let scale = dir.abs().max_element();
-    if !from_center.is_finite() || !dir.is_finite() || !radius.is_finite() || scale <= 0.0 || radius < 0.0 {
-        return None;
-    }
-    let length = scale * (dir / scale).length();
-    let unit = dir / length;
-    let to_perigee = -from_center.dot(unit);
-    let impact = (from_center + unit * to_perigee).length();
-    if impact > radius {
-        return None;
-    }
-    let half_chord = ((radius - impact) * (radius + impact)).sqrt();
-    let distance = from_center.length();
-    // t1 t2 = c; the root of larger magnitude has no cancellation.
-    let c = (distance - radius) * (distance + radius);
-    let large = if to_perigee >= 0.0 { to_perigee + half_chord } else { to_perigee - half_chord };
-    let small = if large == 0.0 { 0.0 } else { c / large };
-    Some((small.min(large) / length, small.max(large) / length))
-}
-
-/// [`ray_sphere_intersect`] for f32 callers, `(-1, -1)` on a miss; computed inside in f64.
-///
-/// The digits that f32 inputs do not have stay missing: at an Earth radius from the centre an f32
-/// position is good to 0.5 m.
-pub fn ray_sphere_intersect_f32(origin: Vec3, dir: Vec3, center: Vec3, radius: f32) -> (f32, f32) {
-    match ray_sphere_intersect(origin.as_dvec3(), dir.as_dvec3(), center.as_dvec3(), f64::from(radius)) {
-        Some((near, far)) => (near as f32, far as f32),
-        None => (-1.0, -1.0),
-    }
-}
+pub use crate::model::rays::{ray_sphere_intersect, ray_sphere_intersect_f32};
 
 /// What ends a ray's way through the air.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -190,7 +154,8 @@ impl Chord {
         Some((start, end.max(start), kind))
     }
 
-    /// `v` with `v² = altitude - perigee altitude`, signed like `s`. An exponential density is a Gaussian in it.
+    /// `v` with `v² = altitude - perigee altitude`, signed like `s`. An exponential density is a Gaussian in
+    /// it.
     pub(crate) fn v_at(self, s: f64) -> f64 {
         let sum = self.radius(s) + self.perigee_radius;
         if sum > 0.0 { s / sum.sqrt() } else { 0.0 }
@@ -210,6 +175,7 @@ impl Chord {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::Vec3;
 
     const R: f64 = 6_360_000.0;
 
@@ -304,7 +270,10 @@ mod tests {
         assert!((level.at_altitude(exact).unwrap() - t).abs() < 1e-6);
         for (altitude, angle) in [(0.0, 0.3f64), (1000.0, 1.57), (5e4, 2.0), (3.8e8, 3.1), (0.0, 0.0)] {
             let chord = Chord::new(R, altitude, angle.cos(), angle.sin());
-            assert!((chord.altitude(chord.origin) - altitude).abs() < 1e-8 + 1e-15 * altitude, "{altitude} {angle}");
+            assert!(
+                (chord.altitude(chord.origin) - altitude).abs() < 1e-8 + 1e-15 * altitude,
+                "{altitude} {angle}"
+            );
             for s in [-1e6, -12.0, 1e5] {
                 assert!((chord.at_v(chord.v_at(s)).0 - s).abs() < 1e-9 * s.abs(), "{altitude} {angle} {s}");
             }

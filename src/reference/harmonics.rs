@@ -74,7 +74,7 @@ pub(crate) fn rayleigh_moment(l: usize) -> f64 {
 mod tests {
     use super::*;
     use crate::model::phase;
-    use crate::reference::quadrature::gauss_legendre;
+    use crate::model::quadrature::gauss_legendre;
 
     #[test]
     fn harmonics_are_orthonormal() {
@@ -99,7 +99,13 @@ mod tests {
             assert_eq!(index(degree, l, m), i);
             for j in 0..n {
                 let exact = f64::from(u8::from(i == j));
-                assert!((gram[i * n + j] - exact).abs() < 1e-12, "{:?} {:?} {}", lm[i], lm[j], gram[i * n + j]);
+                assert!(
+                    (gram[i * n + j] - exact).abs() < 1e-12,
+                    "{:?} {:?} {}",
+                    lm[i],
+                    lm[j],
+                    gram[i * n + j]
+                );
             }
         }
     }
@@ -125,8 +131,10 @@ mod tests {
                 }
             }
         }
-        let second: f64 =
-            gauss_legendre(8).iter().map(|&(mu, w)| 2.0 * PI * w * phase::rayleigh(mu) * (1.5 * mu * mu - 0.5)).sum();
+        let second: f64 = gauss_legendre(8)
+            .iter()
+            .map(|&(mu, w)| 2.0 * PI * w * phase::rayleigh(mu) * (1.5 * mu * mu - 0.5))
+            .sum();
         assert!((second - rayleigh_moment(2)).abs() < 1e-14);
     }
 }

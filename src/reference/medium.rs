@@ -1,9 +1,9 @@
 //! Column densities of the three constituents along straight lines.
 
 use super::geometry::Chord;
-use super::quadrature::{gauss_4, gauss_6, gauss_10, gauss_16};
 use crate::model::atmosphere::AtmosphereParams;
 use crate::model::phase;
+use crate::model::quadrature::{gauss_4, gauss_6, gauss_10, gauss_16};
 
 /// How well a column is integrated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,10 +52,12 @@ impl Medium {
     /// `phase` holds the gas's and the aerosol's phase functions for the scattering angle.
     pub fn scattering(&self, altitude: f64, phase: &Phases) -> [f64; 3] {
         let h = altitude.max(0.0);
-        let gas = if self.scatters_gas { (-h / self.params.rayleigh_scale_height).exp() * phase.gas } else { 0.0 };
+        let gas =
+            if self.scatters_gas { (-h / self.params.rayleigh_scale_height).exp() * phase.gas } else { 0.0 };
         let aerosol = if self.has_aerosol { (-h / self.params.mie_scale_height).exp() } else { 0.0 };
         std::array::from_fn(|c| {
-            self.params.rayleigh_scattering[c] * gas + self.params.mie_scattering[c] * aerosol * phase.aerosol[c]
+            self.params.rayleigh_scattering[c] * gas
+                + self.params.mie_scattering[c] * aerosol * phase.aerosol[c]
         })
     }
 
@@ -168,7 +170,7 @@ fn apply<const N: usize>(rule: &[(f64, f64); N], a: f64, b: f64, f: impl Fn(f64)
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::reference::quadrature::integrate;
+    use crate::model::quadrature::integrate;
 
     /// Columns against an adaptive integral in plain path length, for shapes far from Earth's.
     #[test]
@@ -191,13 +193,16 @@ mod tests {
                     let chord = Chord::new(params.planet_radius, altitude, f64::cos(angle), f64::sin(angle));
                     let Some((s0, s1, _)) = chord.clip(medium.top, f64::INFINITY) else { continue };
                     let mut breaks = vec![s0, s1, 0.0f64.clamp(s0, s1)];
-                    for h in [1e-3, 1e-2, 3e-2, 0.1, 0.3].map(|f| f * medium.top).iter().chain(&medium.kinks()) {
+                    for h in
+                        [1e-3, 1e-2, 3e-2, 0.1, 0.3].map(|f| f * medium.top).iter().chain(&medium.kinks())
+                    {
                         if let Some(s) = chord.at_altitude(*h) {
                             breaks.extend([s.clamp(s0, s1), (-s).clamp(s0, s1)]);
                         }
                     }
                     breaks.sort_by(f64::total_cmp);
-                    let plain = integrate(|s| params.densities(chord.altitude(s)), &breaks, 1e-12, 1e-12, 4000);
+                    let plain =
+                        integrate(|s| params.densities(chord.altitude(s)), &breaks, 1e-12, 1e-12, 4000);
                     for (rule, tolerance) in [(ColumnRule::Precise, 1e-9), (ColumnRule::Quick, 5e-6)] {
                         let columns = medium.columns(&chord, s0, s1, rule);
                         for c in 0..3 {

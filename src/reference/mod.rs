@@ -5,11 +5,12 @@
 //!
 //! * [`geometry`]: rays, spheres, and the chord form that keeps altitudes exact near the horizon.
 //! * [`single`]: transmittance and single scattering, adaptive to a stated [`single::Tolerance`].
-//! * [`multiple`]: all orders of scattering and the ground, solved once for an atmosphere, then quick for any ray.
+//! * [`multiple`]: all orders of scattering and the ground, solved once for an atmosphere, then quick for any
+//!   ray.
 //! * [`path`]: the same by Monte Carlo, with its standard error: slow, and without any table.
 //!
-//! `multiple` and `path` use all cores with the cargo feature `reference`. How well all this agrees with other
-//! programs: `cargo run --release --features reference --example reference_table`.
+//! `multiple` and `path` use all cores with the cargo feature `reference`. How well all this agrees with
+//! other programs: `cargo run --release --features reference --example reference_table`.
 //!
 //! Radiance is given per unit solar irradiance (1/sr) and multiplied by
 //! [`AtmosphereParams::sun_intensity`](crate::AtmosphereParams::sun_intensity). No refraction, no
@@ -24,7 +25,6 @@ mod medium;
 pub mod multiple;
 pub(crate) mod parallel;
 pub mod path;
-pub(crate) mod quadrature;
 pub mod single;
 
 pub use geometry::{clip_segment, ray_sphere_intersect, ray_sphere_intersect_f32};

@@ -3,17 +3,17 @@
 //! Under a parallel sun the light at a point of a spherical atmosphere depends on its altitude and on the
 //! sun's zenith angle there. So a two-dimensional table suffices, and each entry holds the radiance there as
 //! moments over spherical harmonics: scattering is then a product per moment (see `harmonics`), exact for
-//! Rayleigh with degree 2 and as good as the degree for aerosols. Light that is scattered once more is gathered
-//! along rays from every table point (the scheme of Bruneton & Neyret 2008, algorithm 4.1, with moments in
-//! place of their tables of directions), until nothing changes; Anderson's mixing shortens that.
+//! Rayleigh with degree 2 and as good as the degree for aerosols. Light that is scattered once more is
+//! gathered along rays from every table point (the scheme of Bruneton & Neyret 2008, algorithm 4.1, with
+//! moments in place of their tables of directions), until nothing changes; Anderson's mixing shortens that.
 //!
 //! The table only feeds further scattering. What was scattered once is seen through [`super::single`],
 //! adaptively, for each ray asked for.
 //!
-//! A finite degree cuts off the sharpest part of the aureole. Moments beyond it hold only light that was turned
-//! by small angles at each event, for which there is a closed form: after n events on an optical depth τ of
-//! aerosol, the moment is `χ_l^n τ^(n-1) / (n-1)!` (the small-angle approximation; Goudsmit & Saunderson 1940;
-//! van de Hulst 1980). That sum is added along each ray asked for.
+//! A finite degree cuts off the sharpest part of the aureole. Moments beyond it hold only light that was
+//! turned by small angles at each event, for which there is a closed form: after n events on an optical depth
+//! τ of aerosol, the moment is `χ_l^n τ^(n-1) / (n-1)!` (the small-angle approximation; Goudsmit & Saunderson
+//! 1940; van de Hulst 1980). That sum is added along each ray asked for.
 
 #[cfg(all(feature = "reference", not(target_arch = "wasm32")))]
 mod stored;
@@ -26,10 +26,10 @@ use super::geometry::{Chord, RayEnd};
 use super::harmonics;
 use super::medium::{ColumnRule, Medium};
 use super::parallel;
-use super::quadrature::{gauss_legendre, integrate};
 use super::single::{Line, RayQuery, SmallAngles, SunLine, Tolerance, scatter, view_breaks};
 use crate::error::{Error, Result, in_range};
 use crate::model::atmosphere::AtmosphereParams;
+use crate::model::quadrature::{gauss_legendre, integrate};
 
 #[cfg(all(feature = "reference", not(target_arch = "wasm32")))]
 pub use stored::NotRestored;
@@ -57,8 +57,9 @@ pub struct Settings {
 }
 
 impl Settings {
-    /// For Earth and its gas alone, within the larger of 0.5 % and 4 standard errors of the Monte Carlo tables of
-    /// `tests/data` everywhere; Earth takes about 10 s of one core. Too few moments for Mars: [`Self::for_medium`].
+    /// For Earth and its gas alone, within the larger of 0.5 % and 4 standard errors of the Monte Carlo
+    /// tables of `tests/data` everywhere; Earth takes about 10 s of one core. Too few moments for Mars:
+    /// [`Self::for_medium`].
     pub const QUICK: Self = Self {
         altitudes: 12,
         sun_angles: 40,
@@ -69,7 +70,8 @@ impl Settings {
         tolerance: 1e-3,
     };
 
-    /// As [`Self::QUICK`], and within 3.7 standard errors everywhere; Earth takes one to two minutes of one core.
+    /// As [`Self::QUICK`], and within 3.7 standard errors everywhere; Earth takes one to two minutes of one
+    /// core.
     pub const FINE: Self = Self {
         altitudes: 20,
         sun_angles: 72,
@@ -80,8 +82,8 @@ impl Settings {
         tolerance: 1e-4,
     };
 
-    /// These settings with the moments that the aerosol of a medium wants: where |g| is above 0.82 (Mars' blue)
-    /// at least degree 24, and azimuths to resolve it. Otherwise they stay as they are.
+    /// These settings with the moments that the aerosol of a medium wants: where |g| is above 0.82 (Mars'
+    /// blue) at least degree 24, and azimuths to resolve it. Otherwise they stay as they are.
     #[must_use]
     pub fn for_medium(self, params: &AtmosphereParams) -> Self {
         let aerosol = params.mie_scattering.iter().zip(params.mie_asymmetry);
@@ -270,15 +272,17 @@ impl Interpolant {
             let floor = (means.iter().fold(0.0, |a: f64, &b| a.max(b)) * 1e-14).max(1e-280);
             means.into_iter().map(|v| (v.max(0.0) + floor).ln()).collect::<Vec<f64>>()
         };
-        let log_mean =
-            normalised(field.moments.chunks_exact(3 * moments).map(|m| m[..3].iter().sum::<f64>() / 3.0).collect());
+        let log_mean = normalised(
+            field.moments.chunks_exact(3 * moments).map(|m| m[..3].iter().sum::<f64>() / 3.0).collect(),
+        );
         let log_ground = normalised(field.ground.iter().map(|e| e.iter().sum::<f64>() / 3.0).collect());
         let mut ratio = field.moments.clone();
         for (entry, log) in ratio.chunks_exact_mut(3 * moments).zip(&log_mean) {
             let scale = (-log).exp();
             entry.iter_mut().for_each(|v| *v *= scale);
         }
-        let ground_ratio = field.ground.iter().zip(&log_ground).map(|(e, log)| e.map(|v| v * (-log).exp())).collect();
+        let ground_ratio =
+            field.ground.iter().zip(&log_ground).map(|(e, log)| e.map(|v| v * (-log).exp())).collect();
         let brightest = log_mean.iter().fold(f64::NEG_INFINITY, |a, &b| a.max(b));
         let lit = |(_, log): &(usize, &f64)| **log > brightest - 28.0;
         let night = log_mean.iter().enumerate().filter(lit).map(|(i, _)| i % suns + 1).max().unwrap_or(0);
@@ -322,15 +326,19 @@ impl Orders {
     /// Parameters that [`AtmosphereParams::validate`] refuses; settings out of range.
     ///
     /// # Limits
-    /// Beyond `settings.degree` light is taken for turned by small angles only; with an aerosol of |g| above 0.9
-    /// raise the degree. Entries below 1e-6 of the brightest (deep night) are not waited for.
+    /// Beyond `settings.degree` light is taken for turned by small angles only; with an aerosol of |g| above
+    /// 0.9 raise the degree. Entries below 1e-6 of the brightest (deep night) are not waited for.
     ///
-    /// Thick cloud is beyond this method: what interpolation loses at each of hundreds of scattering events adds
-    /// up. Haze and gas of a vertical scattering depth of 7 together agree with [`super::path`] within 1.4 % (its noise: 0.4 to
-    /// 0.9 %); at 20
-    /// (Venus has 37 to 68) the iteration does not settle, and [`Self::converged`] says so: use
+    /// Thick cloud is beyond this method: what interpolation loses at each of hundreds of scattering events
+    /// adds up. Haze and gas of a vertical scattering depth of 7 together agree with [`super::path`] within
+    /// 1.4 % (its noise: 0.4 to 0.9 %); at 20 (Venus has 37 to 68) the iteration does not settle, and
+    /// [`Self::converged`] says so: use
     /// [`super::path::path_trace`] there.
-    pub fn solve(params: &AtmosphereParams, settings: Settings, mut progress: impl FnMut(Progress)) -> Result<Self> {
+    pub fn solve(
+        params: &AtmosphereParams,
+        settings: Settings,
+        mut progress: impl FnMut(Progress),
+    ) -> Result<Self> {
         let mut solved = Self::unsolved(params, settings)?;
         let degree = solved.degree;
         let first = solved.first_order();
@@ -366,7 +374,13 @@ impl Orders {
         let degree = if aerosol { settings.degree as usize } else { 2 };
         let mie = params.mie_asymmetry.map(|g| harmonics::mie_moments(params.mie_phase, g, degree));
         let grid = Grid::new(params, &settings);
-        let empty = Interpolant { log_mean: vec![], ratio: vec![], night: 0, log_ground: vec![], ground_ratio: vec![] };
+        let empty = Interpolant {
+            log_mean: vec![],
+            ratio: vec![],
+            night: 0,
+            log_ground: vec![],
+            ground_ratio: vec![],
+        };
         Ok(Self { medium, settings, grid, degree, mie, total: empty, history: vec![], converged: false })
     }
 
@@ -388,13 +402,17 @@ impl Orders {
     /// Light along a ray. `tolerance` concerns the integrals along the ray; the tables add their own error.
     ///
     /// # Errors
-    /// A query or tolerance out of range; a moon in the query, whose shadow the solution, symmetric about the planet's axis
-    /// towards the sun, does not have.
+    /// A query or tolerance out of range; a moon in the query, whose shadow the solution, symmetric about the
+    /// planet's axis towards the sun, does not have.
     pub fn radiance(&self, query: &RayQuery, tolerance: Tolerance) -> Result<Radiance> {
         tolerance.validate()?;
         let query = query.validate()?;
         if query.moon.is_some() {
-            return Err(Error::invalid("ray.moon", "a moon", "none: its shadow has no symmetry; use reference::path"));
+            return Err(Error::invalid(
+                "ray.moon",
+                "a moon",
+                "none: its shadow has no symmetry; use reference::path",
+            ));
         }
         let params = &self.medium.params;
         let once = scatter(&self.medium, &query, Line::Adaptive(tolerance), None);
@@ -438,7 +456,8 @@ impl Orders {
             if out.ends_at == RayEnd::Ground {
                 let irradiance = self.ground_irradiance_at(sun.mu(s1));
                 for c in 0..3 {
-                    let reflected = params.ground_albedo[c] / PI * (irradiance.direct[c] + irradiance.diffuse[c]);
+                    let reflected =
+                        params.ground_albedo[c] / PI * (irradiance.direct[c] + irradiance.diffuse[c]);
                     out.ground[c] = out.transmittance[c] * reflected;
                 }
             }
@@ -456,14 +475,18 @@ impl Orders {
     }
 
     fn ground_irradiance_at(&self, mu: f64) -> GroundIrradiance {
-        GroundIrradiance { direct: self.direct_irradiance(mu), diffuse: self.total.ground(self.grid.sun_weights(mu)) }
+        GroundIrradiance {
+            direct: self.direct_irradiance(mu),
+            diffuse: self.total.ground(self.grid.sun_weights(mu)),
+        }
     }
 
     fn direct_irradiance(&self, mu: f64) -> [f64; 3] {
         if mu <= 0.0 {
             return [0.0; 3];
         }
-        let up = Chord::new(self.medium.params.planet_radius, 0.0, mu, ((1.0 - mu) * (1.0 + mu)).max(0.0).sqrt());
+        let up =
+            Chord::new(self.medium.params.planet_radius, 0.0, mu, ((1.0 - mu) * (1.0 + mu)).max(0.0).sqrt());
         match self.medium.columns_to_sun(&up, ColumnRule::Quick) {
             Some(columns) => self.medium.optical_depth(columns).map(|t| mu * (-t).exp()),
             None => [0.0; 3],
@@ -487,7 +510,8 @@ impl Orders {
             let weight = w * self.medium.top * u;
             let chord = Chord::new(p.planet_radius, altitude, 0.0, 1.0);
             let end = chord.at_altitude(self.medium.top).unwrap_or(0.0);
-            let through = self.medium.optical_depth(self.medium.columns(&chord, -end, end, ColumnRule::Precise));
+            let through =
+                self.medium.optical_depth(self.medium.columns(&chord, -end, end, ColumnRule::Precise));
             let ring = 2.0 * (p.planet_radius + altitude) / (p.atmosphere_radius * p.atmosphere_radius);
             for c in 0..3 {
                 taken[c] -= weight * ring * (-through[c]).exp_m1();
@@ -624,7 +648,9 @@ impl Orders {
                     if light.ends_at == RayEnd::Ground {
                         let chord = Chord::new(p.planet_radius, altitude, mu, sin);
                         let sun = SunLine::new(chord, p.planet_radius, query.direction, query.sun);
-                        let end = chord.clip(self.medium.top, f64::INFINITY).map_or(chord.origin, |(_, end, _)| end);
+                        let end = chord
+                            .clip(self.medium.top, f64::INFINITY)
+                            .map_or(chord.origin, |(_, end, _)| end);
                         let direct = self.direct_irradiance(sun.mu(end));
                         for c in 0..3 {
                             radiance[c] += light.transmittance[c] * p.ground_albedo[c] / PI * direct[c];
@@ -649,7 +675,8 @@ impl Orders {
                 for at in rows.clone() {
                     guess.moments[at + c] = guess.moments[at + c].max(least);
                 }
-                // The zeroth moment is the mean times the root of 4 π; a hemisphere of it gives π times the mean.
+                // The zeroth moment is the mean times the root of 4 π; a hemisphere of it gives π times the
+                // mean.
                 guess.ground[k][c] = guess.ground[k][c].max(least * PI / (4.0 * PI).sqrt());
             }
         }
@@ -683,11 +710,12 @@ impl Orders {
                 .flat_map(|a| angles.iter().map(move |f| mu * a.cos() + sin * a.sin() * f.cos()))
                 .collect();
             for panel in breaks.windows(2).filter(|w| w[1] > w[0]) {
-                for &(x, w) in super::quadrature::gauss_6() {
+                for &(x, w) in crate::model::quadrature::gauss_6() {
                     let v = 0.5 * (panel[0] + panel[1]) + 0.5 * (panel[1] - panel[0]) * x;
                     let (s, jacobian) = chord.at_v(v);
                     let h = (chord.perigee_altitude + v * v).max(0.0);
-                    let depth = self.medium.optical_depth(self.medium.columns(&chord, s0, s, ColumnRule::Quick));
+                    let depth =
+                        self.medium.optical_depth(self.medium.columns(&chord, s0, s, ColumnRule::Quick));
                     let weight = depth.map(|t| (-t).exp() * w * 0.5 * (panel[1] - panel[0]) * jacobian);
                     let factors = self.moment_factors(h);
                     if (0..3).all(|c| weight[c] * factors[0][c] < 1e-9) {
@@ -849,8 +877,8 @@ fn brightest(field: &Field, stride: usize) -> [f64; 3] {
     most
 }
 
-/// Anderson's mixing of a fixed-point iteration (Walker & Ni 2011): the combination of the last iterates whose
-/// change is smallest. It halves the iterations for Earth.
+/// Anderson's mixing of a fixed-point iteration (Walker & Ni 2011): the combination of the last iterates
+/// whose change is smallest. It halves the iterations for Earth.
 #[derive(Default)]
 struct Anderson {
     /// Iterates with their images, the newest last.
@@ -906,7 +934,8 @@ impl Anderson {
                 .map(|pair| residual(pair).iter().zip(&newest).map(|(a, b)| b - a).collect())
                 .collect();
             let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-            let matrix: Vec<Vec<f64>> = steps.iter().map(|a| steps.iter().map(|b| dot(a, b)).collect()).collect();
+            let matrix: Vec<Vec<f64>> =
+                steps.iter().map(|a| steps.iter().map(|b| dot(a, b)).collect()).collect();
             let right: Vec<f64> = steps.iter().map(|a| dot(a, &newest)).collect();
             let weights = solve_symmetric(matrix, right);
             for (weight, (_, old)) in weights.iter().zip(&self.past) {

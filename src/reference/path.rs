@@ -40,7 +40,8 @@ pub struct Estimate {
 
 /// Radiance along a ray by path tracing; under a moon, if the query has one.
 ///
-/// Runs on all cores with the cargo feature `reference`; about 1 µs a path and channel for Earth on two cores.
+/// Runs on all cores with the cargo feature `reference`; about 1 µs a path and channel for Earth on two
+/// cores.
 ///
 /// # Errors
 /// Parameters that [`AtmosphereParams::validate`] refuses; a query or setting out of range.
@@ -144,7 +145,8 @@ impl Tracer {
         while h + thickness < medium.top && shells.len() < 64 {
             h += thickness;
             shells.push(h);
-            thickness = (1.15 * thickness).max((medium.top - h) / 40.0).min(0.5 * p.rayleigh_scale_height.max(scale));
+            thickness =
+                (1.15 * thickness).max((medium.top - h) / 40.0).min(0.5 * p.rayleigh_scale_height.max(scale));
             if shells.len() > 32 {
                 thickness = thickness.max((medium.top - h) / (65 - shells.len()) as f64);
             }
@@ -155,7 +157,9 @@ impl Tracer {
                 let [gas, aerosol, _] = p.densities(low);
                 let ozone = p.densities(p.ozone_center_altitude.clamp(low, high))[2];
                 std::array::from_fn(|c| {
-                    p.rayleigh_scattering[c] * gas + medium.mie_extinction[c] * aerosol + p.ozone_absorption[c] * ozone
+                    p.rayleigh_scattering[c] * gas
+                        + medium.mie_extinction[c] * aerosol
+                        + p.ozone_absorption[c] * ozone
                 })
             })
             .collect();
@@ -191,7 +195,8 @@ impl Tracer {
                     .filter(|(at, _)| *at > s || shell > 0);
             }
             let (end, after) = next.unwrap_or_else(|| {
-                let ceiling = self.shells.get(shell + 1).and_then(|&h| chord.at_altitude(h)).unwrap_or(f64::INFINITY);
+                let ceiling =
+                    self.shells.get(shell + 1).and_then(|&h| chord.at_altitude(h)).unwrap_or(f64::INFINITY);
                 (ceiling, shell + 1)
             });
             let stop = end.min(s1);
@@ -297,8 +302,9 @@ impl First {
         let (v0, v1) = (chord.v_at(s0), chord.v_at(end));
         const CELLS: usize = 96;
         let edges: Vec<f64> = (0..=CELLS).map(|i| v0 + (v1 - v0) * i as f64 / CELLS as f64).collect();
-        let transmittance =
-            |s: f64| medium.optical_depth(medium.columns(&chord, s0, s, ColumnRule::Precise)).map(|t| (-t).exp());
+        let transmittance = |s: f64| {
+            medium.optical_depth(medium.columns(&chord, s0, s, ColumnRule::Precise)).map(|t| (-t).exp())
+        };
         let mut distribution: [Vec<f64>; 3] = std::array::from_fn(|_| vec![0.0]);
         for w in edges.windows(2) {
             let (s, jacobian) = chord.at_v(0.5 * (w[0] + w[1]));
@@ -344,8 +350,8 @@ impl First {
         })
     }
 
-    /// Light of one path, all orders but those that [`path_trace`] adds itself. `stratum` in [0, 1) places its first
-    /// vertex.
+    /// Light of one path, all orders but those that [`path_trace`] adds itself. `stratum` in [0, 1) places
+    /// its first vertex.
     fn path(&self, tracer: &Tracer, c: usize, stratum: f64, random: &mut Random) -> f64 {
         let medium = &tracer.medium;
         let albedo = medium.params.ground_albedo[c];
@@ -383,7 +389,14 @@ impl First {
     }
 
     /// Light from all later vertices of a path that leaves `vertex` with a weight.
-    fn follow(&self, tracer: &Tracer, mut vertex: Vertex, c: usize, mut weight: f64, random: &mut Random) -> f64 {
+    fn follow(
+        &self,
+        tracer: &Tracer,
+        mut vertex: Vertex,
+        c: usize,
+        mut weight: f64,
+        random: &mut Random,
+    ) -> f64 {
         let p = &tracer.medium.params;
         let start = weight;
         let mut light = 0.0;
@@ -398,7 +411,8 @@ impl First {
                     return light;
                 }
                 let cos = vertex.direction.dot(self.sun).clamp(-1.0, 1.0);
-                let phase = gas * phase::rayleigh(cos) + aerosol * phase::mie(p.mie_phase, cos, p.mie_asymmetry[c]);
+                let phase =
+                    gas * phase::rayleigh(cos) + aerosol * phase::mie(p.mie_phase, cos, p.mie_asymmetry[c]);
                 light += weight * phase / extinction * tracer.sunlight(&vertex, self.sun, c);
                 weight *= (gas + aerosol) / extinction;
                 vertex.direction = tracer.scatter_direction(&vertex, c, random);
@@ -443,8 +457,11 @@ mod tests {
         let params = AtmosphereParams::earth();
         let tracer = Tracer::new(Medium::new(&params));
         let mut random = Random::new(1, 0);
-        for (altitude, angle) in [(0.0, 1.5f64), (30_000.0, 1.62), (20_000.0, 1.65), (99_000.0, 3.0), (5000.0, 0.2)] {
-            let vertex = Vertex { zenith: DVec3::Z, altitude, direction: DVec3::new(angle.sin(), 0.0, angle.cos()) };
+        for (altitude, angle) in
+            [(0.0, 1.5f64), (30_000.0, 1.62), (20_000.0, 1.65), (99_000.0, 3.0), (5000.0, 0.2)]
+        {
+            let vertex =
+                Vertex { zenith: DVec3::Z, altitude, direction: DVec3::new(angle.sin(), 0.0, angle.cos()) };
             let chord = tracer.chord(&vertex);
             let (s0, s1, _) = chord.clip(tracer.medium.top, f64::INFINITY).unwrap();
             for c in 0..3 {
@@ -453,7 +470,8 @@ mod tests {
                     let columns = tracer.medium.columns(&chord, s0, s1, ColumnRule::Precise);
                     let through = (-tracer.medium.optical_depth(columns)[c]).exp();
                     let n = 20_000;
-                    let free = (0..n).filter(|_| tracer.collide(&chord, s0, s1, c, &mut random).is_none()).count();
+                    let free =
+                        (0..n).filter(|_| tracer.collide(&chord, s0, s1, c, &mut random).is_none()).count();
                     let deviation = (through * (1.0 - through) / f64::from(n)).sqrt();
                     let difference = free as f64 / f64::from(n) - through;
                     assert!(

@@ -12,10 +12,10 @@ use glam::DVec3;
 use super::geometry::{Chord, RayEnd};
 use super::harmonics;
 use super::medium::{ColumnRule, Medium, Phases};
-use super::quadrature::{fixed, gauss_legendre, integrate};
 use crate::error::{Error, Result, direction, in_range};
 use crate::model::atmosphere::AtmosphereParams;
 use crate::model::moon::Moon;
+use crate::model::quadrature::{fixed, gauss_legendre, integrate};
 
 /// A ray through a planet's air, in the zenith frame of its origin: z points away from the planet's
 /// centre, and the origin's altitude is a number of its own, so nothing is a difference of two radii.
@@ -29,14 +29,16 @@ pub struct RayQuery {
     pub sun: DVec3,
     /// Distance of a scene object that ends the ray, metres; infinite if there is none.
     pub length: f64,
-    /// A moon that dims the sun, its position from the ray's origin in the ray's own frame; for [`single_scattering`] and
+    /// A moon that dims the sun, its position from the ray's origin in the ray's own frame; for
+    /// [`single_scattering`] and
     /// [`super::path`].
     pub moon: Option<Moon>,
 }
 
 impl RayQuery {
     /// A ray by its angles, radians: zenith angles of view and sun, and the azimuth of the view
-    /// direction from the sun's. Angles are kept, not cosines, so that a ray may miss the horizon by 1e-9 rad.
+    /// direction from the sun's. Angles are kept, not cosines, so that a ray may miss the horizon by 1e-9
+    /// rad.
     pub fn new(altitude: f64, view_zenith: f64, sun_zenith: f64, azimuth_from_sun: f64) -> Self {
         let (sin, cos) = view_zenith.sin_cos();
         let (sin_sun, cos_sun) = sun_zenith.sin_cos();
@@ -54,7 +56,12 @@ impl RayQuery {
     ///
     /// # Errors
     /// A vector that is not finite or has no direction.
-    pub fn in_world(position: DVec3, direction_of_view: DVec3, sun: DVec3, planet_radius: f64) -> Result<Self> {
+    pub fn in_world(
+        position: DVec3,
+        direction_of_view: DVec3,
+        sun: DVec3,
+        planet_radius: f64,
+    ) -> Result<Self> {
         let z = direction("ray.position", position)?;
         let view = direction("ray.direction", direction_of_view)?;
         let sun = direction("ray.sun", sun)?;
@@ -296,9 +303,9 @@ pub fn single_scattering(
     Ok(sum)
 }
 
-/// What repeated scattering by small angles adds to the aerosol's phase function, in the moments beyond a degree:
-/// `Σ_l (2 l + 1) / 4π P_l(ν) χ_l (exp(χ_l τ) - 1)`, τ the aerosol's scattering depth towards the sun;
-/// as a power series in τ, whose coefficients depend on the scattering angle alone.
+/// What repeated scattering by small angles adds to the aerosol's phase function, in the moments beyond a
+/// degree: `Σ_l (2 l + 1) / 4π P_l(ν) χ_l (exp(χ_l τ) - 1)`, τ the aerosol's scattering depth towards the
+/// sun; as a power series in τ, whose coefficients depend on the scattering angle alone.
 #[derive(Clone, Debug)]
 pub(crate) struct SmallAngles {
     /// `[channel][n - 1]`: `Σ_l (2 l + 1) / 4π P_l(ν) χ_l^(n + 1) / n!`.
@@ -358,7 +365,12 @@ pub(crate) enum Line {
 /// [`single_scattering`] after all checks.
 ///
 /// `tail` adds light that was scattered several times, each time by a small angle.
-pub(crate) fn scatter(medium: &Medium, query: &RayQuery, line: Line, tail: Option<&SmallAngles>) -> Scattered {
+pub(crate) fn scatter(
+    medium: &Medium,
+    query: &RayQuery,
+    line: Line,
+    tail: Option<&SmallAngles>,
+) -> Scattered {
     let params = &medium.params;
     let d = query.direction;
     let chord = Chord::new(params.planet_radius, query.altitude, d.z, d.x.hypot(d.y));
@@ -398,7 +410,9 @@ pub(crate) fn scatter(medium: &Medium, query: &RayQuery, line: Line, tail: Optio
         let Some(light) = medium.columns_to_sun(&to_sun, rule) else { return [0.0; 3] };
         let depth = medium.optical_depth(std::array::from_fn(|i| view[i] + light[i]));
         let phases = match tail {
-            Some(tail) => Phases { aerosol: tail.add(phases.aerosol, &params.mie_scattering, light[1]), ..phases },
+            Some(tail) => {
+                Phases { aerosol: tail.add(phases.aerosol, &params.mie_scattering, light[1]), ..phases }
+            }
             None => phases,
         };
         let scattering = medium.scattering(altitude, &phases);
@@ -442,7 +456,15 @@ pub(crate) fn scatter(medium: &Medium, query: &RayQuery, line: Line, tail: Optio
 /// Where to split an integral over `v` from a to b: perigee, kinks of the profiles, altitudes at which
 /// the exponentials have thinned, and every `step` of optical depth from `s0`, so that each panel is easy.
 /// Ends where nothing gets through any more.
-pub(crate) fn view_breaks(medium: &Medium, chord: &Chord, s0: f64, a: f64, b: f64, step: f64, breaks: &mut Vec<f64>) {
+pub(crate) fn view_breaks(
+    medium: &Medium,
+    chord: &Chord,
+    s0: f64,
+    a: f64,
+    b: f64,
+    step: f64,
+    breaks: &mut Vec<f64>,
+) {
     let p = &medium.params;
     let low = if a * b <= 0.0 { 0.0 } else { (a * a).min(b * b) };
     breaks.extend([a, b]);
@@ -458,7 +480,8 @@ pub(crate) fn view_breaks(medium: &Medium, chord: &Chord, s0: f64, a: f64, b: f6
     for kink in medium.kinks() {
         push(kink - chord.perigee_altitude);
     }
-    let aerosol = medium.mie_extinction.iter().any(|&v| v > 0.0) && p.mie_scale_height != p.rayleigh_scale_height;
+    let aerosol =
+        medium.mie_extinction.iter().any(|&v| v > 0.0) && p.mie_scale_height != p.rayleigh_scale_height;
     if aerosol {
         push(low + 1.5 * p.mie_scale_height);
         push(low + 6.0 * p.mie_scale_height);
@@ -599,7 +622,8 @@ fn march(chord: &Chord, s0: f64, s1: f64, samples: u32, mut f: impl FnMut(f64, f
     let curve = |u: f64| (CROWDING * u).exp_m1() / CROWDING.exp_m1();
     let (v0, v1) = (chord.v_at(s0), chord.v_at(s1));
     let mut stretch = |from: f64, to: f64, n: u32, away: bool| {
-        let place = |u: f64| if away { from + (to - from) * curve(u) } else { to + (from - to) * curve(1.0 - u) };
+        let place =
+            |u: f64| if away { from + (to - from) * curve(u) } else { to + (from - to) * curve(1.0 - u) };
         let mut before = chord.at_v(place(0.0)).0;
         for i in 0..n {
             let middle = chord.at_v(place((f64::from(i) + 0.5) / f64::from(n))).0;
@@ -719,7 +743,9 @@ mod tests {
     fn nonsense_is_black_and_never_a_panic() {
         let (params, eye) = earth();
         let scatter = |eye, look, n, m| compute_single_scatter(eye, look, Vec3::Y, &params, n, m);
-        for (eye, look) in [(Vec3::NAN, Vec3::Y), (eye, Vec3::ZERO), (Vec3::ZERO, Vec3::Y), (eye, Vec3::INFINITY)] {
+        for (eye, look) in
+            [(Vec3::NAN, Vec3::Y), (eye, Vec3::ZERO), (Vec3::ZERO, Vec3::Y), (eye, Vec3::INFINITY)]
+        {
             assert_eq!(scatter(eye, look, 16, 8), [0.0; 3]);
         }
         let once = scatter(eye, Vec3::Y, 0, 0);
@@ -758,7 +784,8 @@ mod tests {
         assert_eq!(light(0.0, 2.0).per_irradiance, [0.0; 3]);
         assert_eq!(light(0.0, 2.0).ends_at, RayEnd::Ground);
         // From 1 au, straight down, as from the top.
-        let (far, near) = (light(1.5e11, std::f64::consts::PI), light(params.thickness(), std::f64::consts::PI));
+        let (far, near) =
+            (light(1.5e11, std::f64::consts::PI), light(params.thickness(), std::f64::consts::PI));
         for c in 0..3 {
             assert!((far.per_irradiance[c] / near.per_irradiance[c] - 1.0).abs() < 1e-5);
         }
@@ -814,7 +841,8 @@ mod tests {
             let error = single_scattering(&params, &query, Sun::Point, Tolerance::PICTURE).unwrap_err();
             assert!(error.to_string().starts_with(field), "{error}");
         }
-        let error = single_scattering(&params, &good, Sun::Disk { rings: 0 }, Tolerance::PICTURE).unwrap_err();
+        let error =
+            single_scattering(&params, &good, Sun::Disk { rings: 0 }, Tolerance::PICTURE).unwrap_err();
         assert!(error.to_string().starts_with("sun.rings"), "{error}");
     }
 }

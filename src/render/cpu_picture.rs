@@ -8,6 +8,7 @@ use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
 use crate::error::Result;
+use crate::frame::Air;
 use crate::frame::terrain::TerrainStyle;
 use crate::frame::tone_map::{dither, srgb_encode, tone_map};
 use crate::gpu::TextureDesc;
@@ -16,7 +17,6 @@ use crate::model::scene::{Scene, ZenithView};
 use crate::reference::geometry::ray_sphere_intersect;
 use crate::reference::single::{RayQuery, Sun, Tolerance, single_scattering, transmittance};
 use crate::render::picture::PictureSettings;
-use crate::shaders::Constituents;
 
 /// A picture, row 0 on top.
 #[derive(Clone, Debug)]
@@ -33,8 +33,13 @@ const MAX_SIDE: u32 = 16_384;
 /// Draws a scene. `settings.sky.method` does not matter here; `progress` hears the share that is done.
 ///
 /// # Errors
-/// [`crate::Error::Invalid`] for a scene, a setting or a size out of range.
-pub fn render(scene: &Scene, settings: &PictureSettings, size: [u32; 2], progress: &dyn Fn(f32)) -> Result<CpuPicture> {
+/// [`crate::ErrorKind::Invalid`] for a scene, a setting or a size out of range.
+pub fn render(
+    scene: &Scene,
+    settings: &PictureSettings,
+    size: [u32; 2],
+    progress: &dyn Fn(f32),
+) -> Result<CpuPicture> {
     let view = scene.validate()?;
     settings.sky.validate()?;
     crate::error::in_range("exposure", settings.exposure, 0.0, 1e9, "")?;
@@ -46,7 +51,8 @@ pub fn render(scene: &Scene, settings: &PictureSettings, size: [u32; 2], progres
     let rows = (16_384 / width).clamp(1, height);
     for first in (0..height).step_by(rows as usize) {
         let pixels = first * width..(first + rows).min(height) * width;
-        let band: Result<Vec<_>> = pixels.into_par_iter().map(|i| painter.pixel(i % width, i / width)).collect();
+        let band: Result<Vec<_>> =
+            pixels.into_par_iter().map(|i| painter.pixel(i % width, i / width)).collect();
         radiance.extend(band?);
         progress(radiance.len() as f32 / (width as f32 * height as f32));
     }
@@ -84,7 +90,7 @@ impl<'a> Painter<'a> {
             view,
             settings,
             size,
-            air: settings.sky.enabled && Constituents::of(&scene.atmosphere).any(),
+            air: settings.sky.look.enabled && Air::of(&scene.atmosphere).any(),
             pixel_angle: 2.0 * view.basis.up.length() / f64::from(size[1]),
             camera: scene.camera.position - scene.planet_center,
             sun: back * view.sun,
@@ -93,7 +99,8 @@ impl<'a> Painter<'a> {
 
     fn pixel(&self, x: u32, y: u32) -> Result<[f32; 4]> {
         let [width, height] = self.size.map(f64::from);
-        let ndc = DVec2::new((f64::from(x) + 0.5) / width * 2.0 - 1.0, 1.0 - (f64::from(y) + 0.5) / height * 2.0);
+        let ndc =
+            DVec2::new((f64::from(x) + 0.5) / width * 2.0 - 1.0, 1.0 - (f64::from(y) + 0.5) / height * 2.0);
         let dir = self.view.basis.ray(ndc).normalize();
         let world = self.view.world_to_zenith.transpose() * dir;
         let p = &self.scene.atmosphere;
@@ -105,27 +112,32 @@ impl<'a> Painter<'a> {
             None => (None, f64::INFINITY),
         };
         let mut color = ground.unwrap_or([0.0; 3]);
-        let hits_planet =
-            ray_sphere_intersect(self.camera, world, DVec3::ZERO, p.planet_radius).is_some_and(|(near, _)| near >= 0.0);
-        if ground.is_none() && !hits_planet && self.settings.sky.enabled && self.settings.sky.sun_disk {
+        let hits_planet = ray_sphere_intersect(self.camera, world, DVec3::ZERO, p.planet_radius)
+            .is_some_and(|(near, _)| near >= 0.0);
+        if ground.is_none()
+            && !hits_planet
+            && self.settings.sky.look.enabled
+            && self.settings.sky.look.sun_disk
+        {
             let chord = 2.0 * (0.5 * p.sun_angular_radius).sin();
             let cover = ((chord - (dir - self.view.sun).length()) / self.pixel_angle + 0.5).clamp(0.0, 1.0);
             let full = cover * p.sun_intensity / (std::f64::consts::PI * chord * chord);
             let left = self.view.moon.map_or(1.0, |m| {
                 // A small disk's edges and the moon's share pixels: then the share of the whole disk counts.
-                let whole = m.disks(DVec3::ZERO, self.view.sun, p.sun_angular_radius).map_or(1.0, |d| d.visible());
+                let whole =
+                    m.disks(DVec3::ZERO, self.view.sun, p.sun_angular_radius).map_or(1.0, |d| d.visible());
                 let t = ((chord / self.pixel_angle - 1.0) / 3.0).clamp(0.0, 1.0);
                 let own = 1.0 - self.moon_cover(&m, dir);
                 if whole > 0.0 { whole + (own - whole) * t * t * (3.0 - 2.0 * t) } else { 0.0 }
             });
             color = [full * left; 3];
-            if self.settings.sky.limb_darkening {
+            if self.settings.sky.look.limb_darkening {
                 let r = (dir - self.view.sun).length() / chord;
                 let brightness = limb_darkening_of_ring(r, 0.5 * self.pixel_angle / chord);
                 color = std::array::from_fn(|c| color[c] * brightness[c]);
             }
         }
-        let sight = ground.is_none() && !hits_planet && self.settings.sky.enabled;
+        let sight = ground.is_none() && !hits_planet && self.settings.sky.look.enabled;
         if let Some(moon) = self.view.moon.filter(|_| sight) {
             // The disk's soft edge shines as its rim.
             let (towards, sine) = (moon.position.normalize(), moon.radius / moon.position.length());
@@ -163,7 +175,8 @@ impl<'a> Painter<'a> {
     fn trace(&self, style: &TerrainStyle, dir: DVec3) -> Option<f64> {
         let radius = self.scene.atmosphere.planet_radius;
         let (near, far) = ray_sphere_intersect(self.camera, dir, DVec3::ZERO, radius + style.amplitude)?;
-        let floor = ray_sphere_intersect(self.camera, dir, DVec3::ZERO, radius).map(|(t, _)| t).filter(|t| *t >= 0.0);
+        let floor =
+            ray_sphere_intersect(self.camera, dir, DVec3::ZERO, radius).map(|(t, _)| t).filter(|t| *t >= 0.0);
         let clearance = |t: f64| {
             let point = self.camera + dir * t;
             let r = point.length();
@@ -188,7 +201,7 @@ impl<'a> Painter<'a> {
         floor
     }
 
-    /// Sunlight and a share of sky light on the ground; the formulas of `terrain.wgsl`.
+    /// Sunlight and a share of sky light on the ground; the formulas of `pass/terrain.wgsl`.
     fn shade(&self, style: &TerrainStyle, point: DVec3) -> Result<[f64; 3]> {
         let p = &self.scene.atmosphere;
         let n = point.normalize();
@@ -198,7 +211,9 @@ impl<'a> Painter<'a> {
             let t = ((v - a) / (b - a)).clamp(0.0, 1.0);
             t * t * (3.0 - 2.0 * t)
         };
-        let mix = |a: [f64; 3], b: [f64; 3], t: f64| -> [f64; 3] { std::array::from_fn(|c| a[c] + (b[c] - a[c]) * t) };
+        let mix = |a: [f64; 3], b: [f64; 3], t: f64| -> [f64; 3] {
+            std::array::from_fn(|c| a[c] + (b[c] - a[c]) * t)
+        };
         let mut albedo = mix(style.low_albedo, style.high_albedo, smooth(0.05, 0.6, h / style.amplitude));
         albedo = mix(style.high_albedo, albedo, smooth(0.80, 0.95, normal.dot(n)));
         if style.snow_line.is_finite() {
@@ -208,8 +223,8 @@ impl<'a> Painter<'a> {
             albedo = mix(albedo, [0.02, 0.04, 0.06], 1.0 - smooth(0.0, 4.0, h));
         }
         let up = n.dot(self.sun);
-        let share =
-            TerrainStyle::sky_share(p).map(|s| s * ((up + 0.1) / 1.1).clamp(0.0, 1.0) * (0.5 + 0.5 * normal.dot(n)));
+        let share = TerrainStyle::sky_light(p)
+            .map(|s| s * ((up + 0.1) / 1.1).clamp(0.0, 1.0) * (0.5 + 0.5 * normal.dot(n)));
         let dip = (h * (2.0 * p.planet_radius + h)).sqrt() / (p.planet_radius + h);
         let chord = 2.0 * (0.5 * p.sun_angular_radius).sin();
         let visible = smooth(-1.0, 1.0, (up + dip) / chord) * normal.dot(self.sun).max(0.0);

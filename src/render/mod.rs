@@ -2,6 +2,7 @@
 
 #[cfg(all(feature = "reference", not(target_arch = "wasm32")))]
 pub mod cpu_picture;
+mod measure;
 pub mod picture;
 pub mod sky;
 pub mod sky_light;

@@ -1,13 +1,15 @@
 //! A whole picture in the right order: sky, terrain, air, tone mapping.
 
-use super::sky::{GroundLight, SkyRenderer, SkySettings};
-use crate::error::Result;
-use crate::frame::plan::{Bound, EffectPlan};
+use crate::error::{Result, in_range};
+use crate::frame::Frame;
+use crate::frame::graph::{Bindings, Graph, Node, Resource, Stage};
 use crate::frame::terrain::TerrainStyle;
-use crate::frame::tone_map::{ToneMap, tone_pass};
-use crate::gpu::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
+use crate::frame::tone_map::{Display, is_8_bit};
+use crate::gpu::{Backend, Format, Pass, PoolKey, RowOrder, Target, TextureDesc, TextureId, known};
 use crate::model::atmosphere::AtmosphereParams;
 use crate::model::scene::Scene;
+use crate::render::sky::SkyRenderer;
+use crate::settings::{Bound, Composition, Look, SkySettings, ToneMap};
 
 /// What a [`PictureRenderer`] draws with.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,7 +20,8 @@ pub struct PictureSettings {
     pub exposure: f64,
     /// How radiance becomes display values.
     pub tone_map: ToneMap,
-    /// Whether display values get noise of one 8-bit step, so that gradients show no bands; their mean stays. See
+    /// Whether display values get noise of one 8-bit step, so that gradients show no bands; their mean stays.
+    /// See
     /// [`super::tone::dither`].
     pub dither: bool,
     /// The ground; `None` draws none.
@@ -40,32 +43,6 @@ impl Default for PictureSettings {
     }
 }
 
-#[derive(Clone, Copy, Debug)]
-struct Textures {
-    scene: TextureId,
-    depth: TextureId,
-    aerial: TextureId,
-    /// Where nobody else gave one.
-    display: Option<TextureId>,
-}
-
-impl Textures {
-    fn ids(&self) -> [TextureId; 3] {
-        [self.scene, self.depth, self.aerial]
-    }
-
-    /// Of a picture, in the order of [`Self::ids`], the display last.
-    fn descs([width, height]: [u32; 2], radiance: Format) -> [TextureDesc; 4] {
-        let formats = [radiance, Format::Depth32Float, radiance, Format::Rgba8];
-        let mut descs = LABELS.map(|label| TextureDesc::new(label, width, height, radiance));
-        descs.iter_mut().zip(formats).for_each(|(desc, format)| desc.format = format);
-        descs
-    }
-}
-
-/// Tell a picture's textures from others, which have their ids where a device was lost and another is used.
-const LABELS: [&str; 4] = ["picture's scene", "picture's depth", "picture's air", "picture's display"];
-
 /// Where a finished picture is.
 #[derive(Clone, Copy, Debug)]
 pub struct Drawn {
@@ -79,13 +56,49 @@ pub struct Drawn {
     pub display: TextureId,
 }
 
-/// What radiance is multiplied by while it is drawn: the power of two next below `exposure`, so that the range of half
-/// floats, from 6e-8 to 65504, lies around what the display shows and not around 1. Twilight needs that, with radiance
-/// from 1e-6 down and an exposure to match. 1 for an exposure of 0; never so much that `sun_intensity` (both as in
+/// Largest [`AtmosphereParams::sun_intensity`].
+const BRIGHTEST: f64 = 1e6;
+
+/// What radiance is multiplied by while it is drawn: the power of two next below `exposure`, so that the
+/// range of half floats, from 6e-8 to 65504, lies around what the display shows and not around 1. Twilight
+/// needs that, with radiance from 1e-6 down and an exposure to match. 1 for an exposure of 0; never so much
+/// that `sun_intensity` (both as in
 /// [`PictureSettings`] and [`crate::AtmosphereParams`]) leaves its range. Multiplying by it rounds nothing.
 pub fn scale(exposure: f64, sun_intensity: f64) -> f64 {
-    const BRIGHTEST: f64 = 1e6; // of sun_intensity
-    if exposure > 0.0 { exposure.min(BRIGHTEST / sun_intensity).log2().floor().exp2() } else { 1.0 }
+    // A float without its fraction's bits is the power of two next below it.
+    let floor = |v: f64| f64::from_bits(v.to_bits() & f64::INFINITY.to_bits()).max(f64::MIN_POSITIVE);
+    if exposure > 0.0 { floor(exposure.min(BRIGHTEST / sun_intensity)) } else { 1.0 }
+}
+
+/// A picture's textures in the pool.
+const SCENE_COLOR: PoolKey = PoolKey { name: "scene_color", index: 0 };
+const SCENE_DEPTH: PoolKey = PoolKey { name: "scene_depth", index: 0 };
+const AERIAL: PoolKey = PoolKey { name: "aerial_color", index: 0 };
+const DISPLAY: PoolKey = PoolKey { name: "display", index: 0 };
+
+/// The scene and the settings with radiance times [`scale`], which is the third.
+fn as_drawn(scene: &Scene, settings: &PictureSettings) -> Result<(Scene, SkySettings, f64)> {
+    settings.sky.validate()?;
+    let sun_intensity = scene.atmosphere.sun_intensity;
+    // One that is out of range is reported as it was given.
+    let scale = if (0.0..=BRIGHTEST).contains(&sun_intensity) {
+        scale(settings.exposure, sun_intensity)
+    } else {
+        1.0
+    };
+    let atmosphere = AtmosphereParams { sun_intensity: sun_intensity * scale, ..scene.atmosphere.clone() };
+    let foreground = settings.sky.look.foreground && settings.terrain.is_some();
+    let sky = SkySettings {
+        look: Look { foreground, ..settings.sky.look },
+        bound: settings.sky.bound.map(|b| Bound { absolute: (b.absolute * scale).min(1e6), ..b }),
+        ..settings.sky
+    };
+    Ok((Scene { atmosphere, ..scene.clone() }, sky, scale))
+}
+
+/// Names the content of a depth buffer that holds the background alone, by the background's depth.
+fn empty_depth(background: f32) -> u64 {
+    0x656d_7074_7900_0000_u64 ^ u64::from(background.to_bits()) | 1
 }
 
 /// Draws pictures of a planet; used by the command line and by the page. Its source is the shortest
@@ -93,19 +106,32 @@ pub fn scale(exposure: f64, sun_intensity: f64) -> f64 {
 #[derive(Debug, Default)]
 pub struct PictureRenderer {
     sky: SkyRenderer,
-    textures: Option<Textures>,
-    /// What the depth buffer holds everywhere, once the passes handed out last have run.
-    empty_depth: Option<f32>,
     passes: Vec<Pass>,
 }
 
+/// The nodes of a picture up to its radiance: those of the frame, with the ground; what nothing draws to is
+/// cleared.
+pub(crate) fn list(graph: &mut Graph, frame: &Frame, terrain: Option<&TerrainStyle>) {
+    graph.list(frame, |_| true, terrain.map(|t| t.node(frame)));
+    if !graph.nodes.iter().any(|n| n.writes == Resource::Background) {
+        graph.insert(Node::clear("clear", Stage::Scene, Resource::Background));
+    }
+}
+
+/// Where a picture is drawn, and how many pixels it has.
+#[derive(Clone, Copy)]
+struct Canvas {
+    size: [u32; 2],
+    /// The caller's texture with its format and row order; otherwise one of the pool.
+    display: Option<(TextureId, TextureDesc)>,
+}
+
 impl PictureRenderer {
-    /// The passes of one picture, in order, and where they leave it. Run all of them before you ask for the next: what these
-    /// leave (tables, an empty depth buffer) is not made again.
+    /// The passes of one picture, in order, and where they leave it.
     ///
     /// # Errors
-    /// [`crate::Error::Invalid`] for a scene, a setting or a size that is out of range, before anything is
-    /// created; errors of the backend.
+    /// [`crate::ErrorKind::Invalid`] for a scene, a setting or a size that is out of range, before anything
+    /// is created; errors of the backend.
     pub fn passes(
         &mut self,
         backend: &mut dyn Backend,
@@ -113,13 +139,14 @@ impl PictureRenderer {
         settings: &PictureSettings,
         size: [u32; 2],
     ) -> Result<(&[Pass], Drawn)> {
-        self.frame(backend, scene, settings, size, None)
+        self.frame(backend, scene, settings, Canvas { size, display: None })
     }
 
-    /// As [`Self::passes`], drawn straight to a texture of the caller: a canvas, say. Its row order may be either.
+    /// The passes of one picture, drawn straight to a texture of the caller: a canvas, say. Its row order may
+    /// be either.
     ///
     /// # Errors
-    /// As [`Self::passes`].
+    /// [`crate::ErrorKind::Invalid`] and errors of the backend as for [`Self::passes`].
     pub fn passes_to(
         &mut self,
         backend: &mut dyn Backend,
@@ -127,8 +154,9 @@ impl PictureRenderer {
         settings: &PictureSettings,
         display: TextureId,
     ) -> Result<(&[Pass], Drawn)> {
-        let desc = super::sky::texture(backend, display)?;
-        self.frame(backend, scene, settings, [desc.width, desc.height], Some(display))
+        let desc = known(backend, display)?;
+        let size = [desc.width, desc.height];
+        self.frame(backend, scene, settings, Canvas { size, display: Some((display, desc)) })
     }
 
     fn frame(
@@ -136,64 +164,78 @@ impl PictureRenderer {
         backend: &mut dyn Backend,
         scene: &Scene,
         settings: &PictureSettings,
-        size: [u32; 2],
-        display: Option<TextureId>,
+        canvas: Canvas,
     ) -> Result<(&[Pass], Drawn)> {
-        scene.validate()?;
-        let foreground = settings.sky.foreground && settings.terrain.is_some();
-        settings.sky.validate()?;
-        crate::error::in_range("exposure", settings.exposure, 0.0, 1e9, "")?;
-        let sun_intensity = scene.atmosphere.sun_intensity;
-        let scale = scale(settings.exposure, sun_intensity);
-        let bound = settings.sky.bound.map(|b| Bound { absolute: (b.absolute * scale).min(1e6), ..b });
-        self.sky.set_settings(SkySettings { foreground, bound, ..settings.sky })?;
-        let atmosphere = AtmosphereParams { sun_intensity: sun_intensity * scale, ..scene.atmosphere.clone() };
-        let scene = &Scene { atmosphere, ..scene.clone() };
-        let t = self.textures(backend, size, settings.radiance)?;
-        let display = match (display, t.display) {
-            (Some(display), _) | (None, Some(display)) => display,
-            (None, None) => self.add_display(backend, size)?,
+        let PictureSettings { exposure, tone_map, .. } = *settings;
+        in_range("exposure", exposure, 0.0, 1e9, "")?;
+        let [width, height] = canvas.size;
+        let max = backend.info().max_texture_size;
+        TextureDesc::new("picture", width, height, settings.radiance).validate(max)?;
+        let (scene, sky, scale) = as_drawn(scene, settings)?;
+        let (graph, pool, last) = self.sky.parts();
+        let frame = Frame::checked(&scene, &sky, canvas.size, RowOrder::TopDown, last.as_ref())?;
+        let frame = last.insert(frame);
+        list(graph, frame, settings.terrain.as_ref());
+        let air = graph.nodes.iter().any(|n| n.stage == Stage::Aerial);
+        let over = sky.look.composition == Composition::Planet;
+        pool.begin(backend);
+        let mut texture = |backend: &mut dyn Backend, key: PoolKey, format| {
+            pool.get(backend, key, &TextureDesc::new(key.name, width, height, format))
         };
-        self.passes.clear();
+        let color = texture(backend, SCENE_COLOR, settings.radiance)?;
+        let depth = texture(backend, SCENE_DEPTH, Format::Depth32Float)?;
+        let radiance = if air && !over { texture(backend, AERIAL, settings.radiance)? } else { color };
+        let (display, display_desc) = match canvas.display {
+            Some(display) => display,
+            None => {
+                let id = texture(backend, DISPLAY, Format::Rgba8)?;
+                (id, TextureDesc::new(DISPLAY.name, width, height, Format::Rgba8))
+            }
+        };
+        graph.insert(
+            Display {
+                tone_map,
+                exposure: exposure / scale,
+                dither: settings.dither && is_8_bit(display_desc.format),
+                flipped: display_desc.rows != RowOrder::TopDown,
+            }
+            .node(),
+        );
         let background = scene.depth.background() as f32;
+        let empty = empty_depth(background);
         let target = Target {
-            color: t.scene,
-            depth: Some(t.depth),
+            color,
+            depth: Some(depth),
             clear: Some([0.0, 0.0, 0.0, 1.0]),
             // Only terrain writes depth: an empty one stays so.
-            clear_depth: (self.empty_depth != Some(background)).then_some(background),
+            clear_depth: (backend.content(depth) != empty).then_some(background),
         };
-        let mut light = GroundLight::default();
-        if settings.terrain.is_some() {
-            let (passes, found) = self.sky.ground_light(backend, scene, size)?;
-            self.passes.extend_from_slice(passes);
-            light = found;
+        let bindings = Bindings {
+            background: Some(target),
+            scene_color: Some(color),
+            scene_depth: Some(depth),
+            aerial: Some(Target::color(radiance)),
+            radiance: Some(radiance),
+            display: Some(display),
+        };
+        self.passes.clear();
+        graph.passes(backend, pool, frame, &bindings, &mut self.passes)?;
+        if settings.terrain.is_none() {
+            let first = self.passes.iter_mut().find(|p| p.target.clear_depth.is_some());
+            first.into_iter().for_each(|p| p.depth_content = empty);
         }
-        self.passes.extend_from_slice(self.sky.background(backend, scene, target)?);
-        let drawn = self.passes.iter().any(|p| p.target.color == t.scene);
-        let after = if drawn { Target { clear: None, clear_depth: None, ..target } } else { target };
-        if let Some(terrain) = &settings.terrain {
-            self.passes.push(terrain.pass(backend, scene, after, &light)?);
-        } else if !drawn {
-            let (textures, uniform, depth) = (reads([]), Uniform::NONE, DepthUse::Always);
-            self.passes.push(Pass { label: "clear", program: None, textures, uniform, target, depth });
-        }
-        let air = self.sky.aerial(backend, scene, t.scene, t.depth, t.aerial)?;
-        let radiance = if air.is_empty() { t.scene } else { t.aerial };
-        self.passes.extend_from_slice(air);
-        self.passes.extend_from_slice(self.sky.shell(backend, scene, t.depth, Target::color(t.scene))?);
-        let PictureSettings { tone_map, exposure, dither, .. } = *settings;
-        self.passes.push(tone_pass(backend, tone_map, exposure / scale, dither, radiance, display)?);
-        self.empty_depth = settings.terrain.is_none().then_some(background);
-        Ok((&self.passes, Drawn { radiance, scale, depth: t.depth, display }))
+        Ok((&self.passes, Drawn { radiance, scale, depth, display }))
     }
 
-    /// The plan of the passes that were handed out last.
-    pub fn plan(&self) -> Option<&EffectPlan> {
-        self.sky.last_plan()
+    /// The frame whose passes were given out last.
+    pub fn last_frame(&self) -> Option<&Frame> {
+        self.sky.last_frame()
     }
 
     /// Makes the passes and runs them.
+    ///
+    /// # Errors
+    /// [`crate::ErrorKind::Invalid`] and errors of the backend as for [`Self::passes`].
     pub fn draw(
         &mut self,
         backend: &mut dyn Backend,
@@ -209,55 +251,5 @@ impl PictureRenderer {
     /// Frees every texture that it made.
     pub fn destroy(&mut self, backend: &mut dyn Backend) {
         self.sky.destroy(backend);
-        self.free(backend);
-    }
-
-    /// Frees the picture's own textures; the sky's tables do not depend on its size.
-    fn free(&mut self, backend: &mut dyn Backend) {
-        self.empty_depth = None;
-        if let Some(t) = self.textures.take() {
-            for (id, label) in t.ids().into_iter().chain(t.display).zip(LABELS) {
-                if backend.texture(id).is_some_and(|desc| desc.label == label) {
-                    backend.destroy_texture(id);
-                }
-            }
-        }
-    }
-
-    fn add_display(&mut self, backend: &mut dyn Backend, size: [u32; 2]) -> Result<TextureId> {
-        let [.., desc] = Textures::descs(size, Format::Rgba8);
-        let made = backend.create_texture(&desc)?;
-        if let Some(t) = &mut self.textures {
-            t.display = Some(made);
-        }
-        Ok(made)
-    }
-
-    fn textures(&mut self, backend: &mut dyn Backend, size: [u32; 2], radiance: Format) -> Result<Textures> {
-        let fits = |t: &Textures| {
-            let descs = Textures::descs(size, radiance);
-            t.ids().into_iter().chain(t.display).zip(descs).all(|(id, desc)| backend.texture(id) == Some(desc))
-        };
-        if let Some(t) = self.textures.filter(fits) {
-            return Ok(t);
-        }
-        let [width, height] = size;
-        // Sizes are checked before the old textures go.
-        TextureDesc::new("picture", width, height, radiance).validate(backend.info().max_texture_size)?;
-        self.free(backend);
-        let [descs @ .., _] = Textures::descs(size, radiance);
-        let mut made = Vec::with_capacity(descs.len());
-        for desc in descs {
-            match backend.create_texture(&desc) {
-                Ok(id) => made.push(id),
-                Err(e) => {
-                    made.into_iter().for_each(|id| backend.destroy_texture(id));
-                    return Err(e);
-                }
-            }
-        }
-        let t = Textures { scene: made[0], depth: made[1], aerial: made[2], display: None };
-        self.textures = Some(t);
-        Ok(t)
     }
 }

@@ -1,55 +1,55 @@
 //! Programs and pipelines made ahead, so that no frame of a flight waits for one.
 
-use std::collections::HashSet;
-
 use glam::{DVec2, DVec3};
 
-use super::picture::{PictureRenderer, PictureSettings};
-use super::sky::{Composition, Method, SkyRenderer, SkySettings};
+use super::picture::{PictureSettings, list};
 use crate::error::Result;
-use crate::frame::lut::LutSettings;
-use crate::frame::plan::EffectPlan;
-use crate::gpu::{Backend, Format, Pass, ProgramId, Target, TextureDesc, TextureId};
+use crate::frame::Frame;
+use crate::frame::graph::{Graph, Node, Resource, Work};
+use crate::frame::tone_map::{Display, is_8_bit};
+use crate::gpu::{Backend, DepthUse, Format, Inputs, Pass, Program, Target, TextureDesc, TextureId, Uniform};
 use crate::model::moon::Moon;
 use crate::model::scene::{Camera, Pose, Scene};
-use crate::shaders::Program;
+use crate::settings::{LutSettings, Quality, SkySettings};
 
-/// What a [`SkyRenderer`]'s passes draw to; pipelines depend on it.
+/// What a [`crate::SkyRenderer`]'s passes draw to; pipelines depend on it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct SkyTargets {
-    /// Format of the target of [`SkyRenderer::background`] and [`SkyRenderer::shell`].
+pub struct TargetFormats {
+    /// Format of the background's target.
     pub color: Format,
     /// Whether the background's target holds a depth buffer.
     pub depth_buffer: bool,
-    /// Format of the target of [`SkyRenderer::aerial`].
+    /// Format of the target of the air before the scene.
     pub aerial: Format,
 }
 
-/// Smallest tables: their content is not looked at.
-const TABLES: LutSettings = LutSettings {
-    columns: [8, 8],
-    moments: [8, 8],
-    moment_steps: 4,
-    orders: 1,
-    sky: [8, 8],
-    sky_steps: 4,
-    air: [4, 4, 4],
-    air_steps: 1,
-};
-
-const SIZE: [u32; 2] = [1, 1];
-
-/// Metres to the moon of the views that have one.
-const MOON_AWAY: f64 = 1e9;
-
-#[derive(Debug)]
-enum Drawer {
-    Picture(Box<PictureRenderer>, Box<PictureSettings>),
-    Sky { renderer: Box<SkyRenderer>, targets: SkyTargets, textures: Option<[TextureId; 4]> },
+/// A pipeline to be made: what has to be drawn once, to a target of which kind.
+#[derive(Clone, Copy, Debug)]
+struct Job {
+    label: &'static str,
+    program: Program,
+    uniform: Uniform,
+    depth: Option<DepthUse>,
+    format: TexelFormat,
 }
 
-/// Makes what the views of a planet may call for, one program a step: draws views from the ground to far orbit, by day and
-/// by night, on a single texel with the smallest tables. Drivers that compile at the first draw have done so then.
+/// The format of a job's target.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum TexelFormat {
+    Known(Format),
+    /// That of a texture of the pool, which the backend decides.
+    Pool(crate::frame::graph::Extent),
+}
+
+impl Job {
+    fn is_same(&self, other: &Self) -> bool {
+        (self.program, self.depth, self.format) == (other.program, other.depth, other.format)
+    }
+}
+
+/// Makes the programs and pipelines that the views of a planet may call for, one a step: from the ground to
+/// far orbit, by day and by night. Which these are follows from the frames of such views, without a GPU. Each
+/// is drawn once, to a single texel: drivers that compile at the first draw have done so then.
 ///
 /// ```no_run
 /// # fn frame(backend: &mut dyn welkin::gpu::Backend, scene: &welkin::Scene) -> welkin::Result<()> {
@@ -62,158 +62,152 @@ enum Drawer {
 /// ```
 #[derive(Debug)]
 pub struct WarmUp {
-    drawer: Drawer,
-    views: std::vec::IntoIter<Scene>,
-    /// Of the view that is being made ready.
-    scene: Option<Scene>,
+    jobs: std::vec::IntoIter<Job>,
+    /// A job whose program is made and which is to be drawn.
+    made: Option<Job>,
     programs: Vec<Program>,
-    passes: std::vec::IntoIter<Pass>,
-    made: HashSet<Program>,
-    drawn: HashSet<(ProgramId, bool)>,
+    textures: Vec<(Format, TextureId)>,
 }
 
+const SIZE: [u32; 2] = [1, 1];
+
+/// Metres to the moon of the views that have one.
+const MOON_AWAY: f64 = 1e9;
+
 impl WarmUp {
-    /// For a [`PictureRenderer`]. Of the scene, only planet, air and depth convention count.
+    /// For a [`crate::PictureRenderer`]. Of the scene, only planet, air and depth convention count.
     ///
     /// # Errors
-    /// [`crate::Error::Invalid`] from [`Scene::validate`] and [`SkySettings::validate`].
+    /// [`crate::ErrorKind::Invalid`] from [`Scene::validate`] and [`SkySettings::validate`].
     pub fn picture(scene: &Scene, settings: &PictureSettings) -> Result<Self> {
-        let settings = PictureSettings { sky: small(&settings.sky), ..*settings };
-        settings.sky.validate()?;
-        Self::new(scene, Drawer::Picture(Box::default(), Box::new(settings)))
+        let mut jobs = Vec::new();
+        let mut graph = Graph::default();
+        let targets =
+            TargetFormats { color: settings.radiance, depth_buffer: true, aerial: settings.radiance };
+        for view in views(scene)? {
+            let frame = Frame::new(&view, &quick(&settings.sky), SIZE)?;
+            list(&mut graph, &frame, settings.terrain.as_ref());
+            graph.nodes.iter().for_each(|node| push(&mut jobs, node, &targets, true));
+        }
+        let (tone_map, exposure, display) = (settings.tone_map, 1.0, Format::Rgba8);
+        let dither = settings.dither && is_8_bit(display);
+        let node = Display { tone_map, exposure, dither, flipped: false }.node();
+        push(&mut jobs, &node, &TargetFormats { color: display, depth_buffer: false, aerial: display }, true);
+        Ok(Self::new(jobs))
     }
 
-    /// For a [`SkyRenderer`].
+    /// For a [`crate::SkyRenderer`].
     ///
     /// # Errors
-    /// As [`Self::picture`].
-    pub fn sky(scene: &Scene, settings: &SkySettings, targets: SkyTargets) -> Result<Self> {
-        let renderer = Box::new(SkyRenderer::new(small(settings))?);
-        Self::new(scene, Drawer::Sky { renderer, targets, textures: None })
+    /// [`crate::ErrorKind::Invalid`] from [`Scene::validate`] and [`SkySettings::validate`].
+    pub fn sky(scene: &Scene, settings: &SkySettings, targets: TargetFormats) -> Result<Self> {
+        let mut jobs = Vec::new();
+        let mut graph = Graph::default();
+        for view in views(scene)? {
+            graph.list(&Frame::new(&view, &quick(settings), SIZE)?, |_| true, None);
+            graph.nodes.iter().for_each(|node| push(&mut jobs, node, &targets, false));
+        }
+        Ok(Self::new(jobs))
     }
 
-    fn new(scene: &Scene, drawer: Drawer) -> Result<Self> {
-        scene.validate()?;
-        Ok(Self {
-            drawer,
-            views: views(scene)?.into_iter(),
-            scene: None,
-            programs: Vec::new(),
-            passes: Vec::new().into_iter(),
-            made: HashSet::new(),
-            drawn: HashSet::new(),
-        })
+    fn new(jobs: Vec<Job>) -> Self {
+        Self { jobs: jobs.into_iter(), made: None, programs: Vec::new(), textures: Vec::new() }
     }
 
-    /// Makes one program or one pipeline; `false` when all are there, and nothing else of this is left on the backend.
+    /// How many pipelines are still to be made.
+    pub fn remaining(&self) -> usize {
+        self.jobs.len() + usize::from(self.made.is_some())
+    }
+
+    /// Makes one program or one pipeline; `false` when all are there, and nothing else of this is left on the
+    /// backend.
     ///
     /// # Errors
     /// Those of the backend.
     pub fn step(&mut self, backend: &mut dyn Backend) -> Result<bool> {
-        loop {
-            if let Some(program) = self.programs.pop() {
-                if self.made.insert(program) {
-                    backend.create_program(program)?;
-                    return Ok(true);
-                }
-            } else if let Some(scene) = self.scene.take() {
-                self.passes = self.drawer.passes(backend, &scene)?.into_iter();
-            } else if let Some(pass) = self.passes.next() {
-                backend.run(&[pass])?;
-                if pass.program.is_some_and(|id| self.drawn.insert((id, pass.target.depth.is_some()))) {
-                    return Ok(true);
-                }
-            } else if let Some(scene) = self.views.next() {
-                let plan = EffectPlan::new(&scene, self.drawer.settings(), SIZE)?;
-                self.programs = plan.passes().iter().filter_map(|p| p.program).collect();
-                self.drawer.others(&mut self.programs);
-                self.scene = Some(scene);
-            } else {
-                self.destroy(backend);
-                return Ok(false);
-            }
+        if let Some(job) = self.made.take() {
+            self.draw(backend, &job)?;
+            return Ok(true);
         }
+        let Some(job) = self.jobs.next() else {
+            self.destroy(backend);
+            return Ok(false);
+        };
+        if self.programs.contains(&job.program) {
+            self.draw(backend, &job)?;
+        } else {
+            backend.create_program(job.program)?;
+            self.programs.push(job.program);
+            self.made = Some(job);
+        }
+        Ok(true)
+    }
+
+    /// Draws one texel with a job's program; every texture that it reads is the backend's placeholder.
+    fn draw(&mut self, backend: &mut dyn Backend, job: &Job) -> Result<()> {
+        let format = match job.format {
+            TexelFormat::Known(format) => format,
+            TexelFormat::Pool(extent) => extent.desc(job.label, backend).format,
+        };
+        let color = self.texture(backend, format)?;
+        let depth = job.depth.map(|_| self.texture(backend, Format::Depth32Float)).transpose()?;
+        let mut inputs = Inputs::NONE;
+        for slot in job.program.info().textures {
+            inputs.push(slot.name, None)?;
+        }
+        let program = Some(backend.create_program(job.program)?);
+        let target = Target { depth, ..Target::color(color) };
+        let (uniform, depth) = (job.uniform, job.depth.unwrap_or_default());
+        backend.run(&[Pass { program, inputs, uniform, depth, ..Pass::clear(job.label, target) }])
+    }
+
+    fn texture(&mut self, backend: &mut dyn Backend, format: Format) -> Result<TextureId> {
+        if let Some((_, id)) = self.textures.iter().find(|(made, _)| *made == format) {
+            return Ok(*id);
+        }
+        let id = backend.create_texture(&TextureDesc::new("warm-up", SIZE[0], SIZE[1], format))?;
+        self.textures.push((format, id));
+        Ok(id)
     }
 
     /// Frees what is left when it is given up half-way; programs and pipelines stay.
     pub fn destroy(&mut self, backend: &mut dyn Backend) {
-        match &mut self.drawer {
-            Drawer::Picture(renderer, _) => renderer.destroy(backend),
-            Drawer::Sky { renderer, textures, .. } => {
-                renderer.destroy(backend);
-                textures.take().into_iter().flatten().for_each(|id| backend.destroy_texture(id));
-            }
-        }
+        self.textures.drain(..).for_each(|(_, id)| backend.destroy_texture(id));
     }
 }
 
-impl Drawer {
-    fn settings(&self) -> &SkySettings {
-        match self {
-            Self::Picture(_, settings) => &settings.sky,
-            Self::Sky { renderer, .. } => renderer.settings(),
+/// Adds what a node draws with to the list, unless it is there. black: the background's target is cleared to
+/// opaque black.
+fn push(jobs: &mut Vec<Job>, node: &Node, targets: &TargetFormats, black: bool) {
+    let Work::Draw(program) = node.work else { return };
+    let format = match (node.writes, node.extent) {
+        (Resource::Pool(_), Some(extent)) => TexelFormat::Pool(extent.of_one_texel()),
+        (Resource::Aerial, _) => TexelFormat::Known(targets.aerial),
+        _ => TexelFormat::Known(targets.color),
+    };
+    let depth = (node.writes == Resource::Background && targets.depth_buffer).then_some(node.depth);
+    let over_black = node.over_black.filter(|_| black);
+    // A target that is not black needs the other one too.
+    let plain = Some(program).filter(|_| over_black.is_none());
+    for program in [plain, node.over_black].into_iter().flatten() {
+        let job = Job { label: node.label, program, uniform: node.uniform, depth, format };
+        if !jobs.iter().any(|j| j.is_same(&job)) {
+            jobs.push(job);
         }
-    }
-
-    /// What a plan does not name: the sky where nothing is behind it, ground and tone mapping.
-    fn others(&self, programs: &mut Vec<Program>) {
-        for i in 0..programs.len() {
-            if let Program::SkyLut { mie, .. } = programs[i] {
-                programs.push(Program::SkyLut { mie, only: true });
-            }
-        }
-        if let Self::Picture(_, settings) = self {
-            programs.push(Program::ToneMap { map: settings.tone_map, dither: settings.dither });
-            if settings.terrain.is_some() {
-                let under = |p: &Program| matches!(p, Program::EclipseSky { .. } | Program::EclipseAerial { .. });
-                let (sky, moon) = (programs.contains(&Program::LutMoments), programs.iter().any(under));
-                programs.push(Program::Terrain { sky, moon });
-            }
-        }
-    }
-
-    fn passes(&mut self, backend: &mut dyn Backend, scene: &Scene) -> Result<Vec<Pass>> {
-        let (renderer, targets, textures) = match self {
-            Self::Picture(renderer, settings) => {
-                return Ok(renderer.passes(backend, scene, settings, SIZE)?.0.to_vec());
-            }
-            Self::Sky { renderer, targets, textures } => (renderer, targets, textures),
-        };
-        let [color, buffer, depth, aerial] = match *textures {
-            Some(made) => made,
-            None => {
-                let formats = [targets.color, Format::Depth32Float, Format::R32Float, targets.aerial];
-                let mut made = [TextureId::default(); 4];
-                for (id, format) in made.iter_mut().zip(formats) {
-                    *id = backend.create_texture(&TextureDesc::new("warm-up", SIZE[0], SIZE[1], format))?;
-                }
-                *textures.insert(made)
-            }
-        };
-        let target = Target::color(color);
-        let behind = Target { depth: targets.depth_buffer.then_some(buffer), ..target };
-        let black = Target { clear: Some([0.0, 0.0, 0.0, 1.0]), ..behind };
-        let mut passes = renderer.background(backend, scene, behind)?.to_vec();
-        passes.extend_from_slice(renderer.background(backend, scene, black)?);
-        match renderer.settings().composition {
-            Composition::Planet => passes.extend_from_slice(renderer.shell(backend, scene, depth, target)?),
-            _ => passes.extend_from_slice(renderer.aerial(backend, scene, color, depth, aerial)?),
-        }
-        Ok(passes)
     }
 }
 
 /// The same programs with next to no work.
-fn small(settings: &SkySettings) -> SkySettings {
-    let method = match settings.method {
-        Method::Single { .. } => Method::Single { view_samples: 1, light_samples: 1 },
-        Method::Lut(_) => Method::Lut(TABLES),
+fn quick(settings: &SkySettings) -> SkySettings {
+    let quality = match settings.quality {
+        Quality::March { .. } => Quality::March { view_samples: 1, light_samples: 1 },
+        Quality::Luts(_) => Quality::Luts(LutSettings::TINY),
     };
-    SkySettings { method, ..*settings }
+    SkySettings { quality, ..*settings }
 }
 
-/// Views that between them call for every program of a planet with these constituents: from the ground to beyond the air,
-/// up and down, towards the sun and away from it, by day and by night.
+/// Views that between them call for every program of a planet with these constituents: from the ground to
+/// beyond the air, up and down, towards the sun and away from it, by day and by night.
 fn views(scene: &Scene) -> Result<Vec<Scene>> {
     let p = &scene.atmosphere;
     let mut views = Vec::new();
@@ -221,7 +215,8 @@ fn views(scene: &Scene) -> Result<Vec<Scene>> {
         for altitude in [0.0, 0.2, 0.6, 1.5, 2.0 * p.planet_radius / p.thickness()] {
             for pitch in [sun_elevation, 0.2, -1.57] {
                 let pose = Pose { altitude: altitude * p.thickness(), pitch, heading: 0.0, fov_y: 0.8 };
-                let camera = Camera::above(scene.planet_center, p.planet_radius, DVec3::Z, DVec3::X, pose, 1.0)?;
+                let camera =
+                    Camera::above(scene.planet_center, p.planet_radius, DVec3::Z, DVec3::X, pose, 1.0)?;
                 let sun = DVec2::from_angle(sun_elevation);
                 let sun_direction = DVec3::new(sun.x, 0.0, sun.y);
                 views.push(Scene { camera, sun_direction, moon: None, ..scene.clone() });
@@ -238,14 +233,4 @@ fn views(scene: &Scene) -> Result<Vec<Scene>> {
         }
     }
     Ok(views)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_smallest_tables_are_allowed() {
-        TABLES.validate().unwrap();
-    }
 }

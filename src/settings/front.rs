@@ -4,19 +4,10 @@ use std::fmt;
 use std::str::FromStr;
 use std::time::Duration;
 
-use glam::DVec3;
-
 use super::quality::Quality;
 use crate::error::{Error, Result};
-use crate::frame::lut::MEDIUM_LABELS;
-use crate::gpu::{Backend, DepthUse, Pass, Target, TextureDesc, TextureId, Uniform, reads};
-use crate::model::atmosphere::AtmosphereParams;
-use crate::model::scene::{Camera, DepthConvention, Pose, Scene};
-use crate::render::picture::{PictureRenderer, PictureSettings};
-use crate::render::sky::SkySettings;
-use crate::shaders::Program;
 
-/// `welkin accuracy --write-front src/quality/front.txt` writes it.
+/// `welkin-lab accuracy --write-front src/settings/front.txt` writes it.
 const COMMITTED: &str = include_str!("front.txt");
 
 /// The media of [`Point::errors`], in order. `haze` is Earth with 400 times the aerosol.
@@ -24,9 +15,6 @@ pub const MEDIA: [&str; 3] = ["earth", "mars", "haze"];
 
 /// All-orders errors whose ratio is below this are told apart by the sampling, not by luck.
 const SAME: f64 = 1.05;
-
-/// Rounds of timing of which the best counts; one more before them does not.
-const ROUNDS: usize = 3;
 
 /// A mean relative error of radiance, in the worst channel, over the scenes of a medium.
 ///
@@ -43,7 +31,7 @@ pub struct MeanError {
 /// One quality on one backend.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
-    /// Whose.
+    /// The quality that was measured.
     pub quality: Quality,
     /// Of the sky's passes of a frame: background and air before the scene.
     pub time: Duration,
@@ -60,7 +48,7 @@ pub struct Measured {
     pub adapter: String,
     /// Its driver.
     pub driver: String,
-    /// How the time was taken: [`crate::gpu::TimerKind`].
+    /// How the time was taken: the timer of the backend.
     pub timer: String,
     /// Of the frames that were timed, pixels.
     pub size: [u32; 2],
@@ -72,7 +60,7 @@ pub struct Measured {
     pub points: Vec<Point>,
 }
 
-/// What a quality costs and misses, the worst of the backends of a [`Front`].
+/// What a quality costs and misses, the worst of the backends of a [`ParetoFront`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cost {
     /// On Earth, against all orders of scattering: [`MeanError::all_orders`].
@@ -87,85 +75,26 @@ pub struct Cost {
 
 /// Error and time of some qualities, measured; answers which of them to take.
 ///
-/// Errors are those of 32-bit floats on any device. Times are one device's: [`Self::committed`] holds those of
-/// the device that it names, [`Self::measure`] takes yours. It is written ([`ToString`]) and read ([`FromStr`])
-/// as text, so that a program may measure once and keep it.
+/// Errors are those of 32-bit floats on any device. Times are one device's: [`Self::committed`] holds those
+/// of the device that it names, [`Self::measure`] takes yours. It is written ([`ToString`]) and read
+/// ([`FromStr`]) as text, so that a program may measure once and keep it.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Front {
+pub struct ParetoFront {
     /// One for each backend.
     pub measured: Vec<Measured>,
 }
 
-impl Front {
+impl ParetoFront {
     /// The table in this crate: every preset on both backends.
     pub fn committed() -> Self {
         // A test holds it to be readable.
         COMMITTED.parse().unwrap_or_default()
     }
 
-    /// Times some qualities on a backend, in frames of `size` pixels: the mean over three Earth scenes
-    /// (ground, limb, whole planet), each the best of three rounds, with a full-screen copy in the same
-    /// submissions. The errors are [`Self::committed`]'s, which do not depend on the device.
-    ///
-    /// This waits for the GPU: seconds on a software driver. Scenes alternate, so that nothing of the frame
-    /// before can be used again.
-    ///
-    /// # Errors
-    /// [`Error::Invalid`] for no qualities, for one whose numbers are not among the committed, and for a size
-    /// that the backend does not have, before anything is created; [`Error::Unavailable`] where waiting or
-    /// timing is impossible (browsers); errors of the backend.
-    pub fn measure(backend: &mut dyn Backend, qualities: &[Quality], size: [u32; 2]) -> Result<Self> {
-        let committed = Self::committed();
-        let committed = committed.on(backend.info().backend).unwrap_or(committed);
-        let errors = |quality: &Quality| committed.errors(quality);
-        Self::measure_with(backend, qualities, size, &errors, &committed.source())
-    }
-
-    /// As [`Self::measure`], with errors from elsewhere; `errors_from` says from where.
-    pub fn measure_with(
-        backend: &mut dyn Backend,
-        qualities: &[Quality],
-        size: [u32; 2],
-        errors: &dyn Fn(&Quality) -> Result<[MeanError; 3]>,
-        errors_from: &str,
-    ) -> Result<Self> {
-        if qualities.is_empty() {
-            return Err(Error::invalid("qualities", "none", "at least one"));
-        }
-        let mut points = Vec::with_capacity(qualities.len());
-        for quality in qualities {
-            SkySettings::from(*quality).validate()?;
-            points.push(Point { quality: *quality, time: Duration::ZERO, errors: errors(quality)? });
-        }
-        let copy_to = TextureDesc::new("front", size[0], size[1], PictureSettings::default().radiance);
-        copy_to.validate(backend.info().max_texture_size)?;
-        let scenes = scenes(f64::from(size[0]) / f64::from(size[1]))?;
-        let copy_to = backend.create_texture(&copy_to)?;
-        let mut renderer = PictureRenderer::default();
-        let timed = time(backend, &mut renderer, &scenes, &mut points, size, copy_to);
-        renderer.destroy(backend);
-        backend.destroy_texture(copy_to);
-        let copy = timed?;
-        let info = backend.info();
-        let line = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
-        Ok(Self {
-            measured: vec![Measured {
-                backend: info.backend.to_owned(),
-                adapter: line(&info.adapter),
-                driver: line(&info.driver),
-                timer: info.timer.to_string(),
-                size,
-                errors_from: line(errors_from),
-                copy,
-                points,
-            }],
-        })
-    }
-
     /// What was measured on one backend alone.
     ///
     /// # Errors
-    /// [`Error::Invalid`] with the backends that there are.
+    /// [`crate::ErrorKind::Invalid`] with the backends that there are.
     pub fn on(&self, backend: &str) -> Result<Self> {
         let measured: Vec<_> = self.measured.iter().filter(|m| m.backend == backend).cloned().collect();
         if measured.is_empty() {
@@ -176,11 +105,12 @@ impl Front {
         Ok(Self { measured })
     }
 
-    /// What a quality costs and misses, if its numbers were measured; the worst where there are several backends.
+    /// What a quality costs and misses, if its numbers were measured; the worst where there are several
+    /// backends.
     pub fn cost(&self, quality: &Quality) -> Option<Cost> {
         let mut worst: Option<Cost> = None;
         for m in &self.measured {
-            let Some(p) = m.points.iter().find(|p| p.quality.same_numbers(quality)) else { continue };
+            let Some(p) = m.points.iter().find(|p| p.quality == *quality) else { continue };
             let MeanError { all_orders: error, single: sampling } = p.errors[0];
             let copies = p.time.as_secs_f64() / m.copy.as_secs_f64().max(1e-9);
             let one = Cost { error, sampling, time: p.time, copies };
@@ -194,11 +124,12 @@ impl Front {
         worst
     }
 
-    /// The cheapest quality whose mean relative error of radiance in the worst channel, against **all orders of
-    /// scattering** and over the Earth scenes of the report, is at most `error` (0.1 is 10 %).
+    /// The cheapest quality whose mean relative error of radiance in the worst channel, against **all orders
+    /// of scattering** and over the Earth scenes of the report, is at most `error` (0.1 is 10 %).
     ///
     /// # Errors
-    /// [`Error::Invalid`] if none is so exact, or `error` is not a number: it says which comes closest.
+    /// [`crate::ErrorKind::Invalid`] if none is so exact, or `error` is not a number: it says which comes
+    /// closest.
     pub fn within_error(&self, error: f64) -> Result<Quality> {
         let all = self.all("within_error", error)?;
         let fits = all.iter().filter(|(_, c)| error.is_finite() && c.error <= error);
@@ -208,7 +139,9 @@ impl Front {
             let allowed = best.map_or_else(String::new, |(q, c)| {
                 // Rounded up: what is said here must be accepted.
                 let least = (c.error * 1e3).ceil() / 1e3;
-                format!("a number, {least} or more: quality {q} has that, the least mean error against all orders")
+                format!(
+                    "a number, {least} or more: quality {q} has that, the least mean error against all orders"
+                )
             });
             Error::invalid("within_error", error, allowed)
         })
@@ -218,20 +151,23 @@ impl Front {
     /// size of this front (on every backend of it; [`Self::on`] picks one).
     ///
     /// Best is what has the least error against all orders. Where that differs by less than a twentieth among
-    /// methods that compute single scattering alone, what they all lack hides the rest: their sampling decides.
+    /// methods that compute single scattering alone, what they all lack hides the rest: their sampling
+    /// decides.
     ///
     /// # Errors
-    /// [`Error::Invalid`] if none is so fast: it says which is the fastest.
+    /// [`crate::ErrorKind::Invalid`] if none is so fast: it says which is the fastest.
     pub fn within_budget(&self, budget: Duration) -> Result<Quality> {
         let all = self.all("within_budget", milliseconds(budget))?;
         let fits: Vec<_> = all.iter().filter(|(_, c)| c.time <= budget).collect();
         let least = fits.iter().map(|(_, c)| c.error).fold(f64::INFINITY, f64::min);
         let close: Vec<_> = fits.iter().filter(|(_, c)| c.error <= SAME * least).collect();
-        let judge = |c: &Cost| {
+        let compared = |c: &Cost| {
             let sampling = close.iter().all(|(_, c)| c.sampling.is_some());
             if sampling { c.sampling.unwrap_or(c.error) } else { c.error }
         };
-        let best = close.iter().min_by(|(_, a), (_, b)| judge(a).total_cmp(&judge(b)).then(a.time.cmp(&b.time)));
+        let best = close
+            .iter()
+            .min_by(|(_, a), (_, b)| compared(a).total_cmp(&compared(b)).then(a.time.cmp(&b.time)));
         best.map(|(q, _)| *q).ok_or_else(|| {
             let fastest = all.iter().min_by_key(|(_, c)| c.time);
             let (w, h) = self.measured.first().map_or((0, 0), |m| (m.size[0], m.size[1]));
@@ -249,7 +185,7 @@ impl Front {
     /// Every quality that was measured on all backends, with its cost.
     fn all(&self, field: &str, value: impl fmt::Display) -> Result<Vec<(Quality, Cost)>> {
         let first = self.measured.first().map_or(&[][..], |m| &m.points);
-        let on_all = |q: &Quality| self.measured.iter().all(|m| m.points.iter().any(|p| p.quality.same_numbers(q)));
+        let on_all = |q: &Quality| self.measured.iter().all(|m| m.points.iter().any(|p| p.quality == *q));
         let all: Vec<_> = first
             .iter()
             .filter(|p| on_all(&p.quality))
@@ -261,10 +197,11 @@ impl Front {
         Ok(all)
     }
 
-    fn errors(&self, quality: &Quality) -> Result<[MeanError; 3]> {
+    pub(crate) fn errors(&self, quality: &Quality) -> Result<[MeanError; 3]> {
         let mut points = self.measured.iter().flat_map(|m| &m.points);
-        points.find(|p| p.quality.same_numbers(quality)).map(|p| p.errors).ok_or_else(|| {
-            let known: Vec<_> = self.measured.iter().take(1).flat_map(|m| &m.points).map(|p| p.quality).collect();
+        points.find(|p| p.quality == *quality).map(|p| p.errors).ok_or_else(|| {
+            let known: Vec<_> =
+                self.measured.iter().take(1).flat_map(|m| &m.points).map(|p| p.quality).collect();
             let known: Vec<_> = known.iter().map(Quality::to_string).collect();
             Error::invalid(
                 "quality",
@@ -277,73 +214,9 @@ impl Front {
         })
     }
 
-    fn source(&self) -> String {
+    pub(crate) fn source(&self) -> String {
         self.measured.first().map_or_else(String::new, |m| m.errors_from.clone())
     }
-}
-
-/// A camera above Earth: altitude in metres, then degrees: of the sun from the zenith, pitch, field of view.
-const SCENES: [[f64; 4]; 3] = [[2.0, 60.0, 20.0, 60.0], [400e3, 70.0, -19.0, 10.0], [1e7, 60.0, -90.0, 50.0]];
-
-fn scenes(aspect: f64) -> Result<Vec<Scene>> {
-    let scene = |[altitude, sun, pitch, fov]: [f64; 4]| {
-        let atmosphere = AtmosphereParams::earth();
-        let (pitch, fov_y) = (pitch.to_radians(), fov.to_radians());
-        let pose = Pose { altitude, pitch, heading: 0.0, fov_y };
-        let (sin, cos) = sun.to_radians().sin_cos();
-        Ok(Scene {
-            camera: Camera::above(DVec3::ZERO, atmosphere.planet_radius, DVec3::Z, DVec3::X, pose, aspect)?,
-            planet_center: DVec3::ZERO,
-            atmosphere,
-            sun_direction: DVec3::new(sin, 0.0, cos),
-            depth: DepthConvention::default(),
-            moon: None,
-        })
-    };
-    SCENES.into_iter().map(scene).collect()
-}
-
-/// Fills in the times of `points`; answers the best of the copy.
-fn time(
-    backend: &mut dyn Backend,
-    renderer: &mut PictureRenderer,
-    scenes: &[Scene],
-    points: &mut [Point],
-    size: [u32; 2],
-    copy_to: TextureId,
-) -> Result<Duration> {
-    let program = backend.create_program(Program::Copy)?;
-    let mut best = vec![f64::INFINITY; points.len() * scenes.len()];
-    let mut best_copy = f64::INFINITY;
-    // Round after round, so that a disturbance of a moment does not hit every run of a quality.
-    for round in 0..=ROUNDS {
-        let each = points.iter().flat_map(|p| scenes.iter().map(move |s| (p.quality, s)));
-        for ((quality, scene), best) in each.zip(&mut best) {
-            let settings = PictureSettings { sky: quality.into(), terrain: None, ..PictureSettings::default() };
-            let (passes, drawn) = renderer.passes(backend, scene, &settings, size)?;
-            let mut passes: Vec<Pass> = passes.iter().copied().filter(|p| p.target.color != drawn.display).collect();
-            passes.push(Pass {
-                label: "copy",
-                program: Some(program),
-                textures: reads([drawn.radiance]),
-                uniform: Uniform::NONE,
-                target: Target::color(copy_to),
-                depth: DepthUse::Always,
-            });
-            let times = backend.times(&passes)?;
-            // The first round makes pipelines and warms caches.
-            if let Some((copy, sky)) = times.split_last().filter(|_| round > 0) {
-                let of_frame = sky.iter().filter(|t| !MEDIUM_LABELS.contains(&t.label));
-                *best = best.min(of_frame.map(|t| t.nanoseconds).sum());
-                best_copy = best_copy.min(copy.nanoseconds);
-            }
-        }
-    }
-    let duration = |nanoseconds: f64| Duration::from_nanos(nanoseconds.max(0.0) as u64);
-    for (point, best) in points.iter_mut().zip(best.chunks(scenes.len())) {
-        point.time = duration(best.iter().sum::<f64>() / best.len() as f64);
-    }
-    Ok(duration(best_copy))
 }
 
 fn milliseconds(time: Duration) -> String {
@@ -353,15 +226,16 @@ fn milliseconds(time: Duration) -> String {
 
 const HEAD: &str = "\
 # What every quality costs and misses, as measured: one part for each backend.
-# Written by `welkin accuracy --write-front FILE`; change nothing by hand.
-# ms: the sky's passes of a frame of `size`, tables of altitude and sun made anew, mean over three Earth scenes; copy_ms: a full-screen copy beside them.
+# Written by `welkin-lab accuracy --write-front FILE`; change nothing by hand.
+# ms: the sky's passes of a frame of `size`, LUTs of altitude and sun made anew, mean over three Earth scenes;
+# copy_ms: a full-screen copy beside them.
 # Errors: mean relative error of radiance in the worst channel over the report's scenes of a medium,
 # against all orders of scattering, and against single scattering for methods that compute only that.
 ";
-const COLUMNS: &str = "quality, method, render_scale, ms, \
+const COLUMNS: &str = "quality, method, ms, \
                        earth_all, earth_single, mars_all, mars_single, haze_all, haze_single";
 
-impl fmt::Display for Front {
+impl fmt::Display for ParetoFront {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(HEAD)?;
         for m in &self.measured {
@@ -371,8 +245,8 @@ impl fmt::Display for Front {
             writeln!(f, "size = {}x{}", m.size[0], m.size[1])?;
             writeln!(f, "errors_from = {}\ncopy_ms = {}\n{COLUMNS}", m.errors_from, ms(m.copy))?;
             for p in &m.points {
-                let Quality { name, method, render_scale } = p.quality;
-                write!(f, "{name}, {method}, {render_scale}, {}", ms(p.time))?;
+                let name = p.quality.preset_name().unwrap_or("unnamed");
+                write!(f, "{name}, {} {}, {}", p.quality.method(), p.quality.numbers(), ms(p.time))?;
                 for e in p.errors {
                     let single = e.single.map_or_else(|| "-".to_owned(), |v| format!("{v:.5}"));
                     write!(f, ", {:.5}, {single}", e.all_orders)?;
@@ -384,10 +258,10 @@ impl fmt::Display for Front {
     }
 }
 
-impl FromStr for Front {
+impl FromStr for ParetoFront {
     type Err = Error;
 
-    /// Reads what [`Front`]'s `to_string` wrote. Only presets can be read back.
+    /// Reads what [`ParetoFront`]'s `to_string` wrote. Only presets can be read back.
     fn from_str(text: &str) -> Result<Self> {
         let mut front = Self::default();
         for (i, line) in text.lines().enumerate() {
@@ -400,7 +274,16 @@ impl FromStr for Front {
                 let (copy, size) = (Duration::ZERO, [0; 2]);
                 let [adapter, driver, timer, errors_from] = std::array::from_fn(|_| String::new());
                 let (backend, points) = (backend.to_owned(), Vec::new());
-                front.measured.push(Measured { backend, adapter, driver, timer, size, errors_from, copy, points });
+                front.measured.push(Measured {
+                    backend,
+                    adapter,
+                    driver,
+                    timer,
+                    size,
+                    errors_from,
+                    copy,
+                    points,
+                });
                 continue;
             }
             let Some(m) = front.measured.last_mut() else {
@@ -416,7 +299,8 @@ impl FromStr for Front {
                     "size" => {
                         let side = |s: &str| s.parse().ok().filter(|n| *n > 0);
                         let size = value.split_once('x').and_then(|(w, h)| Some([side(w)?, side(h)?]));
-                        m.size = size.ok_or_else(|| Error::invalid(field(key), value, "pixels, as in 1920x1080"))?;
+                        m.size =
+                            size.ok_or_else(|| Error::invalid(field(key), value, "pixels, as in 1920x1080"))?;
                     }
                     _ => {
                         let known = "adapter, driver, timer, size, errors_from or copy_ms";
@@ -440,26 +324,24 @@ impl Point {
             return Err(Error::invalid(field("row"), count, format_args!("{}: {COLUMNS}", names.len())));
         }
         let quality = Quality::from_name(values[0])?;
-        let numbers = [quality.method.to_string(), quality.render_scale.to_string()];
-        for (i, is) in [1, 2].into_iter().zip(&numbers) {
-            if values[i] != is {
-                let allowed = format!("{is}, as quality {} is now: measure again", quality.name);
-                return Err(Error::invalid(field(names[i]), values[i], allowed));
-            }
+        let is = format!("{} {}", quality.method(), quality.numbers());
+        if values[1] != is {
+            let allowed = format!("{is}, as quality {} is now: measure again", values[0]);
+            return Err(Error::invalid(field(names[1]), values[1], allowed));
         }
         let mut errors = [MeanError { all_orders: 0.0, single: None }; 3];
         for (medium, error) in errors.iter_mut().enumerate() {
-            let [all, single] = [4 + 2 * medium, 5 + 2 * medium];
-            error.all_orders = share(field(names[all]), values[all])?;
+            let [all, single] = [3 + 2 * medium, 4 + 2 * medium];
+            error.all_orders = error_of(field(names[all]), values[all])?;
             if values[single] != "-" {
-                error.single = Some(share(field(names[single]), values[single])?);
+                error.single = Some(error_of(field(names[single]), values[single])?);
             }
         }
-        Ok(Self { quality, time: time_of(field(names[3]), values[3])?, errors })
+        Ok(Self { quality, time: time_of(field(names[2]), values[2])?, errors })
     }
 }
 
-fn share(field: String, text: &str) -> Result<f64> {
+fn error_of(field: String, text: &str) -> Result<f64> {
     let value = text.parse().ok().filter(|v: &f64| v.is_finite() && *v >= 0.0);
     value.ok_or_else(|| Error::invalid(field, text, "a number of 0 or more"))
 }
@@ -473,16 +355,19 @@ fn time_of(field: String, text: &str) -> Result<Duration> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::render::sky::Method;
 
     #[test]
     fn the_committed_front_is_as_written_and_holds_every_preset_on_both_backends() {
-        let front: Front = COMMITTED.parse().unwrap();
+        let front: ParetoFront = COMMITTED.parse().unwrap();
         assert_eq!(front.to_string(), COMMITTED, "changed by hand, or not written by this version");
-        assert_eq!(front.measured.iter().map(|m| m.backend.as_str()).collect::<Vec<_>>(), ["webgpu", "webgl2"]);
+        assert_eq!(
+            front.measured.iter().map(|m| m.backend.as_str()).collect::<Vec<_>>(),
+            ["webgpu", "webgl2"]
+        );
         for m in &front.measured {
             let held: Vec<_> = m.points.iter().map(|p| p.quality).collect();
-            assert_eq!(held, Quality::ALL, "run welkin accuracy --write-front src/quality/front.txt");
+            let presets: Vec<_> = Quality::PRESETS.iter().map(|(_, quality)| *quality).collect();
+            assert_eq!(held, presets, "run welkin-lab accuracy --write-front src/settings/front.txt");
             assert!(!m.copy.is_zero() && m.points.iter().all(|p| p.time > m.copy), "{m:?}");
             for text in [&m.adapter, &m.driver, &m.timer, &m.errors_from] {
                 assert!(!text.is_empty(), "{m:?}");
@@ -491,8 +376,8 @@ mod tests {
     }
 
     /// Times in milliseconds and errors on Earth, of as many presets.
-    fn front(of: &[(u64, f64, Option<f64>)]) -> Front {
-        let mut front = Front::committed().on("webgpu").unwrap();
+    fn front(of: &[(u64, f64, Option<f64>)]) -> ParetoFront {
+        let mut front = ParetoFront::committed().on("webgpu").unwrap();
         let point = |(q, &(ms, all_orders, single)): (&Quality, &(u64, f64, Option<f64>))| Point {
             quality: *q,
             time: Duration::from_millis(ms),
@@ -532,7 +417,8 @@ mod tests {
     #[test]
     fn the_slower_and_the_worse_backend_counts() {
         let mut f = front(&SINGLE);
-        let mut other = front(&[(50, 0.5, Some(0.02)), (15, 0.3, Some(0.01)), (45, 0.34, Some(0.03))]).measured;
+        let mut other =
+            front(&[(50, 0.5, Some(0.02)), (15, 0.3, Some(0.01)), (45, 0.34, Some(0.03))]).measured;
         other[0].backend = "webgl2".into();
         f.measured.append(&mut other);
         let cost = f.cost(&Quality::SINGLE_MEDIUM).unwrap();
@@ -560,7 +446,7 @@ mod tests {
             message.contains("10 ms or more: quality single-low (single 8 × 8) takes that at 1920×1080 on "),
             "{message}"
         );
-        let empty = Front::default();
+        let empty = ParetoFront::default();
         for e in [empty.within_error(1.0), empty.within_budget(Duration::MAX)] {
             assert!(e.unwrap_err().to_string().contains("holds a measured quality"));
         }
@@ -573,20 +459,26 @@ mod tests {
 
     #[test]
     fn text_that_is_not_a_front_is_refused_by_line_and_value() {
-        let row = "single-low, single 8 × 8, 1, 1.0, 0.3, 0.1, 0.3, 0.1, 0.3, 0.1";
-        assert_eq!(format!("[webgpu]\n{row}").parse::<Front>().unwrap().measured[0].points.len(), 1);
+        let row = "single-low, single 8 × 8, 1.0, 0.3, 0.1, 0.3, 0.1, 0.3, 0.1";
+        assert_eq!(format!("[webgpu]\n{row}").parse::<ParetoFront>().unwrap().measured[0].points.len(), 1);
         for (text, words) in [
             (row.to_owned(), ["line 1", "[backend]"]),
             ("[webgpu]\nsize = 12".into(), ["line 2, size = 12", "1920x1080"]),
             ("[webgpu]\ncopy_ms = -1".into(), ["copy_ms = -1", "milliseconds"]),
             ("[webgpu]\ncolour = red".into(), ["key = colour", "adapter"]),
-            ("[webgpu]\nlow, 3".into(), ["2 values", "10: quality"]),
-            (format!("[webgpu]\n{}", row.replace("single-low", "lowest")), ["quality = \"lowest\"", "low, medium"]),
-            (format!("[webgpu]\n{}", row.replace("8 × 8", "9 × 8")), ["method = single 9 × 8", "measure again"]),
+            ("[webgpu]\nlow, 3".into(), ["2 values", "9: quality"]),
+            (
+                format!("[webgpu]\n{}", row.replace("single-low", "lowest")),
+                ["quality = \"lowest\"", "low, medium"],
+            ),
+            (
+                format!("[webgpu]\n{}", row.replace("8 × 8", "9 × 8")),
+                ["method = single 9 × 8", "measure again"],
+            ),
             (format!("[webgpu]\n{}", row.replacen("0.3", "NaN", 1)), ["earth_all = NaN", "0 or more"]),
-            (format!("[webgpu]\n{}", row.replace("1.0,", "soon,")), ["ms = soon", "milliseconds"]),
+            (format!("[webgpu]\n{}", row.replace(" 1.0,", " soon,")), ["ms = soon", "milliseconds"]),
         ] {
-            let message = text.parse::<Front>().unwrap_err().to_string();
+            let message = text.parse::<ParetoFront>().unwrap_err().to_string();
             assert!(words.iter().all(|w| message.contains(w)), "{text}: {message}");
         }
     }
@@ -596,8 +488,8 @@ mod tests {
         let mut f = front(&[(1, 0.1, None)]);
         let text = f.to_string();
         assert!(text.contains("0.10000, -, 0.10000, -"), "{text}");
-        assert_eq!(text.parse::<Front>().as_ref(), Ok(&f));
-        f.measured[0].points[0].quality.method = Method::Single { view_samples: 9, light_samples: 9 };
-        assert!(f.to_string().parse::<Front>().is_err());
+        assert_eq!(text.parse::<ParetoFront>().as_ref(), Ok(&f));
+        f.measured[0].points[0].quality = Quality::March { view_samples: 9, light_samples: 9 };
+        assert!(f.to_string().parse::<ParetoFront>().is_err());
     }
 }

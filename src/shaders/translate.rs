@@ -1,60 +1,206 @@
-//! WGSL to GLSL ES 3.00 through naga, ahead of time, with the names that naga gave to what is bound.
+//! From `shaders/wgsl/` to everything that is generated: WGSL is linked, translated to GLSL ES 3.00 by naga
+//! ahead of time, and what programs read is taken from naga's reflection. A file in `shaders/wgsl/pass/` is a
+//! program; nothing else lists them.
 //!
-//! A uniform block's layout is taken from naga too, so that the Rust twins can be checked against it.
+//! A module may begin with lines `//#include name`: `lib/name.wgsl` comes once before it. A uniform block's
+//! layout is taken from naga too, so that the Rust twins can be checked against it.
+
+use std::fmt::Write as _;
+use std::path::Path;
 
 use naga::back::glsl;
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 
-use super::Program;
+use super::split_structs::{split_outputs, split_structs};
 use crate::error::{Error, Result};
+use crate::gpu::{Program, ProgramInfo, SAMPLER_BINDING, TEXTURES_MAX};
 
-/// A translated program: its name, both shaders, the uniform block's name in each, and the sampler names
-/// of the textures at bindings 1, 2, …
-#[derive(Debug, Clone, PartialEq, Eq)]
-#[allow(missing_docs)]
-pub struct Translated {
-    pub name: String,
-    pub vertex: String,
-    pub fragment: String,
-    pub blocks: [String; 2],
-    pub textures: Vec<String>,
+/// The number of vertices of a program that draws a triangle strip, in its WGSL.
+const VERTICES: &str = "VERTICES";
+
+/// The module of the vertex shader for programs that have none of their own.
+const FULLSCREEN: &str = "fullscreen";
+
+/// The folders of programs below `shaders/wgsl/pass/`, and the Rust file that tells of each, below `src/`.
+const TABLES: [(&str, &str); 2] = [("", "src/shaders/generated.rs"), ("probe", "src/probe/generated.rs")];
+
+fn driver_error(what: &str, program: &str, reason: impl ToString) -> Error {
+    Error::driver("naga", format!("{what} {program}"), reason.to_string())
 }
 
-fn driver_error(what: &str, program: Program, reason: impl ToString) -> Error {
-    Error::Driver { backend: "webgl2", what: format!("{what} {}", program.name()), reason: reason.to_string() }
+fn read(path: &Path) -> Result<String> {
+    std::fs::read_to_string(path).map_err(|e| driver_error("read", &path.display().to_string(), e))
+}
+
+/// Names of the `.wgsl` files in a folder, in order.
+fn names(folder: &Path) -> Result<Vec<String>> {
+    let failed = |e| driver_error("read", &folder.display().to_string(), e);
+    let mut names = Vec::new();
+    for entry in std::fs::read_dir(folder).map_err(failed)? {
+        let name = entry.map_err(failed)?.file_name();
+        names.extend(name.to_str().and_then(|n| n.strip_suffix(".wgsl")).map(str::to_owned));
+    }
+    names.sort();
+    Ok(names)
+}
+
+/// A program as its files and naga tell it.
+struct Source {
+    name: String,
+    /// Linked modules in order: path below `shaders/wgsl/` without its ending, and text.
+    modules: Vec<(String, String)>,
+    /// Names and comments of the lines `const NAME: bool`.
+    constants: Vec<(String, String)>,
+    vertex: Stage,
+    fragment: Stage,
+    uniform_size: u32,
+    textures: Vec<Texture>,
+    /// Whole numbers with a name, which the Rust side may need too.
+    numbers: Vec<(String, i64)>,
+}
+
+struct Texture {
+    name: String,
+    binding: u32,
+    filtered: bool,
+    sampler: String,
+}
+
+struct Stage {
+    /// The module with the entry point, which names the vertex shaders' files.
+    module: String,
+    text: String,
+    block: String,
+    /// The lines `const NAME: bool` that decide anything here.
+    constants: Vec<String>,
+    /// The texture's binding, naga's name of the sampler, and whether the shader gives one of its own.
+    samplers: Vec<(u32, String, bool)>,
+}
+
+/// Appends a module and before it what it includes.
+fn link(wgsl: &Path, module: &str, out: &mut Vec<(String, String)>) -> Result<()> {
+    if out.iter().any(|(name, _)| name == module) {
+        return Ok(());
+    }
+    let text = read(&wgsl.join(format!("{module}.wgsl")))?;
+    for include in text.lines().filter_map(|line| line.strip_prefix("//#include ")) {
+        link(wgsl, &format!("lib/{}", include.trim()), out)?;
+    }
+    out.push((module.to_owned(), text));
+    Ok(())
+}
+
+impl Source {
+    fn new(wgsl: &Path, folder: &str, name: &str) -> Result<Self> {
+        let module = if folder.is_empty() { format!("pass/{name}") } else { format!("pass/{folder}/{name}") };
+        let mut modules = Vec::new();
+        link(wgsl, &module, &mut modules)?;
+        if !modules.iter().any(|(_, text)| text.contains("fn vertex_main(")) {
+            let mut first = Vec::new();
+            link(wgsl, &format!("lib/{FULLSCREEN}"), &mut first)?;
+            modules.splice(0..0, first);
+        }
+        let text: String = modules.iter().map(|(_, text)| text.as_str()).collect();
+        let mut constants = Vec::new();
+        for line in text.lines() {
+            if let Some((constant, rest)) =
+                line.strip_prefix("const ").and_then(|l| l.split_once(": bool = true;"))
+            {
+                let comment = rest.trim().strip_prefix("//").unwrap_or_default().trim();
+                constants.push((constant.to_owned(), comment.to_owned()));
+            }
+        }
+        let module = parse_text(name, &text)?;
+        let stage = |stage, entry: &str| {
+            let owner = modules.iter().find(|(_, text)| text.contains(&format!("fn {entry}(")));
+            let owner = owner.map(|(module, _)| module.as_str()).unwrap_or_default();
+            // naga leaves structs in that nothing uses: from the entry point's module alone, which programs
+            // may share.
+            let mut own = Vec::new();
+            link(wgsl, owner, &mut own)?;
+            let text: String = own.into_iter().map(|(_, text)| text).collect();
+            self::stage(name, &text, stage, entry, owner.rsplit('/').next().unwrap_or_default().to_owned())
+        };
+        let vertex = stage(naga::ShaderStage::Vertex, "vertex_main")?;
+        let fragment = stage(naga::ShaderStage::Fragment, "fragment_main")?;
+        // A module's constant that no function of this program asks for is no choice.
+        constants.retain(|(name, _)| vertex.constants.contains(name) || fragment.constants.contains(name));
+        let (mut uniform_size, mut textures) = (0, Vec::new());
+        for (_, variable) in module.global_variables.iter() {
+            let Some(binding) = variable.binding.as_ref().map(|b| b.binding) else { continue };
+            let inner = &module.types[variable.ty].inner;
+            match inner {
+                naga::TypeInner::Struct { span, .. } if binding == 0 => uniform_size = *span,
+                naga::TypeInner::Image { .. } if (1..=TEXTURES_MAX as u32).contains(&binding) => {
+                    let sampler = fragment.samplers.iter().find(|(at, ..)| *at == binding);
+                    let (sampler, filtered) =
+                        sampler.map(|(_, name, own)| (name.clone(), *own)).unwrap_or_default();
+                    let name = variable.name.clone().unwrap_or_default();
+                    textures.push(Texture { name, binding, filtered, sampler });
+                }
+                naga::TypeInner::Sampler { .. } if binding == SAMPLER_BINDING => {}
+                _ => {
+                    let what = format!("no place for {:?} at binding {binding}", variable.name);
+                    return Err(driver_error("reflect", name, what));
+                }
+            }
+        }
+        textures.sort_by_key(|t| t.binding);
+        let number = |c: &naga::Constant| match module.global_expressions[c.init] {
+            naga::Expression::Literal(naga::Literal::U32(value)) => Some(i64::from(value)),
+            naga::Expression::Literal(naga::Literal::I32(value)) => Some(i64::from(value)),
+            _ => None,
+        };
+        let numbers: Vec<_> =
+            module.constants.iter().filter_map(|(_, c)| Some((c.name.clone()?, number(c)?))).collect();
+        if (vertex.module == FULLSCREEN) == numbers.iter().any(|(name, _)| name == VERTICES) {
+            return Err(driver_error("reflect", name, "a vertex shader of its own and VERTICES go together"));
+        }
+        Ok(Self {
+            name: name.to_owned(),
+            modules,
+            constants,
+            vertex,
+            fragment,
+            uniform_size,
+            textures,
+            numbers,
+        })
+    }
+
+    /// What the program's own file says about it, up to the first line that is no comment.
+    fn about(&self) -> impl Iterator<Item = &str> {
+        let own = self.modules.last().map(|(_, text)| text.as_str()).unwrap_or_default();
+        let comments = own.lines().skip_while(|l| l.starts_with("//#")).map_while(|l| l.strip_prefix("//"));
+        comments.map(str::trim)
+    }
+}
+
+fn parse_text(program: &str, text: &str) -> Result<naga::Module> {
+    let module = naga::front::wgsl::parse_str(text)
+        .map_err(|e| driver_error("parse", program, e.emit_to_string(text)))?;
+    validate(program, text, &module)?;
+    Ok(module)
+}
+
+fn validate(program: &str, text: &str, module: &naga::Module) -> Result<ModuleInfo> {
+    Validator::new(ValidationFlags::all(), Capabilities::empty())
+        .validate(module)
+        .map_err(|e| driver_error("validate", program, e.emit_to_string(text)))
 }
 
 /// Parses and validates a program's WGSL.
 pub fn parse(program: Program) -> Result<naga::Module> {
-    let text = program.wgsl();
-    let module =
-        naga::front::wgsl::parse_str(&text).map_err(|e| driver_error("parse", program, e.emit_to_string(&text)))?;
-    validate(program, &module)?;
-    Ok(module)
+    parse_text(&program.name(), &program.wgsl())
 }
 
-fn validate(program: Program, module: &naga::Module) -> Result<ModuleInfo> {
-    Validator::new(ValidationFlags::all(), Capabilities::empty())
-        .validate(module)
-        .map_err(|e| driver_error("validate", program, e.emit_to_string(&program.wgsl())))
-}
-
-/// Translates both stages of a program.
-pub fn translate(program: Program) -> Result<Translated> {
-    // naga leaves unused structs in; the full-screen triangle is the same for all, so it is taken from the
-    // program that has none.
-    let triangle = if program.makes_vertices() { program } else { Program::Copy };
-    let (vertex, vertex_block, _) = stage(triangle, naga::ShaderStage::Vertex, "vertex_main")?;
-    let (fragment, fragment_block, textures) = stage(program, naga::ShaderStage::Fragment, "fragment_main")?;
-    Ok(Translated { name: program.name(), vertex, fragment, blocks: [vertex_block, fragment_block], textures })
-}
-
-fn stage(program: Program, stage: naga::ShaderStage, entry: &str) -> Result<(String, String, Vec<String>)> {
-    let mut module = parse(program)?;
+fn stage(program: &str, wgsl: &str, stage: naga::ShaderStage, entry: &str, owner: String) -> Result<Stage> {
+    let mut module = parse_text(program, wgsl)?;
     module.entry_points.retain(|e| e.name == entry);
     // The writer asks for features of every function left in the module, reachable or not.
     naga::compact::compact(&mut module, naga::compact::KeepUnused::No);
-    let info = validate(program, &module)?;
+    split_structs(&mut module).map_err(|e| driver_error("split the structs of", program, e))?;
+    let info = validate(program, wgsl, &module)?;
     let options = glsl::Options {
         version: glsl::Version::Embedded { version: 300, is_webgl: true },
         writer_flags: glsl::WriterFlags::ADJUST_COORDINATE_SPACE,
@@ -62,160 +208,295 @@ fn stage(program: Program, stage: naga::ShaderStage, entry: &str) -> Result<(Str
     };
     let pipeline = glsl::PipelineOptions { shader_stage: stage, entry_point: entry.into(), multiview: None };
     let mut text = String::new();
-    let reflection =
-        glsl::Writer::new(&mut text, &module, &info, &options, &pipeline, naga::proc::BoundsCheckPolicies::default())
-            .and_then(|mut writer| writer.write())
-            .map_err(|e| driver_error("translate", program, e))?;
+    let reflection = glsl::Writer::new(
+        &mut text,
+        &module,
+        &info,
+        &options,
+        &pipeline,
+        naga::proc::BoundsCheckPolicies::default(),
+    )
+    .and_then(|mut writer| writer.write())
+    .map_err(|e| driver_error("translate", program, e))?;
+    let text = split_outputs(&text).map_err(|e| driver_error("split the outputs of", program, e))?;
     let block = reflection.uniforms.values().next().cloned().unwrap_or_default();
-    let mut textures = vec![String::new(); program.textures()];
-    let mut filtered = 0;
+    let mut samplers = Vec::new();
     for (name, mapping) in &reflection.texture_mapping {
         let binding = module.global_variables[mapping.texture].binding.as_ref().map_or(0, |b| b.binding);
-        if let Some(slot) = textures.get_mut((binding as usize).wrapping_sub(1)) {
-            slot.clone_from(name);
+        samplers.push((binding, name.clone(), mapping.sampler.is_some()));
+    }
+    let mut constants = Vec::new();
+    for name in module.constants.iter().filter_map(|(_, c)| c.name.clone()) {
+        let found = text.matches(&format!("\nconst bool {name} = ")).count();
+        if wgsl.contains(&format!("\nconst {name}: bool = ")) {
+            if found != 1 {
+                return Err(driver_error(
+                    "translate",
+                    program,
+                    format!("{found} lines of the constant {name}"),
+                ));
+            }
+            // naga writes all constants that have a name, asked for or not.
+            if words(&text).filter(|(word, _)| *word == name).count() > 1 {
+                constants.push(name);
+            }
         }
-        filtered |= u32::from(mapping.sampler.is_some()) << binding >> 1;
     }
-    if stage == naga::ShaderStage::Fragment && filtered != program.filtered() {
-        let found = format!("it samples the textures {filtered:#b}, not {:#b}", program.filtered());
-        return Err(driver_error("reflect", program, found));
-    }
-    Ok((text, block, textures))
+    Ok(Stage { module: owner, text, block, constants, samplers })
 }
 
-/// File name (below `shaders/glsl/`) and text of everything generated, and the Rust tables last, whose names
-/// are `generated.rs` and, with what only the probe needs, `generated_probe.rs` (below `src/shaders/`). Equal
-/// vertex shaders share a file. All variants travel in the wasm module and differ in few functions: the table
-/// holds each function once, terse, and variants of a function next to each other, where they compress well.
-pub fn generate() -> Result<Vec<(String, String)>> {
+/// Path below the repository's root and text of everything generated: a readable GLSL file for every shader
+/// in `shaders/glsl/` (equal vertex shaders share one) and the tables of programs in Rust.
+///
+/// # Errors
+/// [`crate::ErrorKind::Driver`] with naga's words for a shader that it does not accept, and for files that
+/// cannot be read.
+pub fn generate(root: &Path) -> Result<Vec<(String, String)>> {
+    let wgsl = root.join("shaders/wgsl");
     let mut files: Vec<(String, String)> = Vec::new();
-    let mut programs = Vec::new();
-    for program in Program::all() {
-        let t = translate(program)?;
-        // The sun's variants share their vertex shader, the terrain's do not.
-        let own = if matches!(program, Program::Terrain { .. }) { &t.name } else { program.module() };
-        let own = format!("{own}.vert");
-        let vertex_file = if program.makes_vertices() { own } else { "fullscreen.vert".to_owned() };
-        let fragment_file = format!("{}.frag", t.name);
-        for (file, text) in [(&vertex_file, &t.vertex), (&fragment_file, &t.fragment)] {
-            match files.iter().find(|(f, _)| f == file) {
-                None => files.push((file.clone(), text.clone())),
-                Some((_, known)) if known == text => {}
-                Some(_) => return Err(driver_error("two different texts for", program, file)),
+    for (folder, table) in TABLES {
+        let mut programs = Vec::new();
+        for name in names(&wgsl.join("pass").join(folder))? {
+            let source = Source::new(&wgsl, folder, &name)?;
+            let vertex = format!("shaders/glsl/{}.vert", source.vertex.module);
+            let fragment = format!("shaders/glsl/{name}.frag");
+            for (file, text) in [(vertex, &source.vertex.text), (fragment, &source.fragment.text)] {
+                match files.iter().find(|(f, _)| *f == file) {
+                    None => files.push((file, text.clone())),
+                    Some((_, known)) if known == text => {}
+                    Some(_) => return Err(driver_error("two different texts for", &name, file)),
+                }
             }
+            programs.push(source);
         }
-        let parts = [&t.vertex, &t.fragment].map(|text| split(text).map(terse).collect::<Vec<_>>());
-        programs.push((matches!(program, Program::Probe(_)), t, parts));
+        files.push((table.to_owned(), rust_table(&programs)));
     }
-    // The probe's parts follow those of the pictures.
-    let mut parts: Vec<&String> = Vec::new();
-    let mut ends = [0; 2];
-    for (table, end) in ends.iter_mut().enumerate() {
-        let start = parts.len();
-        for part in
-            programs.iter().filter(|(probe, ..)| usize::from(*probe) == table).flat_map(|p| p.2.iter().flatten())
-        {
-            if !parts.contains(&part) {
-                parts.push(part);
-            }
-        }
-        parts[start..].sort_by_key(|part| (function(part), *part));
-        *end = parts.len();
-    }
-    let mut rows = [String::new(), String::new()];
-    for (probe, t, own) in &programs {
-        let [vertex, fragment] = own.each_ref().map(|list| {
-            let indices = list.iter().filter_map(|part| parts.iter().position(|p| *p == part));
-            indices.map(|i| i.to_string()).collect::<Vec<_>>().join(", ")
-        });
-        rows[usize::from(*probe)] += &format!(
-            "    Glsl {{ name: {:?}, vertex: &[{vertex}], fragment: &[{fragment}], blocks: {:?}, textures: &{:?} }},\n",
-            t.name, t.blocks, t.textures,
-        );
-    }
-    files.push(("generated.rs".to_owned(), table(&parts[..ends[0]], &rows[0])));
-    files.push(("generated_probe.rs".to_owned(), table(&parts[ends[0]..], &rows[1])));
     Ok(files)
 }
 
-/// A part without indentation and blank lines, its temporaries `_e17` counted from 0: naga counts expressions
-/// that leave no trace, so that functions with the same text get different names for them.
-fn terse(part: &str) -> String {
-    let mut out = String::new();
-    let mut temporaries: Vec<&str> = Vec::new();
-    for line in part.lines().map(str::trim).filter(|line| !line.is_empty()) {
-        let mut rest = line;
-        while let Some(start) = rest.find("_e") {
-            let (before, tail) = rest.split_at(start);
-            let digits = tail[2..].find(|c: char| !c.is_ascii_digit()).unwrap_or(tail.len() - 2);
-            let (name, tail) = tail.split_at(2 + digits);
-            out += before;
-            let inside = |c: char| c.is_ascii_alphanumeric() || c == '_';
-            if digits == 0 || before.ends_with(inside) || tail.starts_with(inside) {
-                out += name;
-            } else {
-                let index = temporaries.iter().position(|t| *t == name).unwrap_or_else(|| {
-                    temporaries.push(name);
-                    temporaries.len() - 1
-                });
-                out += &format!("_e{index}");
-            }
-            rest = tail;
+/// The Rust text of a table of programs.
+fn rust_table(programs: &[Source]) -> String {
+    let mut modules: Vec<&str> = Vec::new();
+    for (module, _) in programs.iter().flat_map(|p| &p.modules) {
+        if !modules.contains(&module.as_str()) {
+            modules.push(module);
         }
-        out += rest;
+    }
+    let identifier = |module: &str| module.replace('/', "_").to_uppercase();
+    let parts = Parts::new(programs);
+    let mut out = String::from(
+        "// Made by `cargo lab shaders` from shaders/wgsl/; do not edit. Readable shaders are in \
+         shaders/glsl/.\n\n\
+         #[allow(unused_imports)]\n\
+         use crate::gpu::{ProgramInfo, TextureSlot, Vertices};\n\n\
+         /// Every program.\n\
+         pub static PROGRAMS: &[&ProgramInfo] = &[",
+    );
+    for p in programs {
+        let _ = write!(out, "&{}::INFO, ", p.name);
+    }
+    out += "];\n\n#[cfg(any(feature = \"wgpu\", feature = \"translate\"))]\nmod text {\n";
+    for module in modules {
+        let _ = writeln!(
+            out,
+            "    pub(super) const {}: &str = crate::shaders::wgsl!({module:?});",
+            identifier(module)
+        );
+    }
+    out += "}\n\n#[cfg(feature = \"webgl\")]\nstatic PARTS: &[&str] = &[\n";
+    for part in &parts.list {
+        let _ = writeln!(out, "    {part:?},");
+    }
+    out += "];\n";
+    for (p, [vertex, fragment]) in programs.iter().zip(&parts.programs) {
         out += "\n";
+        for line in p.about() {
+            let _ = writeln!(out, "/// {line}");
+        }
+        let _ = writeln!(out, "pub mod {} {{\n    use super::*;\n", p.name);
+        for (i, (name, comment)) in p.constants.iter().enumerate() {
+            let _ = writeln!(out, "    /// {comment}\n    pub const {name}: u32 = 1 << {i};");
+        }
+        let names: Vec<_> = p.constants.iter().map(|(name, _)| name).collect();
+        let slots: Vec<_> = p
+            .textures
+            .iter()
+            .map(|t| {
+                format!(
+                    "TextureSlot {{ name: {:?}, binding: {}, filtered: {} }}",
+                    t.name, t.binding, t.filtered
+                )
+            })
+            .collect();
+        let samplers: Vec<_> = p.textures.iter().map(|t| &t.sampler).collect();
+        let strip = p.numbers.iter().find(|(name, _)| name == VERTICES);
+        let vertices =
+            strip.map_or("Vertices::Triangle".to_owned(), |(_, count)| format!("Vertices::Strip({count})"));
+        if !p.numbers.is_empty() {
+            out += "    /// Whole numbers that the shader calls by these \
+             names.\n    #[allow(missing_docs)]\n    pub mod numbers {\n";
+            for (name, value) in &p.numbers {
+                let _ = writeln!(out, "        pub const {name}: u32 = {value};");
+            }
+            out += "    }\n\n";
+        }
+        let wgsl: Vec<_> =
+            p.modules.iter().map(|(module, _)| format!("text::{}", identifier(module))).collect();
+        let _ = write!(
+            out,
+            "    /// The row of the table.\n    \
+             pub static INFO: ProgramInfo = ProgramInfo {{\n        \
+             name: {:?},\n        uniform_size: {},\n        textures: &[{}],\n        constants: \
+             &{names:?},\n        \
+             vertices: {vertices},\n        \
+             #[cfg(any(feature = \"wgpu\", feature = \"translate\"))]\n        wgsl: &[{}],\n        \
+             #[cfg(feature = \"webgl\")]\n        glsl: crate::gpu::Glsl {{\n            parts: \
+             PARTS,\n            \
+             vertex: &{vertex:?},\n            fragment: &{fragment:?},\n            \
+             blocks: {:?},\n            samplers: &{samplers:?},\n        }},\n    }};\n}}\n",
+            p.name,
+            p.uniform_size,
+            slots.join(", "),
+            wgsl.join(", "),
+            [&p.vertex.block, &p.fragment.block],
+        );
     }
     out
+}
+
+/// The shaders' texts cut into functions: programs share most of them, and each travels once.
+struct Parts {
+    list: Vec<String>,
+    /// Indices into the list: vertex and fragment shader of each program.
+    programs: Vec<[Vec<usize>; 2]>,
+}
+
+impl Parts {
+    fn new(programs: &[Source]) -> Self {
+        let texts: Vec<[Vec<String>; 2]> = programs
+            .iter()
+            .map(|p| [&p.vertex.text, &p.fragment.text].map(|text| split(text).map(pack).collect()))
+            .collect();
+        let mut list: Vec<String> = texts.iter().flatten().flatten().cloned().collect();
+        // Kinds of the same function next to each other: they compress well.
+        list.sort_by(|a, b| (function(a), a).cmp(&(function(b), b)));
+        list.dedup();
+        let index = |part: &String| list.iter().position(|p| p == part).unwrap_or_default();
+        let programs =
+            texts.iter().map(|t| t.each_ref().map(|parts| parts.iter().map(index).collect())).collect();
+        Self { list, programs }
+    }
+}
+
+/// A part as it travels: without indentation and blank lines, and a function with short names for what is
+/// local to it. naga numbers names over a whole shader, so that the same function has other names in every
+/// program.
+fn pack(part: &str) -> String {
+    let lines: Vec<&str> = part.lines().map(str::trim).filter(|line| !line.is_empty()).collect();
+    let mut locals = Vec::new();
+    if lines.first().is_some_and(|line| line.ends_with(") {")) {
+        // The last words of the header's arguments, and of declarations.
+        let arguments = lines[0].split_once('(').map_or("", |(_, rest)| rest.trim_end_matches(") {"));
+        locals.extend(
+            arguments.split(',').filter_map(|a| a.split(' ').next_back()).filter(|name| !name.is_empty()),
+        );
+        for line in &lines[1..] {
+            let mut words = line.split(' ');
+            let (Some(kind), Some(name)) = (words.next(), words.next()) else { continue };
+            let declares = name.ends_with(';') || words.next() == Some("=");
+            if declares && kind != "return" && name.trim_end_matches(';').chars().all(is_word) {
+                locals.push(name.trim_end_matches(';'));
+            }
+        }
+    }
+    let text = lines.iter().flat_map(|line| [line, "\n"]).collect::<String>();
+    let taken: Vec<&str> =
+        words(&text).filter(|(word, member)| !member && !locals.contains(word)).map(|w| w.0).collect();
+    let mut names = (0..).map(short_name).filter(|name| !taken.contains(&name.as_str()));
+    let mut short: Vec<(&str, String)> = Vec::new();
+    for (word, member) in words(&text) {
+        if !member && locals.contains(&word) && !short.iter().any(|(known, _)| *known == word) {
+            short.extend(names.next().map(|name| (word, name)));
+        }
+    }
+    let mut out = String::new();
+    let mut rest = text.as_str();
+    for (word, member) in words(&text) {
+        let (before, tail) = rest.split_once(word).unwrap_or((rest, ""));
+        out += before;
+        let renamed = short.iter().find(|(known, _)| !member && *known == word);
+        out += renamed.map_or(word, |(_, name)| name);
+        rest = tail;
+    }
+    out + rest
+}
+
+fn is_word(c: char) -> bool {
+    c.is_ascii_alphanumeric() || c == '_'
+}
+
+/// The words of a text and its numbers, in order, with whether a dot before it makes a word a member's name.
+fn words(text: &str) -> impl Iterator<Item = (&str, bool)> {
+    let mut rest = text;
+    std::iter::from_fn(move || {
+        let start = rest.find(is_word)?;
+        let dot = rest[..start].ends_with('.');
+        rest = &rest[start..];
+        let number = rest.starts_with(|c: char| c.is_ascii_digit());
+        let end = rest.find(|c| !(is_word(c) || number && c == '.')).unwrap_or(rest.len());
+        let (word, tail) = rest.split_at(end);
+        rest = tail;
+        Some((word, dot))
+    })
+}
+
+/// a, b, … z, aa, ab, …, without the keywords of that length.
+fn short_name(index: usize) -> String {
+    let letter = |i: usize| char::from(b'a' + (i % 26) as u8);
+    let name: String = if index < 26 {
+        letter(index).into()
+    } else {
+        [letter(index / 26 - 1), letter(index)].iter().collect()
+    };
+    if ["do", "if", "in"].contains(&name.as_str()) { name + "_" } else { name }
 }
 
 /// The name of the function that a part holds; empty for other parts.
 fn function(part: &str) -> &str {
     let header = part.lines().find(|line| line.ends_with(") {") && !line.starts_with(['}', '#']));
-    header.and_then(|line| line.split_once('(')).and_then(|(head, _)| head.split(' ').nth(1)).unwrap_or_default()
+    header
+        .and_then(|line| line.split_once('('))
+        .and_then(|(head, _)| head.split(' ').nth(1))
+        .unwrap_or_default()
 }
 
-/// The Rust text of a table of parts and of the programs made of them.
-fn table(parts: &[&String], rows: &str) -> String {
-    let mut table = String::from(
-        "// Made by `cargo run --features cli -- shaders` from shaders/wgsl/; do not edit.\n// Readable whole shaders are in shaders/glsl/.\n\n\
-         use super::Glsl;\n\npub(super) static PARTS: &[&str] = &[\n",
-    );
-    for part in parts {
-        table += &format!("    {part:?},\n");
-    }
-    table + &format!("];\n\npub(super) static GLSL: &[Glsl] = &[\n{rows}];\n")
-}
-
-/// A shader's text cut behind every top-level closing brace.
+/// A shader's text cut behind every top-level closing brace, and behind what stands before the first
+/// function.
 fn split(text: &str) -> impl Iterator<Item = &str> {
     let mut rest = text;
     std::iter::from_fn(move || {
-        let end =
-            ["\n}\n", "\n};\n"].iter().filter_map(|e| rest.find(e).map(|i| i + e.len())).min().unwrap_or(rest.len());
-        let (part, tail) = rest.split_at(end);
+        let ends = ["\n}\n", "\n};\n", "\n\n"].iter().filter_map(|e| rest.find(e).map(|i| i + e.len()));
+        let (part, tail) = rest.split_at(ends.min().unwrap_or(rest.len()));
         rest = tail;
         (!part.is_empty()).then_some(part)
     })
+    .filter(|part| !part.trim().is_empty())
 }
 
 /// Name and byte offset of every member of a struct, nested ones as `outer.inner`, and the struct's size.
 pub type Layout = (Vec<(String, u32)>, u32);
 
 /// A struct of a program's WGSL as naga lays it out. `None` if there is no such struct.
-pub fn struct_layout(program: Program, name: &str) -> Result<Option<Layout>> {
-    layout(&parse(program)?, name)
+pub fn struct_layout(info: &'static ProgramInfo, name: &str) -> Result<Option<Layout>> {
+    layout(&parse(Program::new(info, info.all()))?, name)
 }
-
 /// A struct of a module that no program includes. `None` if there is no such struct.
 ///
 /// # Errors
-/// [`Error::Driver`] if naga does not accept the text.
+/// [`crate::ErrorKind::Driver`] if naga does not accept the text.
 pub fn module_layout(wgsl: &str, name: &str) -> Result<Option<Layout>> {
-    let module = naga::front::wgsl::parse_str(wgsl).map_err(|e| Error::Driver {
-        backend: "naga",
-        what: "parse a module".into(),
-        reason: e.emit_to_string(wgsl),
-    })?;
+    let module = naga::front::wgsl::parse_str(wgsl)
+        .map_err(|e| Error::driver("naga", "parse a module", e.emit_to_string(wgsl)))?;
     layout(&module, name)
 }
 

@@ -1,46 +1,52 @@
 //! Drawing: textures, passes and pictures, by a renderer of the test's or by a new one.
 
-use welkin::gpu::{Backend, DepthUse, Format, Pass, Target, TextureDesc, TextureId, Uniform, reads};
-use welkin::shaders::Program;
+use welkin::gpu::{Backend, Format, Inputs, Pass, Program, Target, TextureDesc, TextureId};
+use welkin::shaders::copy;
 use welkin::{
-    LutSettings, Method, PictureRenderer, PictureSettings, Quality, Scene, SkyRenderer, SkySettings,
+    AerialTargets, Composition, FrameTargets, Look, LutSettings, PictureRenderer, PictureSettings, Quality,
+    Scene, SkyRenderer, SkySettings,
 };
 
 /// Small LUTs, for what does not depend on how exact they are.
 pub const TINY: LutSettings = LutSettings {
-    columns: [16, 8],
-    moments: [8, 8],
-    moment_steps: 4,
+    transmittance: [16, 8],
+    multi_scattering: [8, 8],
+    multi_scattering_steps: 4,
     orders: 3,
-    sky: [8, 12],
-    sky_steps: 4,
-    air: [4, 8, 4],
-    air_steps: 1,
+    sky_view: [8, 12],
+    sky_view_steps: 4,
+    aerial: [4, 8, 4],
+    aerial_steps: 1,
 };
 
 /// A march with so many samples along a ray and towards the sun.
-pub fn march(view_samples: u32, light_samples: u32) -> Method {
-    Method::Single { view_samples, light_samples }
+pub fn march(view_samples: u32, light_samples: u32) -> Quality {
+    Quality::March { view_samples, light_samples }
 }
 
 /// The sky by a method, without the sun's disk.
-pub fn sky(method: Method) -> SkySettings {
-    SkySettings { method, sun_disk: false, ..SkySettings::default() }
+pub fn sky(quality: Quality) -> SkySettings {
+    without_disk(quality.into())
+}
+
+/// The same with or without the sun's disk.
+pub fn with_disk(sun_disk: bool, sky: SkySettings) -> SkySettings {
+    SkySettings { look: Look { sun_disk, ..sky.look }, ..sky }
+}
+
+/// The same without the sun's disk.
+pub fn without_disk(sky: SkySettings) -> SkySettings {
+    with_disk(false, sky)
+}
+
+/// The same by another composition.
+pub fn composed(composition: Composition, sky: SkySettings) -> SkySettings {
+    SkySettings { look: Look { composition, ..sky.look }, ..sky }
 }
 
 /// The sky by LUTs, without the sun's disk.
 pub fn luts(lut: LutSettings) -> SkySettings {
-    sky(Method::Lut(lut))
-}
-
-/// The sky in a quality, without the sun's disk.
-pub fn in_quality(quality: Quality) -> SkySettings {
-    SkySettings { sun_disk: false, ..quality.into() }
-}
-
-/// The method of a quality.
-pub fn method_of(quality: Quality) -> Method {
-    SkySettings::from(quality).method
+    sky(Quality::Luts(lut))
 }
 
 /// The picture of a sky alone over black, in 32-bit floats.
@@ -86,26 +92,14 @@ pub fn cleared(color: TextureId) -> Target {
 
 /// A pass that only clears.
 pub fn clear_pass(color: TextureId, clear: [f32; 4]) -> Pass {
-    Pass {
-        label: "clear",
-        program: None,
-        textures: reads([]),
-        uniform: Uniform::NONE,
-        target: Target { clear: Some(clear), ..Target::color(color) },
-        depth: DepthUse::Always,
-    }
+    Pass::clear("clear", Target { clear: Some(clear), ..Target::color(color) })
 }
 
 /// A pass that copies a texture of colours or of depth.
 pub fn copy_pass(b: &mut dyn Backend, from: TextureId, to: TextureId) -> Pass {
-    Pass {
-        label: "copy",
-        program: Some(b.create_program(Program::Copy).unwrap()),
-        textures: reads([from]),
-        uniform: Uniform::NONE,
-        target: Target::color(to),
-        depth: DepthUse::Always,
-    }
+    let program = Some(b.create_program(Program::new(&copy::INFO, 0)).unwrap());
+    let inputs = Inputs::new([("source", Some(from))]);
+    Pass { program, inputs, ..Pass::clear("copy", Target::color(to)) }
 }
 
 /// The passes behind a scene.
@@ -115,20 +109,36 @@ pub fn background_passes(
     scene: &Scene,
     target: Target,
 ) -> Vec<Pass> {
-    sky.background(b, scene, target).unwrap().to_vec()
+    sky.frame(b, scene, &FrameTargets::background(target)).unwrap().background.to_vec()
 }
 
-/// The passes of the air before a scene, with its colour and depth, into a third texture.
+/// The passes before a scene alone: LUTs that they read, then the air.
+fn over_passes(
+    b: &mut dyn Backend,
+    sky: &mut SkyRenderer,
+    scene: &Scene,
+    aerial: AerialTargets,
+) -> Vec<Pass> {
+    let targets = FrameTargets { background: None, aerial: Some(aerial) };
+    let frame = sky.frame(b, scene, &targets).unwrap();
+    [frame.background, frame.aerial].concat()
+}
+
+/// The passes of the air before a scene, with its colour and depth, into a third texture. None where the
+/// composition lays it over the scene.
 pub fn aerial_passes(
     b: &mut dyn Backend,
     sky: &mut SkyRenderer,
     scene: &Scene,
     [color, depth, out]: [TextureId; 3],
 ) -> Vec<Pass> {
-    sky.aerial(b, scene, color, depth, out).unwrap().to_vec()
+    if sky.settings().look.composition == Composition::Planet {
+        return Vec::new();
+    }
+    over_passes(b, sky, scene, AerialTargets { color: Some(color), depth, target: Target::color(out) })
 }
 
-/// The passes of the planet's shell over a scene.
+/// The passes of the planet's shell over a scene; none where the composition reads the scene's colour.
 pub fn shell_passes(
     b: &mut dyn Backend,
     sky: &mut SkyRenderer,
@@ -136,7 +146,26 @@ pub fn shell_passes(
     depth: TextureId,
     target: Target,
 ) -> Vec<Pass> {
-    sky.shell(b, scene, depth, target).unwrap().to_vec()
+    if sky.settings().look.composition != Composition::Planet {
+        return Vec::new();
+    }
+    over_passes(b, sky, scene, AerialTargets { color: None, depth, target })
+}
+
+/// All passes of one frame, and the texture that they leave it in.
+pub fn frame_passes(
+    b: &mut dyn Backend,
+    sky: &mut SkyRenderer,
+    scene: &Scene,
+    background: Target,
+    [color, depth, out]: [TextureId; 3],
+) -> (Vec<Pass>, TextureId) {
+    let over = sky.settings().look.composition == Composition::Planet;
+    let (read, target) = if over { (None, color) } else { (Some(color), out) };
+    let aerial = AerialTargets { color: read, depth, target: Target::color(target) };
+    let frame = sky.frame(b, scene, &FrameTargets::background(background).with_aerial(aerial)).unwrap();
+    let last = if frame.aerial.is_empty() { color } else { target };
+    ([frame.background, frame.aerial].concat(), last)
 }
 
 /// The background alone over a colour, by a new renderer, in 32-bit floats.

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use welkin::reference::multiple::{Orders, Settings};
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
-use welkin::{AtmosphereParams, Method, Scene};
+use welkin::{AtmosphereParams, Quality, Scene};
 
 /// Light of all orders of scattering in a medium, solved by the first test that asks; others wait for it.
 ///
@@ -30,7 +30,7 @@ pub fn earth() -> Arc<Orders> {
 }
 
 /// What a method should draw over black along a ray on Earth: the air's light, without the ground's.
-pub fn expected(scene: &Scene, query: &RayQuery, method: Method, relative: f64) -> [f64; 3] {
+pub fn expected(scene: &Scene, query: &RayQuery, method: Quality, relative: f64) -> [f64; 3] {
     let (sun, tolerance) = (scene.atmosphere.sun_intensity, Tolerance { relative });
     if method.is_single_scattering() {
         return single_scattering(&scene.atmosphere, query, Sun::Point, tolerance).unwrap().radiance;
@@ -41,6 +41,6 @@ pub fn expected(scene: &Scene, query: &RayQuery, method: Method, relative: f64) 
 
 /// What LUTs should draw over black in a picture on Earth.
 pub fn expected_picture(scene: &Scene, size: [u32; 2]) -> Vec<[f64; 3]> {
-    let method = Method::Lut(Default::default());
+    let method = Quality::Luts(Default::default());
     super::rays(scene, size).iter().map(|q| expected(scene, q, method, 1e-4)).collect()
 }

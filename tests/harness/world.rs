@@ -3,11 +3,11 @@
 
 use welkin::gpu::{Backend, Pass, Target};
 use welkin::{
-    AtmosphereParams, Composition, LutSettings, Method, MiePhase, PictureRenderer, PictureSettings,
+    AtmosphereParams, Composition, LutSettings, MiePhase, PictureRenderer, PictureSettings, Quality,
     SkyRenderer, SkySettings,
 };
 
-use super::{TINY, View, aerial_passes, background_passes, draw_both, frame_textures, free, shell_passes};
+use super::{TINY, View, draw_both, frame_passes, frame_textures, free};
 
 /// What is behind the air in the user's frame.
 pub const BEHIND: [f32; 4] = [0.5, 0.25, 1.0, 1.0];
@@ -31,11 +31,11 @@ impl World {
     }
 
     pub fn sky(&self) -> SkySettings {
-        let method = match self.sky.method {
-            Method::Lut(_) => Method::Lut(self.lut),
+        let quality = match self.sky.quality {
+            Quality::Luts(_) => Quality::Luts(self.lut),
             other => other,
         };
-        SkySettings { method, ..self.sky }
+        SkySettings { quality, ..self.sky }
     }
 
     /// The passes before and behind a scene of planes, nearer from row to row, and what they leave in the
@@ -51,11 +51,7 @@ impl World {
         b.write_texture(depth, &stored).unwrap();
         b.write_texture(color, &BEHIND.repeat((w * h) as usize)).unwrap();
         sky.set_settings(self.sky()).unwrap();
-        let mut passes = background_passes(b, sky, &scene, Target::color(color));
-        let air = aerial_passes(b, sky, &scene, [color, depth, out]);
-        let last = if air.is_empty() { color } else { out };
-        passes.extend(air);
-        passes.extend(shell_passes(b, sky, &scene, depth, Target::color(color)));
+        let (passes, last) = frame_passes(b, sky, &scene, Target::color(color), [color, depth, out]);
         b.run(&passes).unwrap();
         let pixels = b.read(last).unwrap();
         free(b, [color, depth, out]);
@@ -114,21 +110,21 @@ pub fn changes() -> Vec<Change> {
         change("field of view", |w| w.view.fov = 50.0),
         change("size", |w| w.size = [11, 8]),
         change("render scale", |w| w.sky.render_scale = 0.5),
-        change("disk", |w| w.sky.sun_disk = false),
-        change("sky dome", |w| w.sky.composition = Composition::SkyDome),
-        change("one pass", |w| w.sky.composition = Composition::AtmospherePost),
-        change("shell", |w| w.sky.composition = Composition::Planet),
-        change("off", |w| w.sky.enabled = false),
-        change("single scattering", |w| w.sky.method = Method::Single { view_samples: 4, light_samples: 2 }),
-        change("columns", |w| w.lut.columns = [32, 16]),
-        change("moments", |w| w.lut.moments = [12, 10]),
-        change("moment steps", |w| w.lut.moment_steps = 6),
+        change("disk", |w| w.sky.look.sun_disk = false),
+        change("sky dome", |w| w.sky.look.composition = Composition::SkyDome),
+        change("one pass", |w| w.sky.look.composition = Composition::AtmospherePost),
+        change("shell", |w| w.sky.look.composition = Composition::Planet),
+        change("off", |w| w.sky.look.enabled = false),
+        change("single scattering", |w| w.sky.quality = Quality::March { view_samples: 4, light_samples: 2 }),
+        change("columns", |w| w.lut.transmittance = [32, 16]),
+        change("moments", |w| w.lut.multi_scattering = [12, 10]),
+        change("moment steps", |w| w.lut.multi_scattering_steps = 6),
         change("orders", |w| w.lut.orders = 1),
         change("one order more", |w| w.lut.orders += 1),
-        change("sky", |w| w.lut.sky = [12, 16]),
-        change("sky steps", |w| w.lut.sky_steps = 7),
-        change("air", |w| w.lut.air = [8, 12, 8]),
-        change("air steps", |w| w.lut.air_steps = 2),
+        change("sky", |w| w.lut.sky_view = [12, 16]),
+        change("sky steps", |w| w.lut.sky_view_steps = 7),
+        change("air", |w| w.lut.aerial = [8, 12, 8]),
+        change("air steps", |w| w.lut.aerial_steps = 2),
     ];
     for c in 0..3 {
         all.push(change(format!("rayleigh scattering {c}"), move |w| {

@@ -8,7 +8,7 @@ use std::path::Path;
 
 use welkin::{AtmosphereParams, PictureRenderer, Quality, Scene};
 
-use crate::harness::{View, draw, expected_picture, in_quality, on_both, over_black, rgb};
+use crate::harness::{View, draw, expected_picture, on_both, over_black, rgb, sky};
 
 /// Mean, 95th percentile and largest.
 fn figures(mut errors: Vec<f64>) -> [f64; 3] {
@@ -76,8 +76,7 @@ fn light_is_the_monte_carlos() {
             let mut errors = Vec::new();
             for case in &cases {
                 assert_eq!(case.sun > 90.0, file.contains("twilight"));
-                let pixels =
-                    draw(b, &mut renderer, &case.scene, &over_black(in_quality(Quality::MEDIUM)), [1, 1]);
+                let pixels = draw(b, &mut renderer, &case.scene, &over_black(sky(Quality::MEDIUM)), [1, 1]);
                 let got = rgb(&pixels, 0);
                 errors.extend((0..3).map(|c| (got[c] / case.want[c] - 1.0).abs()));
             }
@@ -105,7 +104,7 @@ fn dusk_is_the_references() {
         let mut renderer = PictureRenderer::default();
         let mut errors = Vec::new();
         for (scene, want) in scenes.iter().zip(&truths) {
-            let pixels = draw(b, &mut renderer, scene, &over_black(in_quality(Quality::MEDIUM)), size);
+            let pixels = draw(b, &mut renderer, scene, &over_black(sky(Quality::MEDIUM)), size);
             errors.extend(want.iter().enumerate().flat_map(|(i, want)| {
                 let got = rgb(&pixels, i);
                 [0, 1, 2].map(|c| (got[c] / want[c] - 1.0).abs())

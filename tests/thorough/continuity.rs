@@ -9,16 +9,15 @@ use glam::{DVec2, DVec3};
 use welkin::gpu::{Backend, Format, Target};
 use welkin::probe::film;
 use welkin::reference::single::{RayQuery, Tolerance, transmittance};
-use welkin::render::sky::GroundLight;
 use welkin::{
-    AtmosphereParams, Camera, Method, PictureRenderer, Pose, Quality, Scene, SkyRenderer, TerrainStyle,
+    AtmosphereParams, Camera, Look, PictureRenderer, PictureSettings, Pose, Quality, Scene, SkyRenderer,
+    SkySettings, TerrainStyle,
 };
 
 use crate::harness::lines::Line;
 use crate::harness::{
     View, aerial_passes, assert_physical, background_passes, brightest, colors, copy_pass, draw, expected,
-    expected_picture, frame_textures, free, in_quality, march, method_of, on_both, over_black, rays, rgb,
-    sample, sky, texture,
+    expected_picture, frame_textures, free, march, on_both, over_black, rays, rgb, sample, sky, texture,
 };
 
 // --- from the ground to far away
@@ -42,7 +41,7 @@ fn flying_up_is_the_references_and_without_a_step() {
     on_both(|b| {
         let name = b.info().backend;
         let mut renderer = PictureRenderer::default();
-        let settings = over_black(in_quality(Quality::MEDIUM));
+        let settings = over_black(sky(Quality::MEDIUM));
         let (mut worst, mut largest, mut step) = ((0.0, 0.0), (0.0, 0.0), (0.0, 0.0));
         let mut last: Option<Vec<[f64; 3]>> = None;
         for (k, &altitude) in altitudes.iter().enumerate() {
@@ -132,7 +131,7 @@ fn no_seam_is_seen() {
     let truths: Vec<_> = views.iter().map(|(_, v)| expected_picture(&v.scene(), size)).collect();
     on_both(|b| {
         let mut renderer = PictureRenderer::default();
-        let settings = over_black(in_quality(Quality::MEDIUM));
+        let settings = over_black(sky(Quality::MEDIUM));
         let mut worst: BTreeMap<&str, f64> = BTreeMap::new();
         for ((name, view), want) in views.iter().zip(&truths) {
             let pixels = draw(b, &mut renderer, &view.scene(), &settings, size);
@@ -275,7 +274,7 @@ const BOUNDS: [(&str, [f64; 2], [f64; 2]); 12] = [
     ("sunset", [1e-3, 2.0], [8e-3, 2.0]),
 ];
 
-fn continuous(method: Method, bounds: impl Fn(&str) -> [f64; 2]) {
+fn continuous(method: Quality, bounds: impl Fn(&str) -> [f64; 2]) {
     let (within, through) = (sample(within(), |line| line.0), sample(through(), |line| line.0));
     let want = |view: &View, size: [u32; 2]| -> Vec<[f64; 3]> {
         let scene = view.scene();
@@ -325,7 +324,7 @@ fn continuous(method: Method, bounds: impl Fn(&str) -> [f64; 2]) {
             judge(line, got, want, &views[0]);
         }
         renderer.destroy(b);
-        println!("{name} {}: bend and 255ths beyond the reference's: {worst:.4?}", method.name());
+        println!("{name} {}: bend and 255ths beyond the reference's: {worst:.4?}", method.method());
         for (line, figures) in worst {
             let allowed = bounds(line);
             assert!(
@@ -343,7 +342,7 @@ fn single_scattering_is_continuous_along_lines() {
 
 #[test]
 fn tables_are_continuous_along_lines() {
-    continuous(method_of(Quality::MEDIUM), |line| BOUNDS.iter().find(|b| b.0 == line).unwrap().2);
+    continuous(Quality::MEDIUM, |line| BOUNDS.iter().find(|b| b.0 == line).unwrap().2);
 }
 
 // --- lines across edges of the scene
@@ -379,7 +378,7 @@ impl Edge {
     }
 
     /// Light and transmittance of the air before the scene.
-    fn truth(&self, method: Method) -> [Vec<[f64; 3]>; 2] {
+    fn truth(&self, method: Quality) -> [Vec<[f64; 3]>; 2] {
         let tolerance = Tolerance { relative: 1e-5 };
         let rays = rays(&self.scene, self.size);
         let at = |(ray, end): (RayQuery, &f64)| {
@@ -516,15 +515,16 @@ fn mountains(b: &mut dyn Backend) -> Vec<Edge> {
         let camera = Camera::above(DVec3::ZERO, view.params.planet_radius, up, north, pose, aspect).unwrap();
         let (sin, cos) = sun_elevation.to_radians().sin_cos();
         let scene = Scene { camera, sun_direction: up * sin + up.cross(north) * cos, ..view.scene() };
-        let [color, depth, copy] = [Format::Rgba32Float, Format::Depth32Float, Format::R32Float]
-            .map(|format| texture(b, "mountains", [w, h], format));
-        let clear_depth = Some(scene.depth.background() as f32);
-        let target = Target { color, clear: Some([0.0; 4]), depth: Some(depth), clear_depth };
+        let copy = texture(b, "mountains", [w, h], Format::R32Float);
+        let off = SkySettings { look: Look { enabled: false, ..Look::default() }, ..SkySettings::default() };
+        let settings = PictureSettings { terrain: Some(style), ..over_black(off) };
+        let mut picture = PictureRenderer::default();
+        let depth = picture.draw(b, &scene, &settings, [w, h]).unwrap().depth;
         let copied = copy_pass(b, depth, copy);
-        let drawn = style.pass(b, &scene, target, &GroundLight::default()).unwrap();
-        b.run(&[drawn, copied]).unwrap();
+        b.run(&[copied]).unwrap();
+        picture.destroy(b);
         let stored = b.read(copy).unwrap();
-        free(b, [color, depth, copy]);
+        free(b, [copy]);
         let edge = Edge::stored("mountains", scene, [w, h], stored);
         let sky = edge.ends.iter().filter(|end| end.is_infinite()).count();
         assert!((4..28).contains(&sky), "no skyline: {:?}", edge.ends);
@@ -546,7 +546,7 @@ const EDGE_BOUNDS: [(&str, [f64; 4], [f64; 4]); 7] = [
     ("mountains", [2e-3, 2.0, 2e-3, 1e-4], [0.1, 5.0, 0.21, 0.025]),
 ];
 
-fn continuous_across_edges(method: Method, bounds: impl Fn(&str) -> [f64; 4]) {
+fn continuous_across_edges(method: Quality, bounds: impl Fn(&str) -> [f64; 4]) {
     let edges = sample(edges(), |edge| edge.name);
     let want: Vec<_> = edges.iter().map(|e| e.truth(method)).collect();
     on_both(|b| {
@@ -590,7 +590,7 @@ fn continuous_across_edges(method: Method, bounds: impl Fn(&str) -> [f64; 4]) {
             judge(&edge, edge.draw(b, &mut sky), &edge.truth(method));
         }
         sky.destroy(b);
-        println!("{name} {}: bend, 255ths, light and transmittance off: {worst:.4?}", method.name());
+        println!("{name} {}: bend, 255ths, light and transmittance off: {worst:.4?}", method.method());
         for (line, figures) in worst {
             let allowed = bounds(line);
             assert!(
@@ -608,7 +608,5 @@ fn single_scattering_is_continuous_across_edges() {
 
 #[test]
 fn tables_are_continuous_across_edges() {
-    continuous_across_edges(method_of(Quality::MEDIUM), |line| {
-        EDGE_BOUNDS.iter().find(|b| b.0 == line).unwrap().2
-    });
+    continuous_across_edges(Quality::MEDIUM, |line| EDGE_BOUNDS.iter().find(|b| b.0 == line).unwrap().2);
 }

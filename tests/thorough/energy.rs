@@ -1,9 +1,9 @@
 //! No energy comes or goes: white ground under air that absorbs nothing, black ground, and an absorber.
 
-use welkin::frame::lut::TablesUniform;
+use welkin::frame::luts::LutsUniform;
 use welkin::gpu::{Backend, Target};
 use welkin::reference::single::{RayQuery, Tolerance, transmittance};
-use welkin::{AtmosphereParams, LutSettings, Method, PictureRenderer, SkyRenderer, SkySettings};
+use welkin::{AtmosphereParams, LutSettings, PictureRenderer, Quality, SkyRenderer, SkySettings};
 
 use crate::harness::{View, background_passes, draw, luts, on_both, over_black, target};
 
@@ -21,16 +21,16 @@ fn gas(depth: f64, albedo: f64) -> AtmosphereParams {
 fn diffuse_flux(b: &mut dyn Backend, params: &AtmosphereParams, lut: LutSettings) -> Vec<(f64, [f64; 3])> {
     let view = View { params: params.clone(), ..View::default() };
     let target = target(b, [4, 4]);
-    let settings = SkySettings { method: Method::Lut(lut), ..SkySettings::default() };
+    let settings = SkySettings { quality: Quality::Luts(lut), ..SkySettings::default() };
     let mut sky = SkyRenderer::new(settings).unwrap();
     let passes = background_passes(b, &mut sky, &view.scene(), Target::color(target));
     b.run(&passes).unwrap();
-    let last = passes.iter().rfind(|p| p.label == "moments table").unwrap();
+    let last = passes.iter().rfind(|p| p.label == "multi-scattering LUT").unwrap();
     let texels = b.read(last.target.color).unwrap();
-    let t = TablesUniform::new(params, &lut);
+    let t = LutsUniform::new(params, &lut);
     sky.destroy(b);
     b.destroy_texture(target);
-    let [suns, altitudes] = lut.moments.map(|n| n as usize);
+    let [suns, altitudes] = lut.multi_scattering.map(|n| n as usize);
     let value = |x: usize, row: usize, c: usize| f64::from(texels[4 * (row * suns + x) + c]);
     let span = |v: f32| f64::from(v);
     let sun = |x: usize| {
@@ -56,11 +56,11 @@ fn diffuse_flux(b: &mut dyn Backend, params: &AtmosphereParams, lut: LutSettings
 
 /// Altitudes of the table's rows.
 fn rows(params: &AtmosphereParams, lut: LutSettings) -> Vec<f64> {
-    let t = TablesUniform::new(params, &lut);
-    let share = |row: u32| f64::from(row) / f64::from(lut.moments[1] - 1);
+    let t = LutsUniform::new(params, &lut);
+    let share = |row: u32| f64::from(row) / f64::from(lut.multi_scattering[1] - 1);
     let grown =
         |row| (share(row).powi(2) * f64::from(t.altitude_steepness)).exp_m1() / f64::from(t.altitude_growth);
-    (0..lut.moments[1]).map(|row| params.thickness() * grown(row).min(1.0)).collect()
+    (0..lut.multi_scattering[1]).map(|row| params.thickness() * grown(row).min(1.0)).collect()
 }
 
 /// The sun's flux downwards through the sphere at an altitude, as [`diffuse_flux`] gives the other light's.

@@ -3,7 +3,7 @@
 use welkin::gpu::Backend;
 use welkin::{AtmosphereParams, MiePhase, PictureRenderer, Quality};
 
-use crate::harness::{View, assert_physical, draw, everything, in_quality, on_both, over_black};
+use crate::harness::{View, assert_physical, draw, everything, on_both, over_black, sky};
 
 fn media() -> Vec<(&'static str, AtmosphereParams)> {
     let earth = AtmosphereParams::earth;
@@ -99,7 +99,7 @@ fn hard_media_are_finite() {
                         sun_elevation,
                         ..View::default()
                     };
-                    let settings = over_black(in_quality(quality));
+                    let settings = over_black(sky(quality));
                     let what =
                         format!("{} {quality:?} {name}, {altitude} m, sun {sun_elevation}", b.info().backend);
                     let pixels = draw(b, &mut renderer, &view.scene(), &settings, [8, 8]);

@@ -1,6 +1,8 @@
-//! What takes long: numbers against the reference and other programs', lines across every edge, many random cases.
+//! What takes long: numbers against the reference and other programs', lines across every edge, many random
+//! cases.
 //!
-//! By default a sample of each kind is tried; with `WELKIN_ALL` set, as `scripts/test --all` has it, all there is.
+//! By default a sample of each kind is tried; with `WELKIN_ALL` set, as `scripts/test --all` has it, all
+//! there is.
 
 mod accuracy;
 mod continuity;

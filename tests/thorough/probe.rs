@@ -130,7 +130,7 @@ fn a_record_is_kept_to_the_last_digit() {
         &format!("{lines}\t1"),
     ] {
         let error = Record::load(wrong).unwrap_err();
-        assert!(matches!(error, welkin::Error::Invalid { .. }), "{error}");
+        assert!(matches!(error.kind(), welkin::ErrorKind::Invalid { .. }), "{error}");
     }
 }
 
@@ -228,8 +228,8 @@ fn columns_with_many_steps_are_the_reference_s() {
             let root = (b * b + c).sqrt();
             Case {
                 medium: MediumUniform::new(params),
-                path_x: x as f32,
-                path_b: b as f32,
+                path_excess: x as f32,
+                path_r_mu: b as f32,
                 path_distance: if b > 0.0 { c / (b + root) } else { root - b } as f32,
                 samples: STEPS,
                 ..Case::default()

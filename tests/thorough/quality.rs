@@ -6,10 +6,10 @@ use welkin::gpu::Backend;
 use welkin::probe::scenes::{self, Frame, SETUPS, Setup};
 use welkin::reference::multiple::{Orders, Settings};
 use welkin::reference::single::{Sun, Tolerance, single_scattering};
-use welkin::settings::quality::{Front, MEDIA};
+use welkin::settings::front::{MEDIA, ParetoFront};
 use welkin::{PictureRenderer, Quality, Scene};
 
-use crate::harness::{draw, in_quality, on_both, orders, over_black, query};
+use crate::harness::{draw, on_both, orders, over_black, query, sky};
 
 /// The reference's radiance at a frame's pixels: of all orders of scattering, and scattered once.
 struct Truth {
@@ -33,7 +33,7 @@ fn truth(setup: &Setup, frame: &Frame, orders: &Orders) -> Truth {
 /// Mean relative error in the worst channel over some scenes, as the table defines it; against both truths.
 fn mean_error(backend: &mut dyn Backend, quality: Quality, frame: &Frame, truths: &[Truth]) -> [f64; 2] {
     let mut renderer = PictureRenderer::default();
-    let settings = over_black(in_quality(quality));
+    let settings = over_black(sky(quality));
     let mut sums = [[0.0; 3]; 2];
     for t in truths {
         let pixels = draw(backend, &mut renderer, &t.scene, &settings, frame.size);
@@ -54,7 +54,7 @@ fn mean_error(backend: &mut dyn Backend, quality: Quality, frame: &Frame, truths
 
 #[test]
 fn what_is_chosen_by_error_is_that_exact() {
-    let front = Front::committed();
+    let front = ParetoFront::committed();
     let quick = front.measured[0].errors_from.contains("quick scenes");
     // The table's own pixels and its own truth: a coarser one would be as far off as the tables of the sky
     // are.
@@ -67,7 +67,7 @@ fn what_is_chosen_by_error_is_that_exact() {
     let truths: Vec<_> = setups.iter().map(|s| truth(s, &frame, &orders)).collect();
     on_both(|backend| {
         let name = backend.info().backend;
-        for q in Quality::ALL {
+        for (name, q) in Quality::PRESETS {
             let cost = front.on(name).unwrap().cost(q).unwrap();
             // Asking for what a quality has gives it or something cheaper, and that is as exact as asked.
             let asked = front.cost(q).unwrap().error;
@@ -96,7 +96,7 @@ fn a_front_is_measured_on_any_backend_and_answers_for_it() {
     on_both(|backend| {
         let before = backend.live().textures;
         let some = [Quality::SINGLE_LOW, Quality::SINGLE_ULTRA];
-        let front = Front::measure(backend, &some, [160, 90]).unwrap();
+        let front = ParetoFront::measure(backend, &some, [160, 90]).unwrap();
         assert_eq!(backend.live().textures, before, "something was left behind");
         let [m] = &front.measured[..] else { panic!("{front}") };
         assert_eq!((m.backend.as_str(), m.size), (backend.info().backend, [160, 90]));
@@ -106,7 +106,7 @@ fn a_front_is_measured_on_any_backend_and_answers_for_it() {
         // Eight times the samples.
         assert!(ultra.time > 2 * low.time && low.copies > 1.0 && m.copy > Duration::ZERO, "{front}");
         assert!(front.cost(&Quality::SINGLE_HIGH).is_none());
-        let committed = Front::committed().on(&m.backend).unwrap();
+        let committed = ParetoFront::committed().on(&m.backend).unwrap();
         assert_eq!(
             low.error,
             committed.cost(&Quality::SINGLE_LOW).unwrap().error,
@@ -118,7 +118,7 @@ fn a_front_is_measured_on_any_backend_and_answers_for_it() {
         let message = front.within_budget(Duration::from_nanos(1)).unwrap_err().to_string();
         assert!(message.contains("160×90") && message.contains(&m.adapter), "{message}");
         // Kept as text and read again: times to a tenth of a microsecond.
-        let again: Front = front.to_string().parse().unwrap();
+        let again: ParetoFront = front.to_string().parse().unwrap();
         assert_eq!(again.to_string(), front.to_string());
     });
 }

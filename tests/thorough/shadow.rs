@@ -6,14 +6,14 @@ use welkin::model::moon::{MOON_RADIUS, Moon};
 use welkin::reference::path::{Settings, path_trace};
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
 use welkin::{
-    AtmosphereParams, Composition, LutSettings, Method, PictureRenderer, PictureSettings, Scene, SkyRenderer,
-    SkySettings, TerrainStyle,
+    AtmosphereParams, Composition, LutSettings, PictureRenderer, PictureSettings, Quality, Scene,
+    SkyRenderer, SkySettings, TerrainStyle,
 };
 
 use crate::eclipse::{DISTANCE, moon};
 use crate::harness::{
-    View, aerial_passes, background_passes, cleared, draw, everything, frame_textures, free, luts, march,
-    on_both, rgb, sky,
+    View, aerial_passes, background_passes, cleared, composed, draw, everything, frame_textures, free, luts,
+    march, on_both, rgb, sky,
 };
 
 /// A scene as [`View`] has it with the moon of a [`RayQuery`], whose azimuth turns the other way.
@@ -30,7 +30,7 @@ fn air(b: &mut dyn Backend, scene: &Scene, sky: SkySettings, distance: Option<f6
     let mut renderer = SkyRenderer::new(sky).unwrap();
     let mut passes = background_passes(b, &mut renderer, scene, cleared(color));
     let mut from = color;
-    if sky.composition == Composition::Full {
+    if sky.look.composition == Composition::Full {
         if distance.is_some() {
             // Of the sky nothing is seen.
             passes.clear();
@@ -106,7 +106,7 @@ fn light_scattered_once_under_a_shadow() {
 #[test]
 fn light_of_all_orders_under_a_shadow() {
     let p = AtmosphereParams { sun_intensity: 1.0, ..AtmosphereParams::earth() };
-    let sky = SkySettings { composition: Composition::SkyDome, ..luts(LutSettings::MEDIUM) };
+    let sky = composed(Composition::SkyDome, luts(LutSettings::MEDIUM));
     // Distance of the disks' middles as seen from the camera in sun radii (0.0566 is the umbra's edge), and
     // by which factor light may be off: what is scattered more often is an estimate.
     let places = [(0.0, 2.0), (0.04, 2.4), (0.1, 1.6), (0.5, 1.04), (1.0, 1.02)];
@@ -191,14 +191,14 @@ fn the_umbra_is_on_the_planet_and_nowhere_else() {
         let settings = PictureSettings { sky, terrain, dither: false, ..PictureSettings::default() };
         let mut renderer = PictureRenderer::default();
         let pixels = draw(b, &mut renderer, scene, &settings, size);
-        let on = renderer.plan().unwrap().effect("eclipse").unwrap().on;
+        let on = renderer.last_frame().unwrap().effect("eclipse").unwrap().on;
         renderer.destroy(b);
         (pixels, on)
     };
     let moon_at = |point: DVec3| Moon::new(point + sun * 3.6e8, MOON_RADIUS * 1.02);
     let ground = clear.planet_center + DVec3::Z * clear.atmosphere.planet_radius;
     on_both(|b| {
-        for method in [Method::Lut(LutSettings::LOW), march(24, 8)] {
+        for method in [Quality::Luts(LutSettings::LOW), march(24, 8)] {
             let (bright, on) = planet(b, &clear, method);
             assert!(!on);
             let (dark, on) = planet(b, &Scene { moon: Some(moon_at(ground)), ..clear.clone() }, method);
@@ -206,7 +206,7 @@ fn the_umbra_is_on_the_planet_and_nowhere_else() {
             let brightness = |pixels: &[f32], x: usize, y: usize| pixels[4 * (48 * y + x) + 1];
             let share = |x, y| brightness(&dark, x, y) / brightness(&bright, x, y);
             let umbra = (22..26).map(|i| share(i, 24)).fold(1.0, f32::min);
-            println!("{} {}: {umbra:.4} of the light in the umbra", b.info().backend, method.name());
+            println!("{} {}: {umbra:.4} of the light in the umbra", b.info().backend, method.method());
             assert!(umbra < 0.1, "{umbra}");
             // Darker towards the middle, and hardly at the limb.
             let row: Vec<_> = (24..44).map(|x| share(x, 24)).collect();

@@ -1,24 +1,44 @@
-//! The wasm module of the planet viewer in `web/`: one class, `Viewer`, over either backend.
+//! The wasm modules of the planet viewer in `web/`: one class, [`Viewer`], over one backend a module.
+//!
+//! The features `webgl` and `webgpu` say which backends a module can open. `scripts/build-web` builds one
+//! module for each, so that a page downloads no more than it needs; a module with both works as well.
+#![cfg(target_arch = "wasm32")]
 
+#[cfg(not(any(feature = "webgl", feature = "webgpu")))]
+compile_error!("a module needs a backend: build welkin-web with the feature `webgl` or `webgpu`");
+
+mod args;
+mod math;
 #[cfg(feature = "probe")]
 mod probe;
+mod surface;
+#[cfg(feature = "webgl")]
+mod webgl;
+#[cfg(feature = "webgpu")]
+mod webgpu;
 
 use std::cell::RefCell;
 use std::rc::Rc;
 
 use glam::DVec3;
 use wasm_bindgen::prelude::*;
-use web_sys::{HtmlCanvasElement, WebGl2RenderingContext};
 
-use welkin::gpu::webgl::WebGlBackend;
-use welkin::gpu::wgpu::WgpuBackend;
-use welkin::gpu::{Backend, Format, RowOrder, TextureDesc, TextureId};
+use welkin::model::airglow::Airglow;
 use welkin::render::picture::{Drawn, PictureRenderer, PictureSettings};
-use welkin::shaders::ToneMap;
 use welkin::{
-    AtmosphereParams, Bound, Camera, DepthConvention, EffectPlan, Error, Method, Mode, Pose, Quality, Result, Scene,
-    SkySettings, TerrainStyle, WarmUp,
+    AtmosphereParams, Bound, Camera, DepthConvention, Error, Frame, Look, Mode, Pose, Quality, Result, Scene,
+    SkySettings, TerrainStyle, ToneMap, WarmUp,
 };
+
+use args::{canvas, flag, name, number, whole};
+use surface::Surface;
+
+/// A few kilobytes smaller than Rust's own, and as fast: a frame allocates nothing.
+#[global_allocator]
+static ALLOCATOR: rlsf::GlobalTlsf = rlsf::GlobalTlsf::new();
+
+/// What a method of the module's classes returns to JavaScript.
+type Answer<T> = std::result::Result<T, JsError>;
 
 /// Prints a panic's message to the console, should there ever be one.
 #[wasm_bindgen(start)]
@@ -26,153 +46,11 @@ pub fn start() {
     console_error_panic_hook::set_once();
 }
 
-/// A backend and how its picture gets to the canvas.
-enum Canvas {
-    WebGpu {
-        backend: Box<WgpuBackend>,
-        surface: wgpu::Surface<'static>,
-        config: wgpu::SurfaceConfiguration,
-        desc: TextureDesc,
-    },
-    WebGl2 {
-        backend: WebGlBackend,
-        context: WebGl2RenderingContext,
-    },
-}
-
-impl Canvas {
-    fn backend(&mut self) -> &mut dyn Backend {
-        match self {
-            Self::WebGpu { backend, .. } => &mut **backend,
-            Self::WebGl2 { backend, .. } => backend,
-        }
-    }
-
-    fn info(&self) -> &welkin::gpu::AdapterInfo {
-        match self {
-            Self::WebGpu { backend, .. } => backend.info(),
-            Self::WebGl2 { backend, .. } => backend.info(),
-        }
-    }
-
-    fn lost(&mut self) -> Option<String> {
-        if let Self::WebGl2 { backend, context } = self
-            && context.is_context_lost()
-            && backend.lost().is_none()
-        {
-            backend.set_lost("the browser took the WebGL context away");
-        }
-        self.backend().lost()
-    }
-
-    fn resize(&mut self, width: u32, height: u32) -> Result<()> {
-        if let Self::WebGpu { backend, surface, config, desc } = self {
-            (config.width, config.height) = (width, height);
-            (desc.width, desc.height) = (width, height);
-            surface.configure(backend.device(), config);
-        }
-        Ok(())
-    }
-
-    /// Draws a picture straight to the canvas.
-    fn draw(
-        &mut self,
-        picture: &mut PictureRenderer,
-        scene: &Scene,
-        settings: &PictureSettings,
-        [width, height]: [u32; 2],
-    ) -> Result<Drawn> {
-        let mut run = |backend: &mut dyn Backend, canvas: TextureId| {
-            let (passes, drawn) = picture.passes_to(backend, scene, settings, canvas)?;
-            backend.run(passes)?;
-            Ok(drawn)
-        };
-        match self {
-            Self::WebGl2 { backend, .. } => {
-                let desc = TextureDesc::new("canvas", width, height, Format::Rgba8);
-                let id = backend.import_framebuffer(None, TextureDesc { rows: RowOrder::BottomUp, ..desc })?;
-                let drawn = run(backend, id);
-                backend.destroy_texture(id);
-                drawn
-            }
-            Self::WebGpu { backend, surface, desc, .. } => {
-                let texture = match surface.get_current_texture() {
-                    wgpu::CurrentSurfaceTexture::Success(t) | wgpu::CurrentSurfaceTexture::Suboptimal(t) => t,
-                    other => {
-                        return Err(Error::Driver {
-                            backend: "webgpu",
-                            what: "canvas".into(),
-                            reason: format!("{other:?}"),
-                        });
-                    }
-                };
-                let view = texture.texture.create_view(&Default::default());
-                let id = backend.import_view(view, *desc)?;
-                let drawn = run(&mut **backend, id);
-                backend.destroy_texture(id);
-                let drawn = drawn?;
-                backend.queue().present(texture);
-                Ok(drawn)
-            }
-        }
-    }
-}
-
-async fn open_webgpu(canvas: HtmlCanvasElement) -> Result<Canvas> {
-    let unavailable = |reason: String| Error::Unavailable { backend: "webgpu", reason };
-    let (width, height) = (canvas.width().max(1), canvas.height().max(1));
-    let instance = WgpuBackend::instance();
-    let surface = instance
-        .create_surface(wgpu::SurfaceTarget::Canvas(canvas))
-        .map_err(|e| unavailable(format!("no WebGPU canvas: {e}")))?;
-    let backend = Box::new(WgpuBackend::new(&instance, Some(&surface)).await?);
-    let config = wgpu::SurfaceConfiguration {
-        usage: wgpu::TextureUsages::RENDER_ATTACHMENT,
-        // A format that does not encode sRGB by itself: the tone-mapping pass does that.
-        format: wgpu::TextureFormat::Rgba8Unorm,
-        width,
-        height,
-        present_mode: wgpu::PresentMode::Fifo,
-        desired_maximum_frame_latency: 2,
-        alpha_mode: wgpu::CompositeAlphaMode::Opaque,
-        view_formats: vec![],
-        color_space: Default::default(),
-    };
-    surface.configure(backend.device(), &config);
-    let desc = TextureDesc::new("canvas", width, height, Format::Rgba8);
-    Ok(Canvas::WebGpu { backend, surface, config, desc })
-}
-
-fn open_webgl2(canvas: &HtmlCanvasElement) -> Result<Canvas> {
-    let unavailable = |reason: &str| Error::Unavailable { backend: "webgl2", reason: reason.into() };
-    let options = js_sys::Object::new();
-    for (key, value) in
-        [("antialias", false), ("depth", false), ("stencil", false), ("alpha", false), ("preserveDrawingBuffer", true)]
-    {
-        let _ = js_sys::Reflect::set(&options, &key.into(), &value.into());
-    }
-    let context = canvas
-        .get_context_with_context_options("webgl2", &options)
-        .ok()
-        .flatten()
-        .and_then(|c| c.dyn_into::<WebGl2RenderingContext>().ok())
-        .ok_or_else(|| unavailable("the browser gives no WebGL2 context"))?;
-    let gl = glow::Context::from_webgl2_context(context.clone());
-    let mut backend = WebGlBackend::own(Rc::new(gl))?;
-    // UNMASKED_RENDERER_WEBGL: what draws, where the browser tells.
-    if context.get_extension("WEBGL_debug_renderer_info").ok().flatten().is_some()
-        && let Some(name) = context.get_parameter(0x9246).ok().and_then(|v| v.as_string())
-    {
-        backend.set_adapter_name(&name);
-    }
-    Ok(Canvas::WebGl2 { backend, context })
-}
-
 /// A planet and its sky on a canvas.
 #[wasm_bindgen]
 pub struct Viewer {
     /// Shared with reads under way, which outlive the call that began them.
-    canvas: Rc<RefCell<Canvas>>,
+    canvas: Rc<RefCell<Box<dyn Surface>>>,
     picture: PictureRenderer,
     drawn: Option<Drawn>,
     /// What makes programs ahead, and for which air and settings.
@@ -181,6 +59,7 @@ pub struct Viewer {
     params: AtmosphereParams,
     dry: bool,
     terrain: bool,
+    airglow: bool,
     size: [u32; 2],
     pose: Pose,
     sun: (f64, f64),
@@ -196,27 +75,13 @@ async fn pause() {
     let _ = wasm_bindgen_futures::JsFuture::from(pause).await;
 }
 
-fn whole(field: &str, value: f64, most: u32) -> Result<u32> {
-    if value.fract() == 0.0 && (1.0..=f64::from(most)).contains(&value) {
-        return Ok(value as u32);
-    }
-    Err(Error::invalid(field, value, format_args!("a whole number from 1 to {most}")))
-}
-
-fn check(field: &str, value: f64, lo: f64, hi: f64, unit: &str) -> Result<f64> {
-    welkin::error::in_range(field, value, lo, hi, unit)
-}
-
 #[wasm_bindgen]
 impl Viewer {
     /// Opens `"webgl2"` or `"webgpu"` on a canvas; rejects with the reason if that cannot be had.
-    pub async fn create(canvas: HtmlCanvasElement, backend: String) -> std::result::Result<Viewer, JsError> {
-        let size = [canvas.width().max(1), canvas.height().max(1)];
-        let canvas = match backend.as_str() {
-            "webgl2" => open_webgl2(&canvas)?,
-            "webgpu" => open_webgpu(canvas).await?,
-            other => return Err(Error::invalid("backend", format_args!("{other:?}"), "webgl2 or webgpu").into()),
-        };
+    pub async fn create(element: JsValue, backend: JsValue) -> Answer<Viewer> {
+        let element = canvas(element)?;
+        let size = [element.width().max(1), element.height().max(1)];
+        let canvas = surface::open(element, &name(&backend)).await?;
         Ok(Viewer {
             canvas: Rc::new(RefCell::new(canvas)),
             picture: PictureRenderer::default(),
@@ -226,6 +91,7 @@ impl Viewer {
             params: AtmosphereParams::earth(),
             dry: false,
             terrain: true,
+            airglow: true,
             size,
             pose: Pose { altitude: 100.0, pitch: 0.0, heading: 0.0, fov_y: 1.0 },
             sun: (0.5, 0.0),
@@ -244,38 +110,39 @@ impl Viewer {
     }
 
     /// A preset by its name.
-    pub fn set_planet(&mut self, name: &str) -> std::result::Result<(), JsError> {
-        self.params = AtmosphereParams::preset(name)?;
-        self.dry = !name.starts_with("earth");
+    pub fn set_planet(&mut self, planet: JsValue) -> Answer<()> {
+        let planet = name(&planet);
+        self.params = AtmosphereParams::preset(&planet)?;
+        self.dry = !planet.starts_with("earth");
         Ok(())
     }
 
-    /// Metres and degrees; pitch above the horizontal, heading from north to east, vertical field of view.
+    /// Altitude above the ground in metres, the rest in degrees: pitch above the horizontal, heading from
+    /// north to east, vertical field of view.
     pub fn set_camera(
         &mut self,
-        altitude: f64,
-        pitch: f64,
-        heading: f64,
-        fov: f64,
-    ) -> std::result::Result<(), JsError> {
-        check("camera.altitude", altitude, 0.0, 1e12, "m")?;
-        check("camera.pitch", pitch, -90.0, 90.0, "degrees")?;
-        check("camera.heading", heading, -36000.0, 36000.0, "degrees")?;
-        check("camera.fov", fov, 0.001, 170.0, "degrees")?;
-        self.pose =
-            Pose { altitude, pitch: pitch.to_radians(), heading: heading.to_radians(), fov_y: fov.to_radians() };
+        altitude: JsValue,
+        pitch: JsValue,
+        heading: JsValue,
+        fov: JsValue,
+    ) -> Answer<()> {
+        let altitude = number("camera.altitude", &altitude, 0.0, 1e12, "m")?;
+        let pitch = number("camera.pitch", &pitch, -90.0, 90.0, "degrees")?.to_radians();
+        let heading = number("camera.heading", &heading, -36000.0, 36000.0, "degrees")?.to_radians();
+        let fov_y = number("camera.fov", &fov, 0.001, 170.0, "degrees")?.to_radians();
+        self.pose = Pose { altitude, pitch, heading, fov_y };
         Ok(())
     }
 
-    /// Degrees; azimuth from north to east.
-    pub fn set_sun(&mut self, elevation: f64, azimuth: f64) -> std::result::Result<(), JsError> {
-        check("sun.elevation", elevation, -90.0, 90.0, "degrees")?;
-        check("sun.azimuth", azimuth, -36000.0, 36000.0, "degrees")?;
+    /// The sun's elevation and its azimuth from north to east, in degrees.
+    pub fn set_sun(&mut self, elevation: JsValue, azimuth: JsValue) -> Answer<()> {
+        let elevation = number("sun.elevation", &elevation, -90.0, 90.0, "degrees")?;
+        let azimuth = number("sun.azimuth", &azimuth, -36000.0, 36000.0, "degrees")?;
         self.sun = (elevation.to_radians(), azimuth.to_radians());
         Ok(())
     }
 
-    fn set_sky(&mut self, change: impl FnOnce(&mut SkySettings)) -> std::result::Result<(), JsError> {
+    fn set_sky(&mut self, change: impl FnOnce(&mut SkySettings)) -> Answer<()> {
         let mut sky = self.settings.sky;
         change(&mut sky);
         sky.validate()?;
@@ -284,12 +151,12 @@ impl Viewer {
     }
 
     /// Single scattering with steps along the view ray (1 to 1024) and towards the sun (1 to 256).
-    pub fn set_samples(&mut self, view: f64, light: f64) -> std::result::Result<(), JsError> {
-        let method = Method::Single {
-            view_samples: whole("view_samples", view, 1024)?,
-            light_samples: whole("light_samples", light, 256)?,
+    pub fn set_samples(&mut self, view: JsValue, light: JsValue) -> Answer<()> {
+        let quality = Quality::March {
+            view_samples: whole("view_samples", &view, 1024)?,
+            light_samples: whole("light_samples", &light, 256)?,
         };
-        self.set_sky(|s| s.method = method)
+        self.set_sky(|s| s.quality = quality)
     }
 
     /// The modes' names.
@@ -298,101 +165,120 @@ impl Viewer {
     }
 
     /// Which passes draw, as in a mode, by its name. The method stays: see `set_quality` and `set_samples`.
-    pub fn set_mode(&mut self, name: &str) -> std::result::Result<(), JsError> {
-        let composition = Mode::from_name(name)?.settings().composition;
-        self.set_sky(|s| s.composition = composition)
+    pub fn set_mode(&mut self, mode: JsValue) -> Answer<()> {
+        let composition = Mode::from_name(&name(&mode))?.composition();
+        self.set_sky(|s| s.look.composition = composition)
     }
 
     /// The method in use and its numbers: `lut 100 × 100 × 32`.
     #[wasm_bindgen(getter)]
     pub fn method(&self) -> String {
-        self.settings.sky.method.to_string()
+        self.settings.sky.quality.to_string()
     }
 
     /// The presets' names, the cheapest of a method first.
     pub fn qualities() -> Vec<String> {
-        Quality::ALL.iter().map(|q| q.name.to_owned()).collect()
+        Quality::PRESETS.iter().map(|(name, _)| (*name).to_owned()).collect()
     }
 
     /// Method and render scale of a preset, by its name.
-    pub fn set_quality(&mut self, name: &str) -> std::result::Result<(), JsError> {
-        let quality = Quality::from_name(name)?;
-        self.set_sky(|s| (s.method, s.render_scale) = (quality.method, quality.render_scale))
+    pub fn set_quality(&mut self, quality: JsValue) -> Answer<()> {
+        let quality = Quality::from_name(&name(&quality))?;
+        self.set_sky(|s| (s.quality, s.render_scale) = (quality, 1.0))
     }
 
     /// Turns the whole atmosphere on or off.
-    pub fn set_enabled(&mut self, on: bool) {
-        self.settings.sky.enabled = on;
+    pub fn set_enabled(&mut self, on: JsValue) -> Answer<()> {
+        self.settings.sky.look.enabled = flag("enabled", &on)?;
+        Ok(())
     }
 
     /// Whether the atmosphere is on.
     #[wasm_bindgen(getter)]
     pub fn enabled(&self) -> bool {
-        self.settings.sky.enabled
+        self.settings.sky.look.enabled
     }
 
     /// Display units per unit of radiance.
-    pub fn set_exposure(&mut self, exposure: f64) -> std::result::Result<(), JsError> {
-        self.settings.exposure = check("exposure", exposure, 0.0, 1e9, "")?;
+    pub fn set_exposure(&mut self, exposure: JsValue) -> Answer<()> {
+        self.settings.exposure = number("exposure", &exposure, 0.0, 1e9, "")?;
         Ok(())
     }
 
     /// `aces`, `agx` or `neutral`.
-    pub fn set_tone_map(&mut self, name: &str) -> std::result::Result<(), JsError> {
-        self.settings.tone_map = ToneMap::from_name(name)?;
+    pub fn set_tone_map(&mut self, tone_map: JsValue) -> Answer<()> {
+        self.settings.tone_map = ToneMap::from_name(&name(&tone_map))?;
         Ok(())
     }
 
-    /// Background resolution as a share of the canvas', 0.125 to 1.
-    pub fn set_render_scale(&mut self, scale: f64) -> std::result::Result<(), JsError> {
+    /// Background resolution as a fraction of the canvas', 0.125 to 1.
+    pub fn set_render_scale(&mut self, scale: JsValue) -> Answer<()> {
+        let scale = number("render_scale", &scale, 0.125, 1.0, "")?;
         self.set_sky(|s| s.render_scale = scale)
     }
 
     /// Shows or hides the ground.
-    pub fn set_terrain(&mut self, on: bool) {
-        self.terrain = on;
+    pub fn set_terrain(&mut self, on: JsValue) -> Answer<()> {
+        self.terrain = flag("terrain", &on)?;
+        Ok(())
     }
 
-    /// Follows the canvas; whole pixels.
-    pub fn resize(&mut self, width: f64, height: f64) -> std::result::Result<(), JsError> {
+    /// Turns the night sky's own light on or off; planets other than the Earth have none.
+    pub fn set_airglow(&mut self, on: JsValue) -> Answer<()> {
+        self.airglow = flag("airglow", &on)?;
+        Ok(())
+    }
+
+    /// Follows the canvas to a new size in whole pixels.
+    pub fn resize(&mut self, width: JsValue, height: JsValue) -> Answer<()> {
         let mut canvas = self.canvas.borrow_mut();
         let most = canvas.info().max_texture_size;
-        let size = [("canvas.width", width), ("canvas.height", height)];
-        let [width, height] = size.map(|(name, v)| whole(name, v, most));
-        self.size = [width?, height?];
-        canvas.resize(self.size[0], self.size[1])?;
+        self.size = [whole("canvas.width", &width, most)?, whole("canvas.height", &height, most)?];
+        canvas.resize(self.size);
         Ok(())
     }
 
     /// What the view calls for: for each effect its name, `on` or `off`, and why.
-    pub fn plan(&self) -> std::result::Result<Vec<String>, JsError> {
+    pub fn plan(&self) -> Answer<Vec<String>> {
         let bound = Some(Bound::eight_bit(self.settings.exposure));
-        let sky = SkySettings { foreground: self.terrain, bound, ..self.settings.sky };
-        let plan = EffectPlan::new(&self.scene()?, &sky, self.size)?;
+        let look = Look { foreground: self.terrain, ..self.look() };
+        let frame = Frame::new(&self.scene()?, &SkySettings { look, bound, ..self.settings.sky }, self.size)?;
         let state = |on| if on { "on" } else { "off" };
-        Ok(plan.effects().iter().flat_map(|e| [e.name.into(), state(e.on).into(), e.reason.to_string()]).collect())
+        Ok(frame
+            .effects()
+            .iter()
+            .flat_map(|e| [e.name.into(), state(e.on).into(), e.reason.to_string()])
+            .collect())
     }
 
     /// Draws a frame and shows it.
-    pub fn render(&mut self) -> std::result::Result<(), JsError> {
+    pub fn render(&mut self) -> Answer<()> {
         let scene = self.scene()?;
         self.settings.terrain = self.style();
+        self.settings.sky.look = self.look();
         self.settings.sky.bound = Some(Bound::eight_bit(self.settings.exposure));
         let mut canvas = self.canvas.borrow_mut();
         if let Some(reason) = canvas.lost() {
-            return Err(Error::Lost { backend: canvas.info().backend, reason }.into());
+            return Err(Error::lost(canvas.info().backend, reason).into());
         }
-        self.drawn = Some(canvas.draw(&mut self.picture, &scene, &self.settings, self.size)?);
+        let Self { picture, settings, drawn, .. } = self;
+        canvas.present(self.size, &mut |backend, canvas| {
+            let (passes, result) = picture.passes_to(backend, &scene, settings, canvas)?;
+            backend.run(passes)?;
+            *drawn = Some(result);
+            Ok(())
+        })?;
         Ok(())
     }
 
-    /// Makes one more program that other views of this planet call for, so that no frame waits for it; `false` once all
-    /// are there. For moments in which the page has nothing else to do.
-    pub fn warm_up(&mut self) -> std::result::Result<bool, JsError> {
+    /// Makes one more program that other views of this planet call for, so that no frame waits for it;
+    /// `false` once all are there. For moments in which the page has nothing else to do.
+    pub fn warm_up(&mut self) -> Answer<bool> {
         // Exposure changes no program.
         let settings = PictureSettings { exposure: 1.0, terrain: self.style(), ..self.settings };
         let mut canvas = self.canvas.borrow_mut();
-        let current = self.warm_up.take_if(|(params, made_for, _)| *params == self.params && *made_for == settings);
+        let current =
+            self.warm_up.take_if(|(params, made_for, _)| *params == self.params && *made_for == settings);
         if let Some((.., mut stale)) = self.warm_up.take() {
             stale.destroy(canvas.backend());
         }
@@ -406,8 +292,9 @@ impl Viewer {
     }
 
     /// A promise of the last frame's radiance, RGBA, row 0 on top. The viewer may be used meanwhile.
-    pub fn read_pixels(&mut self) -> std::result::Result<js_sys::Promise, JsError> {
-        let drawn = self.drawn.ok_or_else(|| Error::invalid("read_pixels", "no frame", "called after render"))?;
+    pub fn read_pixels(&mut self) -> Answer<js_sys::Promise> {
+        let drawn =
+            self.drawn.ok_or_else(|| Error::invalid("read_pixels", "no frame", "called after render"))?;
         let read = self.canvas.borrow_mut().backend().begin_read(drawn.radiance)?;
         let canvas = self.canvas.clone();
         Ok(wasm_bindgen_futures::future_to_promise(async move {
@@ -431,18 +318,11 @@ impl Viewer {
 
     /// For tests: loses the device or the context on purpose.
     pub fn lose(&mut self) {
-        match &*self.canvas.borrow() {
-            Canvas::WebGpu { backend, .. } => backend.device().destroy(),
-            Canvas::WebGl2 { context, .. } => {
-                let extension = context.get_extension("WEBGL_lose_context").ok().flatten();
-                let lose = extension.and_then(|e| js_sys::Reflect::get(&e, &"loseContext".into()).ok().map(|f| (e, f)));
-                if let Some((extension, function)) = lose
-                    && let Ok(function) = function.dyn_into::<js_sys::Function>()
-                {
-                    let _ = function.call0(&extension);
-                }
-            }
-        }
+        self.canvas.borrow_mut().lose();
+    }
+
+    fn look(&self) -> Look {
+        Look { airglow: (self.airglow && !self.dry).then_some(Airglow::EARTH), ..self.settings.sky.look }
     }
 
     fn style(&self) -> Option<TerrainStyle> {
@@ -479,7 +359,8 @@ impl Drop for Viewer {
     }
 }
 
-/// Where the page stands: 15.2° south, 37.4° east in the planet's own axes, a coast of the demonstration terrain.
+/// Where the page stands: 15.2° south, 37.4° east in the planet's own axes, a coast of the demonstration
+/// terrain.
 fn place() -> DVec3 {
     let (latitude, longitude) = ((-15.2_f64).to_radians(), 37.4_f64.to_radians());
     DVec3::new(latitude.cos() * longitude.cos(), latitude.cos() * longitude.sin(), latitude.sin())

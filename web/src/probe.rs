@@ -1,10 +1,12 @@
-//! What `welkin stress` does, in a page (feature `probe`): part of the module of `web/test/probe.html` only.
+//! What `cargo lab stress` does, in a page (feature `probe`): part of the module of `web/test/probe.html`
+//! only.
 
 use wasm_bindgen::prelude::*;
-use web_sys::HtmlCanvasElement;
 
-use super::{Canvas, open_webgl2, open_webgpu, pause};
-use welkin::error::{Error, Result};
+use crate::args::{canvas, name};
+use crate::surface::{self, Surface};
+use crate::{Answer, pause};
+use welkin::error::Result;
 use welkin::probe::{self, BATCH, Case, Cases, NUMBERS, Probe, Record, Running, Shrink};
 
 /// Cases that are drawn, and whose answers are on their way.
@@ -17,30 +19,24 @@ struct Batch {
 /// Cases by the million on one of the backends.
 #[wasm_bindgen]
 pub struct Stress {
-    canvas: Canvas,
+    canvas: Box<dyn Surface>,
     record: Record,
     begun: u64,
     /// Drawn by the GPU while the batch before is judged.
     ahead: Option<Batch>,
 }
 
-type Answer<T> = std::result::Result<T, JsError>;
-
 #[wasm_bindgen]
 impl Stress {
     /// Opens `"webgl2"` or `"webgpu"`. `host`: the browser, and what it says of the adapter.
     pub async fn create(
-        canvas: HtmlCanvasElement,
-        backend: String,
+        element: JsValue,
+        backend: JsValue,
         host: String,
         seed: u64,
         cases: u64,
     ) -> Answer<Stress> {
-        let canvas = match backend.as_str() {
-            "webgl2" => open_webgl2(&canvas)?,
-            "webgpu" => open_webgpu(canvas).await?,
-            other => return Err(Error::invalid("backend", format_args!("{other:?}"), "webgl2 or webgpu").into()),
-        };
+        let canvas = surface::open(canvas(element)?, &name(&backend)).await?;
         let mut record = Record::new(canvas.info(), seed, cases);
         record.about += &format!(", {host}");
         Ok(Self { canvas, record, begun: 0, ahead: None })
@@ -79,7 +75,7 @@ impl Stress {
         self.record.to_string()
     }
 
-    /// The table as a file for `welkin stress --table`.
+    /// The table as a file for `cargo lab stress --table`.
     pub fn save(&self) -> String {
         self.record.save()
     }

@@ -13,19 +13,30 @@ mkdirSync(artifacts, { recursive: true });
 
 export const SIZE = { width: 320, height: 200 };
 
+export const BACKENDS = ['webgl2', 'webgpu'];
+
 const TYPES = {
-  '.html': 'text/html; charset=utf-8', '.css': 'text/css', '.js': 'text/javascript', '.wasm': 'application/wasm',
+  '.html': 'text/html; charset=utf-8',
+  '.css': 'text/css',
+  '.js': 'text/javascript',
+  '.wasm': 'application/wasm',
 };
 
-/** Serve web/ on a free port of this machine. */
-async function serve() {
+/** Serve a folder on a free port of this machine. */
+async function serve(folder) {
   const server = createServer(async (request, response) => {
-    const path = normalize(decodeURIComponent(new URL(request.url, 'http://localhost').pathname)).replace(/[/\\]$/, '/index.html');
-    const file = join(web, path);
+    const path = normalize(decodeURIComponent(new URL(request.url, 'http://localhost').pathname)).replace(
+      /[/\\]$/,
+      '/index.html',
+    );
+    const file = join(folder, path);
     try {
-      if (!file.startsWith(web + sep)) throw new Error('outside');
+      if (!file.startsWith(folder + sep)) throw new Error('outside');
       const body = await readFile(file);
-      response.writeHead(200, { 'content-type': TYPES[extname(file)] ?? 'application/octet-stream', 'cache-control': 'no-store' });
+      response.writeHead(200, {
+        'content-type': TYPES[extname(file)] ?? 'application/octet-stream',
+        'cache-control': 'no-store',
+      });
       response.end(body);
     } catch {
       response.writeHead(404).end('not found');
@@ -40,7 +51,9 @@ function chromiumPath() {
   for (const name of ['chromium', 'chromium-browser', 'google-chrome']) {
     try {
       return execFileSync('sh', ['-c', `command -v ${name}`], { encoding: 'utf8' }).trim();
-    } catch { /* next */ }
+    } catch {
+      /* next */
+    }
   }
   throw new Error('no Chromium: run scripts/setup, or set CHROMIUM');
 }
@@ -48,31 +61,61 @@ function chromiumPath() {
 // Software rendering for both backends. Without the three that name SwiftShader for Vulkan and ANGLE,
 // presenting a WebGPU canvas loses the device.
 const FLAGS = [
-  '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync',
-  '--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader', '--enable-unsafe-swiftshader',
-  '--enable-features=Vulkan', '--use-vulkan=swiftshader', '--use-angle=swiftshader',
+  '--disable-quic',
+  '--no-first-run',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+  '--enable-unsafe-webgpu',
+  '--use-webgpu-adapter=swiftshader',
+  '--enable-unsafe-swiftshader',
+  '--enable-features=Vulkan',
+  '--use-vulkan=swiftshader',
+  '--use-angle=swiftshader',
 ];
 
-/** A running browser, its `version`, with `open` for pages of the viewer. Call `close` at the end. */
-export async function launch() {
-  if (!existsSync(join(web, 'pkg', 'welkin_bg.wasm'))) throw new Error('web/pkg is not built: run scripts/build-web');
-  const server = await serve();
+/** The files of the module that the page downloads for a backend. */
+export const moduleFiles = (backend) =>
+  ['welkin.js', 'welkin_bg.wasm'].map((file) => join(web, 'pkg', backend, file));
+
+/**
+ * A running browser, its `version`, with `open` for pages of the viewer. Call `close` at the end. `folders`
+ * are served beside web/, each at a place of its own.
+ */
+export async function launch({ folders = [] } = {}) {
+  const missing = BACKENDS.flatMap(moduleFiles).filter((file) => !existsSync(file));
+  if (missing.length) throw new Error(`${missing.join(', ')}: not built, run scripts/build-web`);
+  const servers = await Promise.all([web, ...folders].map(serve));
   const browser = await chromium.launch({
     executablePath: chromiumPath(),
     args: FLAGS,
     chromiumSandbox: process.getuid?.() !== 0, // Chromium's sandbox does not start as root
   });
-  const base = `http://localhost:${server.address().port}/`;
+  const bases = new Map(
+    [web, ...folders].map((folder, i) => [folder, `http://localhost:${servers[i].address().port}/`]),
+  );
 
   /**
-   * Open the viewer, or another page by its `path`. `page.lines` holds every console line as {type, text}, `page.problems` what
-   * went wrong in it: uncaught errors and console errors.
+   * Open the viewer, or another page by its `path`, of web/ or one of the `folders`. `page.lines` holds every
+   * console line as {type, text}, `page.problems` what went wrong in it: uncaught errors and console errors,
+   * `page.downloads` the paths that it asked the server for.
    */
-  async function open({ path = '', backend, hash = '', query = {}, prepare, ready = true, context: settings = {} } = {}) {
+  async function open({
+    folder = web,
+    path = '',
+    backend,
+    hash = '',
+    query = {},
+    prepare,
+    ready = true,
+    context: settings = {},
+  } = {}) {
     const context = await browser.newContext({ viewport: { width: 900, height: 600 }, ...settings });
     const page = await context.newPage();
     page.lines = [];
     page.problems = [];
+    page.downloads = [];
+    page.on('request', (r) => page.downloads.push(new URL(r.url()).pathname));
     page.on('console', (m) => {
       page.lines.push({ type: m.type(), text: m.text() });
       if (m.type() === 'error') page.problems.push(m.text());
@@ -81,14 +124,14 @@ export async function launch() {
     if (prepare) await page.addInitScript(prepare);
     const search = new URLSearchParams({ ...SIZE, ...(backend ? { backend } : {}), ...query });
     for (const key of [...search.keys()]) if (search.get(key) === '') search.delete(key);
-    await page.goto(`${base}${path}?${search}${hash ? `#${hash}` : ''}`);
+    await page.goto(`${bases.get(folder)}${path}?${search}${hash ? `#${hash}` : ''}`);
     if (ready) await waitForLine(page, 'Sky renderer initialized');
     return page;
   }
 
   async function close() {
     await browser.close();
-    await new Promise((closed) => server.close(closed));
+    await Promise.all(servers.map((server) => new Promise((closed) => server.close(closed))));
   }
   return { open, close, version: browser.version() };
 }
@@ -102,7 +145,10 @@ export async function waitForLine(page, wanted, { seconds = 60, from = 0 } = {})
     if (line) return line;
     if (Date.now() > end) {
       const said = page.lines.map((l) => `  ${l.type}: ${l.text}`).join('\n');
-      throw new Error(`no console line ${wanted} in ${seconds} s; the page said:\n${said || '  nothing'}\n${page.problems.join('\n')}`);
+      throw new Error(
+        `no console line ${wanted} in ${seconds} s; the page said:\n` +
+          `${said || '  nothing'}\n${page.problems.join('\n')}`,
+      );
     }
     await new Promise((done) => setTimeout(done, 50));
   }
@@ -125,7 +171,9 @@ export async function pixels(page, changes = {}) {
 
 /** What the canvas shows, as bytes r g b a, rows from the top. */
 export async function shown(page) {
-  const png = await page.locator('#stage canvas').screenshot({ animations: 'disabled', style: '#panel, #readout, #messages { display: none }' });
+  const png = await page
+    .locator('#stage canvas')
+    .screenshot({ animations: 'disabled', style: '#panel, #readout, #messages { display: none }' });
   return decode(page, png);
 }
 
@@ -135,7 +183,11 @@ export function decode(page, png) {
     const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${base64}`)).blob());
     const paper = new OffscreenCanvas(image.width, image.height).getContext('2d');
     paper.drawImage(image, 0, 0);
-    return { width: image.width, height: image.height, data: Array.from(paper.getImageData(0, 0, image.width, image.height).data) };
+    return {
+      width: image.width,
+      height: image.height,
+      data: Array.from(paper.getImageData(0, 0, image.width, image.height).data),
+    };
   }, png.toString('base64'));
 }
 
@@ -155,7 +207,8 @@ export const luminance = ([r, g, b]) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
 
 /** Largest and mean absolute difference of two pictures. */
 export function difference(a, b) {
-  if (a.length !== b.length) throw new Error(`pictures of different size: ${a.length} and ${b.length} values`);
+  if (a.length !== b.length)
+    throw new Error(`pictures of different size: ${a.length} and ${b.length} values`);
   let max = 0;
   let sum = 0;
   for (let i = 0; i < a.length; i++) {
@@ -172,7 +225,8 @@ export function difference(a, b) {
  */
 export function relativeDifference(a, b) {
   const colour = Array.from(a.filter((_, i) => i % 4 !== 3)).sort((x, y) => x - y);
-  const usual = colour.slice(0, Math.floor(colour.length * 0.99)).reduce((s, x) => s + x, 0) / (colour.length * 0.99);
+  const usual =
+    colour.slice(0, Math.floor(colour.length * 0.99)).reduce((s, x) => s + x, 0) / (colour.length * 0.99);
   let worst = 0;
   for (let i = 0; i < a.length; i++) {
     const share = Math.abs(a[i] - b[i]) / Math.max(Math.abs(a[i]), Math.abs(b[i]), 0.01 * usual);

@@ -1,6 +1,16 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { ALTITUDE, altitudeText, climb, defaults, formatHash, modeQuality, parseHash, queryNumber, wrapDegrees } from '../state.js';
+import {
+  ALTITUDE,
+  altitudeText,
+  climb,
+  defaults,
+  formatHash,
+  modeQuality,
+  parseHash,
+  queryNumber,
+  wrapDegrees,
+} from '../state.js';
 
 test('the default view has an empty hash', () => {
   assert.equal(formatHash(defaults), '');
@@ -9,7 +19,15 @@ test('the default view has an empty hash', () => {
 
 test('a view survives the address', () => {
   const view = {
-    ...defaults, planet: 'mars', alt: 123456, pitch: -12.5, heading: 359.5, sunElevation: -3.25, exposure: 0.125, sky: false, terrain: false,
+    ...defaults,
+    planet: 'mars',
+    alt: 123456,
+    pitch: -12.5,
+    heading: 359.5,
+    sunElevation: -3.25,
+    exposure: 0.125,
+    sky: false,
+    terrain: false,
   };
   assert.deepEqual(parseHash(`#${formatHash(view)}`), { state: view, problems: [] });
 });
@@ -31,7 +49,11 @@ test('modes, qualities and samples survive the address, each in its shortest for
   assert.equal(formatHash({ ...defaults, samples: 9 }), '', 'samples that do not count stay out');
   assert.equal(parseHash('#lightSamples=4').state.quality, '', 'samples count where no quality is given');
   assert.equal(parseHash('#mode=planet&quality=low&samples=9').state.quality, 'low');
-  assert.equal(parseHash('#mode=nonsense').state.quality, 'medium', 'which the renderer refuses, and its quality goes unharmed');
+  assert.equal(
+    parseHash('#mode=nonsense').state.quality,
+    'medium',
+    'which the renderer refuses, and its quality goes unharmed',
+  );
 });
 
 test('what the hash may not hold is named with field, value and range', () => {
@@ -65,6 +87,8 @@ test('numbers in the query are checked', () => {
   assert.equal(read(''), undefined);
   assert.equal(read('scale=1.5'), 1.5);
   for (const bad of ['0', '9', 'big', '', 'NaN']) {
-    assert.throws(() => read(`scale=${bad}`), { message: `scale = ${bad} is not allowed: must be from 0.1 to 8` });
+    assert.throws(() => read(`scale=${bad}`), {
+      message: `scale = ${bad} is not allowed: must be from 0.1 to 8`,
+    });
   }
 });

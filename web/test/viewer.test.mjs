@@ -3,12 +3,32 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { gzipSync } from 'node:zlib';
 import { after, before, describe, it } from 'node:test';
-import { SIZE, artifacts, decode, difference, launch, luminance, mean, pixels, relativeDifference, shown, waitForLine, web } from './browser.mjs';
+import {
+  BACKENDS,
+  SIZE,
+  artifacts,
+  decode,
+  difference,
+  launch,
+  luminance,
+  mean,
+  moduleFiles,
+  pixels,
+  relativeDifference,
+  shown,
+  waitForLine,
+  web,
+} from './browser.mjs';
 
 let browser;
-before(async () => { browser = await launch(); });
-after(async () => { await browser?.close(); });
+before(async () => {
+  browser = await launch();
+});
+after(async () => {
+  await browser?.close();
+});
 
 /** Open the viewer for one test; the page is closed after it, and must not have complained. */
 async function use(t, options, { complaints = false } = {}) {
@@ -22,8 +42,21 @@ async function use(t, options, { complaints = false } = {}) {
 
 const finite = (data) => data.every(Number.isFinite);
 
-for (const backend of ['webgl2', 'webgpu']) {
+for (const backend of BACKENDS) {
   describe(backend, () => {
+    it('downloads the module of this backend alone, and it is small', async (t) => {
+      const page = await use(t, { backend });
+      assert.deepEqual(page.downloads.filter((path) => path.startsWith('/pkg/')).sort(), [
+        `/pkg/${backend}/welkin.js`,
+        `/pkg/${backend}/welkin_bg.wasm`,
+      ]);
+      const [glue, wasm] = moduleFiles(backend).map(
+        (file) => gzipSync(readFileSync(file), { level: 9 }).length,
+      );
+      t.diagnostic(`${wasm} bytes of wasm and ${glue} of JavaScript, gzipped`);
+      assert.ok(wasm <= 120_000, `the module has ${wasm} bytes gzipped`);
+    });
+
     it('loads, says so, and names the backend', async (t) => {
       const page = await use(t, { backend });
       assert.equal(page.lines.filter((l) => l.text === 'Sky renderer initialized').length, 1);
@@ -43,7 +76,11 @@ for (const backend of ['webgl2', 'webgpu']) {
 
     it('fills the window and follows its size', async (t) => {
       const page = await use(t, { backend, query: { width: '', height: '', scale: '0.25' } });
-      const size = () => page.evaluate(() => { const c = document.querySelector('#stage canvas'); return [c.width, c.height]; });
+      const size = () =>
+        page.evaluate(() => {
+          const c = document.querySelector('#stage canvas');
+          return [c.width, c.height];
+        });
       assert.deepEqual(await size(), [225, 150]);
       await page.setViewportSize({ width: 400, height: 300 });
       await page.waitForFunction(() => document.querySelector('#stage canvas').width === 100);
@@ -58,11 +95,18 @@ for (const backend of ['webgl2', 'webgpu']) {
         const { viewer } = welkin;
         window.frames_ = 0;
         const render = viewer.render;
-        viewer.render = function () { window.frames_++; return render.call(this); };
+        viewer.render = function () {
+          window.frames_++;
+          return render.call(this);
+        };
       });
       await page.waitForTimeout(1500);
       assert.equal(await page.evaluate(() => window.frames_), 0, 'frames without a change');
-      await page.evaluate(async () => { welkin.redraw(); welkin.redraw(); await welkin.redraw(); });
+      await page.evaluate(async () => {
+        welkin.redraw();
+        welkin.redraw();
+        await welkin.redraw();
+      });
       assert.equal(await page.evaluate(() => window.frames_), 1, 'one frame for three requests');
     });
 
@@ -70,21 +114,34 @@ for (const backend of ['webgl2', 'webgpu']) {
       const page = await use(t, { backend, hash: 'alt=2000&pitch=7' });
       const before = await pixels(page);
       const results = await page.evaluate(() => window.testSky());
-      assert.deepEqual(results.map(({ name, alt, pitch }) => [name, alt, pitch]), [
-        ['Surface looking up', 100, 90],
-        ['Surface at horizon', 100, 0],
-        ['High altitude up', 5000, 90],
-        ['Very high altitude', 15000, 90],
-      ]);
-      for (const { name, mean: [r, g, b], finite } of results) {
+      assert.deepEqual(
+        results.map(({ name, alt, pitch }) => [name, alt, pitch]),
+        [
+          ['Surface looking up', 100, 90],
+          ['Surface at horizon', 100, 0],
+          ['High altitude up', 5000, 90],
+          ['Very high altitude', 15000, 90],
+        ],
+      );
+      for (const {
+        name,
+        mean: [r, g, b],
+        finite,
+      } of results) {
         assert.equal(finite, true, `${name}: every pixel is finite`);
         assert.ok(r >= 0 && g >= 0 && b >= 0 && r + g + b > 0, `${name}: ${[r, g, b]}`);
-        assert.ok(page.lines.some((l) => l.text.startsWith(`${name}: `)), `${name} is logged`);
+        assert.ok(
+          page.lines.some((l) => l.text.startsWith(`${name}: `)),
+          `${name} is logged`,
+        );
         t.diagnostic(`${name}: ${[r, g, b].map((x) => x.toPrecision(3)).join(' ')}`);
       }
       const [up, , higher, highest] = results.map((r) => r.mean);
       assert.ok(up[2] > up[0], 'the zenith is blue');
-      assert.ok(luminance(higher) < luminance(up) && luminance(highest) < luminance(higher), 'the zenith darkens with altitude');
+      assert.ok(
+        luminance(higher) < luminance(up) && luminance(highest) < luminance(higher),
+        'the zenith darkens with altitude',
+      );
       const state = await page.evaluate(() => welkin.state);
       assert.deepEqual([state.alt, state.pitch], [2000, 7]);
       assert.equal(difference(before, await pixels(page)).max, 0, 'the view from before is back');
@@ -106,7 +163,12 @@ for (const backend of ['webgl2', 'webgpu']) {
 
     it('setSkyQuality changes the samples, and refuses nonsense by name', async (t) => {
       const page = await use(t, { backend, hash: 'sunElevation=3&sunAzimuth=0&pitch=5' });
-      const set = (n) => page.evaluate(async (n) => { setSkyQuality(n); await welkin.redraw(); return welkin.state.samples; }, n);
+      const set = (n) =>
+        page.evaluate(async (n) => {
+          setSkyQuality(n);
+          await welkin.redraw();
+          return welkin.state.samples;
+        }, n);
       assert.equal(await set(8), 8);
       await waitForLine(page, 'Sky samples: 8');
       const coarse = await pixels(page);
@@ -117,7 +179,13 @@ for (const backend of ['webgl2', 'webgpu']) {
       const relative = Math.abs(luminance(mean(coarse)) / luminance(mean(fine)) - 1);
       assert.ok(relative < 0.2, `the same sky all the same: ${relative}`);
       for (const bad of [0, -3, 1e9]) {
-        const message = await page.evaluate((n) => { try { setSkyQuality(n); } catch (e) { return e.message; } }, bad);
+        const message = await page.evaluate((n) => {
+          try {
+            setSkyQuality(n);
+          } catch (e) {
+            return e.message;
+          }
+        }, bad);
         assert.match(message ?? 'nothing was thrown', /samples.* is not allowed: must be /, String(bad));
       }
       assert.equal(await page.evaluate(() => welkin.state.samples), 32, 'a refused number changes nothing');
@@ -127,7 +195,12 @@ for (const backend of ['webgl2', 'webgpu']) {
 
     it('setSkyQuality takes the name of a preset, as the list on the page does', async (t) => {
       const page = await use(t, { backend, hash: 'sunElevation=3&sunAzimuth=0&pitch=5&lightSamples=8' });
-      const set = (q) => page.evaluate(async (q) => { setSkyQuality(q); await welkin.redraw(); return welkin.state.quality; }, q);
+      const set = (q) =>
+        page.evaluate(async (q) => {
+          setSkyQuality(q);
+          await welkin.redraw();
+          return welkin.state.quality;
+        }, q);
       assert.equal(await set(16), '');
       const bySamples = await pixels(page);
       assert.equal(await set('single-medium'), 'single-medium');
@@ -140,44 +213,90 @@ for (const backend of ['webgl2', 'webgpu']) {
       for (const name of ['low', 'medium', 'high']) {
         assert.equal(await set(name), name);
         tables[name] = luminance(mean(await pixels(page)));
-        assert.match(await page.textContent('#read-sky'), new RegExp(`^lut, ${name} \\(lut \\d+ × \\d+ × \\d+\\)$`));
-        assert.ok(tables[name] > luminance(mean(bySamples)), `${name} holds light that was scattered more than once`);
+        assert.match(
+          await page.textContent('#read-sky'),
+          new RegExp(`^lut, ${name} \\(lut \\d+ × \\d+ × \\d+\\)$`),
+        );
+        assert.ok(
+          tables[name] > luminance(mean(bySamples)),
+          `${name} holds light that was scattered more than once`,
+        );
       }
-      assert.ok(Math.abs(tables.medium / tables.high - 1) < 0.02, `medium is near high: ${tables.medium} and ${tables.high}`);
-      const message = await page.evaluate(() => { try { setSkyQuality('best'); } catch (e) { return e.message; } });
-      assert.match(message ?? 'nothing was thrown', /quality = "best" is not allowed: must be one of low, medium/);
+      assert.ok(
+        Math.abs(tables.medium / tables.high - 1) < 0.02,
+        `medium is near high: ${tables.medium} and ${tables.high}`,
+      );
+      const message = await page.evaluate(() => {
+        try {
+          setSkyQuality('best');
+        } catch (e) {
+          return e.message;
+        }
+      });
+      assert.match(
+        message ?? 'nothing was thrown',
+        /quality = "best" is not allowed: must be one of low, medium/,
+      );
       assert.equal(await page.evaluate(() => welkin.state.quality), 'high', 'a refused name changes nothing');
-      const names = await page.evaluate(() => [...document.querySelectorAll('#quality option')].map((o) => o.value));
+      const names = await page.evaluate(() =>
+        [...document.querySelectorAll('#quality option')].map((o) => o.value),
+      );
       assert.deepEqual(names.slice(0, 4), ['', 'low', 'medium', 'high']);
       await page.selectOption('#quality', 'single-medium');
       await page.evaluate(() => welkin.redraw());
       assert.equal(difference(bySamples, await pixels(page)).max, 0);
       await page.locator('#samples').fill('24');
-      assert.equal(await page.evaluate(() => welkin.state.quality), '', 'moving the samples leaves the preset');
+      assert.equal(
+        await page.evaluate(() => welkin.state.quality),
+        '',
+        'moving the samples leaves the preset',
+      );
     });
 
     it('draws from tables by default, and says so', async (t) => {
       const page = await use(t, { backend, hash: 'pitch=10' });
       assert.equal(await page.textContent('#read-sky'), 'lut, medium (lut 100 × 100 × 32)');
-      assert.deepEqual(await page.evaluate(() => [welkin.state.mode, welkin.state.quality]), ['lut', 'medium']);
-      assert.deepEqual(await page.evaluate(() => [...document.querySelectorAll('#mode, #quality')].map((c) => c.value)), ['lut', 'medium']);
+      assert.deepEqual(await page.evaluate(() => [welkin.state.mode, welkin.state.quality]), [
+        'lut',
+        'medium',
+      ]);
+      assert.deepEqual(
+        await page.evaluate(() => [...document.querySelectorAll('#mode, #quality')].map((c) => c.value)),
+        ['lut', 'medium'],
+      );
       const byDefault = await pixels(page);
-      await page.evaluate(() => { setSkyQuality('single-ultra'); });
-      assert.ok(luminance(mean(await pixels(page))) < luminance(mean(byDefault)), 'single scattering is darker');
-      await page.evaluate(() => { setSkyQuality('medium'); });
+      await page.evaluate(() => {
+        setSkyQuality('single-ultra');
+      });
+      assert.ok(
+        luminance(mean(await pixels(page))) < luminance(mean(byDefault)),
+        'single scattering is darker',
+      );
+      await page.evaluate(() => {
+        setSkyQuality('medium');
+      });
       assert.equal(difference(byDefault, await pixels(page)).max, 0);
     });
 
     it('setSkyMode takes the four modes, as the list on the page and the address do', async (t) => {
       const page = await use(t, { backend, hash: 'pitch=10&sunElevation=20' });
       const modes = ['sky-dome', 'atmosphere-post', 'planet', 'lut'];
-      assert.deepEqual(await page.evaluate(() => [...document.querySelectorAll('#mode option')].map((o) => o.value)), modes);
+      assert.deepEqual(
+        await page.evaluate(() => [...document.querySelectorAll('#mode option')].map((o) => o.value)),
+        modes,
+      );
       const said = { lut: 'lut, medium (lut 100 × 100 × 32)' };
       const seen = {};
       for (const mode of modes) {
-        await page.evaluate(async (mode) => { setSkyMode(mode); await welkin.redraw(); }, mode);
+        await page.evaluate(async (mode) => {
+          setSkyMode(mode);
+          await welkin.redraw();
+        }, mode);
         await waitForLine(page, `Sky mode: ${mode}`);
-        assert.equal(await page.textContent('#read-sky'), said[mode] ?? `${mode}, by samples (single 24 × 8)`);
+        assert.equal(
+          await page.textContent('#read-sky'),
+          said[mode] ?? `${mode}, by samples (single 24 × 8)`,
+        );
         assert.equal(await page.inputValue('#mode'), mode);
         seen[mode] = await pixels(page);
         assert.ok(finite(seen[mode]) && luminance(mean(seen[mode])) > 0, mode);
@@ -189,17 +308,34 @@ for (const backend of ['webgl2', 'webgpu']) {
         await page.selectOption('#mode', mode);
         assert.equal(difference(seen[mode], await pixels(page)).max, 0, `${mode} from the list`);
       }
-      await page.evaluate(() => { location.hash = '#pitch=10&sunElevation=20&mode=planet'; });
+      await page.evaluate(() => {
+        location.hash = '#pitch=10&sunElevation=20&mode=planet';
+      });
       await page.waitForFunction(() => welkin.state.mode === 'planet');
       assert.equal(difference(seen.planet, await pixels(page)).max, 0, 'from the address');
       for (const bad of ['Planet', '', 'toString', 7, null]) {
-        const message = await page.evaluate((bad) => { try { setSkyMode(bad); } catch (e) { return e.message; } }, bad);
-        assert.equal(message ?? 'nothing was thrown', `mode = "${bad}" is not allowed: must be one of ${modes.join(', ')}`);
+        const message = await page.evaluate((bad) => {
+          try {
+            setSkyMode(bad);
+          } catch (e) {
+            return e.message;
+          }
+        }, bad);
+        assert.equal(
+          message ?? 'nothing was thrown',
+          `mode = "${bad}" is not allowed: must be one of ${modes.join(', ')}`,
+        );
       }
       assert.deepEqual(await page.evaluate(() => [welkin.state.mode, welkin.state.quality]), ['planet', '']);
       assert.equal(difference(seen.planet, await pixels(page)).max, 0, 'a refused name changes nothing');
-      await page.evaluate(() => { location.hash = '#pitch=10&sunElevation=20&mode=dome'; });
-      await page.waitForFunction(() => /mode = "dome" is not allowed: must be one of sky-dome/.test(document.querySelector('#messages').textContent));
+      await page.evaluate(() => {
+        location.hash = '#pitch=10&sunElevation=20&mode=dome';
+      });
+      await page.waitForFunction(() =>
+        /mode = "dome" is not allowed: must be one of sky-dome/.test(
+          document.querySelector('#messages').textContent,
+        ),
+      );
       assert.ok(finite(await pixels(page)));
     });
 
@@ -215,7 +351,8 @@ for (const backend of ['webgl2', 'webgpu']) {
       assert.ok(change(0, 0.2) < 0.02, `the upper rows stay sky: ${change(0, 0.2)}`);
       assert.ok(change(0.8, 1) > 0.1, `the lower rows are terrain: ${change(0.8, 1)}`);
       await page.locator('#stage canvas').screenshot({
-        path: join(artifacts, `terrain-${backend}.png`), style: '#panel, #readout, #messages { display: none }',
+        path: join(artifacts, `terrain-${backend}.png`),
+        style: '#panel, #readout, #messages { display: none }',
       });
     });
 
@@ -225,12 +362,14 @@ for (const backend of ['webgl2', 'webgpu']) {
       const picture = await shown(page);
       assert.deepEqual([picture.width, picture.height], [SIZE.width, SIZE.height]);
       const rows = 10;
-      const profile = (data) => Array.from({ length: rows }, (_, i) => luminance(mean(data, i / rows, (i + 1) / rows)));
+      const profile = (data) =>
+        Array.from({ length: rows }, (_, i) => luminance(mean(data, i / rows, (i + 1) / rows)));
       const [light, screen] = [profile(radiance), profile(picture.data)];
       // Brighter radiance must never be shown darker.
       for (let i = 0; i < rows; i++) {
         for (let j = 0; j < rows; j++) {
-          if (light[i] > light[j] * 1.1) assert.ok(screen[i] >= screen[j], `rows ${i} and ${j}: ${light} shown as ${screen}`);
+          if (light[i] > light[j] * 1.1)
+            assert.ok(screen[i] >= screen[j], `rows ${i} and ${j}: ${light} shown as ${screen}`);
         }
       }
       assert.ok(Math.max(...screen) - Math.min(...screen) > 5, `the picture has contrast: ${screen}`);
@@ -238,7 +377,11 @@ for (const backend of ['webgl2', 'webgpu']) {
 
     it('climbs with the wheel, within limits', async (t) => {
       const page = await use(t, { backend });
-      const altitude = () => page.evaluate(async () => { await welkin.redraw(); return welkin.state.alt; });
+      const altitude = () =>
+        page.evaluate(async () => {
+          await welkin.redraw();
+          return welkin.state.alt;
+        });
       await page.mouse.move(300, 300);
       const start = await altitude();
       await page.mouse.wheel(0, 240);
@@ -246,10 +389,13 @@ for (const backend of ['webgl2', 'webgpu']) {
       const higher = await altitude();
       await page.mouse.wheel(0, -480);
       await page.waitForFunction((a) => welkin.state.alt < a, higher);
-      assert.ok(await altitude() < start);
+      assert.ok((await altitude()) < start);
       const far = await pixels(page, { alt: 2.9e7, pitch: -90 });
       assert.ok(finite(far));
-      for (const [turn, limit] of [[40000, 3e7], [-60000, 2]]) {
+      for (const [turn, limit] of [
+        [40000, 3e7],
+        [-60000, 2],
+      ]) {
         await page.mouse.wheel(0, turn);
         await page.waitForFunction((a) => welkin.state.alt === a, limit);
         assert.ok(finite(await pixels(page)), `finite at ${limit} m`);
@@ -265,7 +411,10 @@ for (const backend of ['webgl2', 'webgpu']) {
       await page.mouse.move(350, 340, { steps: 3 });
       await page.mouse.up();
       const [h1, p1] = await look();
-      assert.ok(Math.abs(h1 - heading - 5) < 1e-6 && Math.abs(p1 - pitch - 4) < 1e-6, `50 left and 40 down: ${h1} ${p1}`);
+      assert.ok(
+        Math.abs(h1 - heading - 5) < 1e-6 && Math.abs(p1 - pitch - 4) < 1e-6,
+        `50 left and 40 down: ${h1} ${p1}`,
+      );
       await page.focus('#stage');
       await page.keyboard.press('ArrowRight');
       await page.keyboard.press('Shift+ArrowUp');
@@ -280,7 +429,11 @@ for (const backend of ['webgl2', 'webgpu']) {
     it('pinches to change altitude on a touch screen', async (t) => {
       const page = await use(t, { backend, context: { hasTouch: true } });
       const touch = await page.context().newCDPSession(page);
-      const send = (type, ...points) => touch.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+      const send = (type, ...points) =>
+        touch.send('Input.dispatchTouchEvent', {
+          type,
+          touchPoints: points.map(([x, y], id) => ({ x, y, id })),
+        });
       const start = await page.evaluate(() => welkin.state.alt);
       await send('touchStart', [250, 300]);
       await send('touchStart', [250, 300], [350, 300]);
@@ -302,14 +455,23 @@ for (const backend of ['webgl2', 'webgpu']) {
 
     it('lists what the view calls for, and why', async (t) => {
       const page = await use(t, { backend, hash: 'pitch=20&sunElevation=30' });
-      await page.evaluate(() => { document.getElementById('effects').open = true; });
-      const listed = async (name) => page.evaluate((wanted) => {
-        const rows = [...document.querySelectorAll('#plan > div')];
-        const row = rows.find((r) => r.querySelector('dt').textContent.startsWith(`${wanted}:`));
-        return [row.className, row.querySelector('dd').textContent];
-      }, name);
-      const when = (name, state) => page.waitForFunction(([n, s]) => [...document.querySelectorAll('#plan > div')]
-        .some((r) => r.className === s && r.querySelector('dt').textContent === `${n}: ${s}`), [name, state]);
+      await page.evaluate(() => {
+        document.getElementById('effects').open = true;
+      });
+      const listed = async (name) =>
+        page.evaluate((wanted) => {
+          const rows = [...document.querySelectorAll('#plan > div')];
+          const row = rows.find((r) => r.querySelector('dt').textContent.startsWith(`${wanted}:`));
+          return [row.className, row.querySelector('dd').textContent];
+        }, name);
+      const when = (name, state) =>
+        page.waitForFunction(
+          ([n, s]) =>
+            [...document.querySelectorAll('#plan > div')].some(
+              (r) => r.className === s && r.querySelector('dt').textContent === `${n}: ${s}`,
+            ),
+          [name, state],
+        );
       await when('sunlight', 'on');
       assert.equal((await listed('eclipse'))[1], 'the scene has no moon');
       assert.equal((await listed('multiple scattering'))[0], 'on');
@@ -324,17 +486,30 @@ for (const backend of ['webgl2', 'webgpu']) {
     it('darkens when the sun sets', async (t) => {
       const page = await use(t, { backend, hash: 'pitch=60' });
       const levels = [];
-      for (const sunElevation of [50, 5, -4, -18]) levels.push(luminance(mean(await pixels(page, { sunElevation }))));
-      assert.ok(levels.every((x, i) => i === 0 || x < levels[i - 1]), levels.join(' > '));
+      for (const sunElevation of [50, 5, -4, -18])
+        levels.push(luminance(mean(await pixels(page, { sunElevation }))));
+      assert.ok(
+        levels.every((x, i) => i === 0 || x < levels[i - 1]),
+        levels.join(' > '),
+      );
       assert.ok(levels[3] < 1e-3 * levels[0], `night against day: ${levels[3] / levels[0]}`);
     });
 
     it('says what is wrong with bad input and keeps the last good value', async (t) => {
       const page = await use(t, { backend, hash: 'planet=pluto&alt=nowhere&toneMap=sepia' });
       const messages = await page.locator('.message span').allTextContents();
-      assert.ok(messages.some((m) => m.includes('alt = nowhere is not allowed: must be a number')), messages.join('\n'));
-      assert.ok(messages.some((m) => /pluto.* is not allowed: must be .*mars/.test(m)), messages.join('\n'));
-      assert.ok(messages.some((m) => /sepia.* is not allowed: must be .*agx/.test(m)), messages.join('\n'));
+      assert.ok(
+        messages.some((m) => m.includes('alt = nowhere is not allowed: must be a number')),
+        messages.join('\n'),
+      );
+      assert.ok(
+        messages.some((m) => /pluto.* is not allowed: must be .*mars/.test(m)),
+        messages.join('\n'),
+      );
+      assert.ok(
+        messages.some((m) => /sepia.* is not allowed: must be .*agx/.test(m)),
+        messages.join('\n'),
+      );
       const state = await page.evaluate(() => welkin.state);
       assert.deepEqual([state.planet, state.alt, state.toneMap], ['earth', 100, 'aces']);
       const refused = await page.evaluate(() => {
@@ -350,12 +525,72 @@ for (const backend of ['webgl2', 'webgpu']) {
           size: () => viewer.resize(0, 0),
         };
         return Object.entries(tries).map(([name, attempt]) => {
-          try { attempt(); } catch (e) { return [name, e.message]; }
+          try {
+            attempt();
+          } catch (e) {
+            return [name, e.message];
+          }
           return [name, 'nothing was thrown'];
         });
       });
-      for (const [name, message] of refused) assert.match(message, /^\S.* = .* is not allowed: must be /, name);
+      for (const [name, message] of refused)
+        assert.match(message, /^\S.* = .* is not allowed: must be /, name);
       assert.ok(finite(await pixels(page)), 'and it still draws');
+    });
+
+    it('says what is wrong with a value of a wrong type, whatever it is', async (t) => {
+      const page = await use(t, { backend });
+      const before = await pixels(page);
+      const messages = await page.evaluate(async () => {
+        const { viewer } = welkin;
+        const { constructor: Viewer } = viewer;
+        // What each method takes; each argument in turn is replaced by what it is not.
+        const right = {
+          set_planet: ['earth'],
+          set_camera: [100, 0, 0, 60],
+          set_sun: [20, 0],
+          set_mode: ['lut'],
+          set_quality: ['medium'],
+          set_samples: [24, 8],
+          set_exposure: [1],
+          set_tone_map: ['aces'],
+          set_render_scale: [1],
+          set_enabled: [true],
+          set_terrain: [true],
+          set_airglow: [true],
+          resize: [320, 200],
+        };
+        const wrong = [5, 'five', true, null, undefined, {}, [], Symbol('s'), 5n, () => 5, NaN];
+        const out = [];
+        const note = (name, value, says) =>
+          out.push([`${name} of ${String(Array.isArray(value) ? '[]' : value)}`, says]);
+        for (const [name, args] of Object.entries(right)) {
+          for (let i = 0; i < args.length; i++) {
+            for (const value of wrong) {
+              if (typeof value === typeof args[i] && typeof value !== 'string' && !Number.isNaN(value))
+                continue;
+              try {
+                viewer[name](...args.with(i, value));
+                note(name, value, 'nothing was thrown');
+              } catch (e) {
+                note(name, value, e.message);
+              }
+            }
+          }
+        }
+        for (const value of [null, 5, document.body, document.createElement('canvas')]) {
+          const backend = value instanceof HTMLCanvasElement ? 5 : viewer.backend;
+          await Viewer.create(value, backend).then(
+            () => note('create', value, 'nothing was thrown'),
+            (e) => note('create', value, e.message),
+          );
+        }
+        return out;
+      });
+      for (const [call, message] of messages)
+        assert.match(message, /^\S+ = \S.* is not allowed: must be \S/, call);
+      assert.ok(messages.length > 100, `${messages.length} calls`);
+      assert.equal(difference(before, await pixels(page)).max, 0, 'and it still draws, as before');
     });
 
     it('recovers when the device is lost', async (t) => {
@@ -376,9 +611,21 @@ for (const backend of ['webgl2', 'webgpu']) {
       // What exists: made less deleted. WebGPU's objects go with JavaScript's garbage instead.
       const prepare = () => {
         window.live_ = {};
-        for (const kind of ['Texture', 'Framebuffer', 'Buffer', 'Program', 'Shader', 'Sampler', 'VertexArray', 'Query']) {
+        for (const kind of [
+          'Texture',
+          'Framebuffer',
+          'Buffer',
+          'Program',
+          'Shader',
+          'Sampler',
+          'VertexArray',
+          'Query',
+        ]) {
           const gl = WebGL2RenderingContext.prototype;
-          for (const [verb, step] of [['create', 1], ['delete', -1]]) {
+          for (const [verb, step] of [
+            ['create', 1],
+            ['delete', -1],
+          ]) {
             const plain = gl[verb + kind];
             gl[verb + kind] = function (...given) {
               if (verb === 'create' || given[0]) window.live_[kind] = (window.live_[kind] ?? 0) + step;
@@ -393,7 +640,7 @@ for (const backend of ['webgl2', 'webgpu']) {
         const { viewer } = welkin;
         const draw = async (count) => {
           for (let i = 0; i < count; i++) {
-            viewer.resize(1 + i % 13, 1 + i % 7);
+            viewer.resize(1 + (i % 13), 1 + (i % 7));
             viewer.set_render_scale(i % 2 ? 1 : 0.5);
             viewer.render();
             if (i % 50 === 0) await new Promise(requestAnimationFrame);
@@ -413,13 +660,18 @@ for (const backend of ['webgl2', 'webgpu']) {
 
     it('keeps the view in the address', async (t) => {
       const page = await use(t, { backend });
-      await page.evaluate(async () => { Object.assign(welkin.state, { alt: 42000, planet: 'mars' }); await welkin.redraw(); });
+      await page.evaluate(async () => {
+        Object.assign(welkin.state, { alt: 42000, planet: 'mars' });
+        await welkin.redraw();
+      });
       await page.waitForFunction(() => location.hash === '#planet=mars&alt=42000');
       const picture = await pixels(page);
       await page.reload();
       await page.waitForFunction(() => window.welkin?.viewer);
       assert.equal(difference(picture, await pixels(page)).max, 0);
-      await page.evaluate(() => { location.hash = '#pitch=-20'; });
+      await page.evaluate(() => {
+        location.hash = '#pitch=-20';
+      });
       await page.waitForFunction(() => welkin.state.pitch === -20 && welkin.state.planet === 'earth');
     });
   });
@@ -435,13 +687,16 @@ describe('both backends', () => {
       '15 km': { alt: 15000, pitch: 0, terrain: false },
       'limb from 400 km': { alt: 4e5, pitch: -18, sunElevation: 5 },
       'whole planet': { alt: 1.5e7, pitch: -90, sunElevation: 45 },
-      'Mars': { planet: 'mars', alt: 100, pitch: 10, sunElevation: 20 },
+      Mars: { planet: 'mars', alt: 100, pitch: 10, sunElevation: 20 },
     };
     for (const [name, view] of Object.entries(views)) {
       const [a, b] = [await pixels(gl, view), await pixels(gpu, view)];
       const { max, mean: average } = difference(a, b);
       const relative = relativeDifference(a, b);
-      t.diagnostic(`${name}: difference at most ${max.toPrecision(3)}, mean ${average.toPrecision(3)}, at most ${(100 * relative).toPrecision(3)} % of a value`);
+      t.diagnostic(
+        `${name}: difference at most ${max.toPrecision(3)}, mean ${average.toPrecision(3)}, ` +
+          `at most ${(100 * relative).toPrecision(3)} % of a value`,
+      );
       assert.ok(luminance(mean(a)) > 1e-4, `${name}: there is something to compare`);
       assert.ok(relative <= 0.02, `${name}: at most ${100 * relative} % apart`);
     }
@@ -451,40 +706,77 @@ describe('both backends', () => {
 describe('the browser draws what the native program draws', () => {
   const program = join(process.env.CARGO_TARGET_DIR ?? join(web, '..', 'target'), 'debug', 'welkin');
   const views = {
-    'noon': { alt: 100, pitch: 15, heading: 180, sunElevation: 50, sunAzimuth: 150 },
-    'sunset': { alt: 100, pitch: 8, heading: 270, sunElevation: 2, sunAzimuth: 265 },
+    noon: { alt: 100, pitch: 15, heading: 180, sunElevation: 50, sunAzimuth: 150 },
+    sunset: { alt: 100, pitch: 8, heading: 270, sunElevation: 2, sunAzimuth: 265 },
     '30 km': { alt: 30000, pitch: -5, heading: 180, sunElevation: 30, sunAzimuth: 240 },
-    'limb': { alt: 4e5, pitch: -18, heading: 0, sunElevation: 25, sunAzimuth: 60 },
-    'planet': { alt: 1.5e7, pitch: -90, heading: 0, sunElevation: 45, sunAzimuth: 60 },
+    limb: { alt: 4e5, pitch: -18, heading: 0, sunElevation: 25, sunAzimuth: 60 },
+    planet: { alt: 1.5e7, pitch: -90, heading: 0, sunElevation: 45, sunAzimuth: 60 },
   };
   const draws = [
     { how: 'by default', options: [] },
-    { how: 'single scattering', changes: { quality: '', samples: 24, lightSamples: 8 }, options: ['--samples', '24', '--light-samples', '8'] },
-    ...['sky-dome', 'atmosphere-post', 'planet'].map((mode) => ({ how: mode, changes: { mode, quality: '' }, options: ['--mode', mode] })),
+    {
+      how: 'single scattering',
+      changes: { quality: '', samples: 24, lightSamples: 8 },
+      options: ['--samples', '24', '--light-samples', '8'],
+    },
+    ...['sky-dome', 'atmosphere-post', 'planet'].map((mode) => ({
+      how: mode,
+      changes: { mode, quality: '' },
+      options: ['--mode', mode],
+    })),
   ];
-  for (const backend of ['webgl2', 'webgpu']) {
-    for (const { how, changes = {}, options } of draws) it(`on ${backend}, ${how}`, async (t) => {
-      const page = await use(t, { backend });
-      for (const [name, view] of Object.entries(views)) {
-        const fixed = { planet: 'earth', fov: 60, exposure: 1, toneMap: 'aces', terrain: true, ...changes };
-        await pixels(page, { ...fixed, ...view });
-        const here = await shown(page);
-        const file = join(artifacts, `native-${backend}.png`);
-        const { alt, pitch, heading, sunElevation, sunAzimuth } = view;
-        execFileSync(program, [
-          'render', '--backend', backend, '--size', `${SIZE.width}x${SIZE.height}`, '--altitude', `${alt}`, '--pitch', `${pitch}`,
-          '--heading', `${heading}`, '--fov', '60', '--sun-elevation', `${sunElevation}`, '--sun-azimuth', `${sunAzimuth}`,
-          '--exposure', '1', ...options, '-o', file,
-        ], { stdio: 'pipe' });
-        const native = await decode(page, readFileSync(file));
-        assert.deepEqual([here.width, here.height], [native.width, native.height]);
-        const { max, mean: average } = difference(here.data, native.data);
-        const beyond = here.data.filter((v, i) => Math.abs(v - native.data[i]) > 2).length / here.data.length;
-        t.diagnostic(`${name}: at most ${max}/255 apart, mean ${average.toFixed(4)}, ${(100 * beyond).toFixed(3)} % of the values by more than 2`);
-        // Edges of the terrain's triangles may fall on either side of a pixel's centre; nothing else may differ.
-        assert.ok(beyond < 0.002, `${name}: ${100 * beyond} % of the values differ`);
-      }
-    });
+  for (const backend of BACKENDS) {
+    for (const { how, changes = {}, options } of draws)
+      it(`on ${backend}, ${how}`, async (t) => {
+        const page = await use(t, { backend });
+        for (const [name, view] of Object.entries(views)) {
+          const fixed = { planet: 'earth', fov: 60, exposure: 1, toneMap: 'aces', terrain: true, ...changes };
+          await pixels(page, { ...fixed, ...view });
+          const here = await shown(page);
+          const file = join(artifacts, `native-${backend}.png`);
+          const { alt, pitch, heading, sunElevation, sunAzimuth } = view;
+          execFileSync(
+            program,
+            [
+              'render',
+              '--backend',
+              backend,
+              '--size',
+              `${SIZE.width}x${SIZE.height}`,
+              '--altitude',
+              `${alt}`,
+              '--pitch',
+              `${pitch}`,
+              '--heading',
+              `${heading}`,
+              '--fov',
+              '60',
+              '--sun-elevation',
+              `${sunElevation}`,
+              '--sun-azimuth',
+              `${sunAzimuth}`,
+              '--exposure',
+              '1',
+              ...options,
+              '-o',
+              file,
+            ],
+            { stdio: 'pipe' },
+          );
+          const native = await decode(page, readFileSync(file));
+          assert.deepEqual([here.width, here.height], [native.width, native.height]);
+          const { max, mean: average } = difference(here.data, native.data);
+          const beyond =
+            here.data.filter((v, i) => Math.abs(v - native.data[i]) > 2).length / here.data.length;
+          t.diagnostic(
+            `${name}: at most ${max}/255 apart, mean ${average.toFixed(4)}, ` +
+              `${(100 * beyond).toFixed(3)} % of the values by more than 2`,
+          );
+          // Edges of the terrain's triangles may fall on either side of a pixel's centre; nothing else may
+          // differ.
+          assert.ok(beyond < 0.002, `${name}: ${100 * beyond} % of the values differ`);
+        }
+      });
   }
 });
 
@@ -496,29 +788,49 @@ describe('choosing a backend', () => {
   });
 
   it('says why when it takes the second best', async (t) => {
-    const page = await use(t, { prepare: () => { Object.defineProperty(Navigator.prototype, 'gpu', { value: undefined }); } });
+    const page = await use(t, {
+      prepare: () => {
+        Object.defineProperty(Navigator.prototype, 'gpu', { value: undefined });
+      },
+    });
     assert.equal(await page.textContent('#read-backend'), 'webgl2');
     assert.match(await page.textContent('#why'), /^Backend webgl2: not available: webgpu: ./);
-    assert.ok(page.lines.some((l) => l.type === 'warning' && /^Backend webgl2: not available: webgpu: ./.test(l.text)));
+    assert.ok(
+      page.lines.some(
+        (l) => l.type === 'warning' && /^Backend webgl2: not available: webgpu: ./.test(l.text),
+      ),
+    );
   });
 
   it('never takes another than the one asked for', async (t) => {
-    const page = await use(t, {
-      backend: 'webgpu', ready: false, prepare: () => { Object.defineProperty(Navigator.prototype, 'gpu', { value: undefined }); },
-    }, { complaints: true });
+    const page = await use(
+      t,
+      {
+        backend: 'webgpu',
+        ready: false,
+        prepare: () => {
+          Object.defineProperty(Navigator.prototype, 'gpu', { value: undefined });
+        },
+      },
+      { complaints: true },
+    );
     await waitForLine(page, /^No sky can be drawn here\. webgpu: ./);
     assert.equal(await page.textContent('#read-backend'), 'none');
     assert.match(await page.textContent('#messages'), /No sky can be drawn here\. webgpu: /);
   });
 
   it('says what is missing when nothing works', async (t) => {
-    const page = await use(t, {
-      ready: false,
-      prepare: () => {
-        Object.defineProperty(Navigator.prototype, 'gpu', { value: undefined });
-        HTMLCanvasElement.prototype.getContext = () => null;
+    const page = await use(
+      t,
+      {
+        ready: false,
+        prepare: () => {
+          Object.defineProperty(Navigator.prototype, 'gpu', { value: undefined });
+          HTMLCanvasElement.prototype.getContext = () => null;
+        },
       },
-    }, { complaints: true });
+      { complaints: true },
+    );
     const { text } = await waitForLine(page, /^No sky can be drawn here\./);
     assert.match(text, /webgpu: .+; webgl2: ./);
   });
@@ -540,8 +852,11 @@ describe('choosing a backend', () => {
 describe('controls', () => {
   it('every control has a name and moves the state', async (t) => {
     const page = await use(t, {});
-    const nameless = await page.evaluate(() => [...document.querySelectorAll('#controls input, #controls select')]
-      .filter((c) => c.labels.length === 0).map((c) => c.id));
+    const nameless = await page.evaluate(() =>
+      [...document.querySelectorAll('#controls input, #controls select')]
+        .filter((c) => c.labels.length === 0)
+        .map((c) => c.id),
+    );
     assert.deepEqual(nameless, []);
     await page.selectOption('#planet', 'mars');
     await page.fill('#sunElevation', '12.5');
@@ -550,11 +865,17 @@ describe('controls', () => {
     await page.check('#half');
     await page.selectOption('#toneMap', 'agx');
     await page.selectOption('#mode', 'planet');
-    const state = await page.evaluate(async () => { await welkin.redraw(); return welkin.state; });
+    const state = await page.evaluate(async () => {
+      await welkin.redraw();
+      return welkin.state;
+    });
     assert.deepEqual(
       [state.planet, state.sunElevation, state.terrain, state.sky, state.half, state.toneMap, state.mode],
       ['mars', 12.5, true, false, true, 'agx', 'planet'],
     );
-    assert.equal(await page.evaluate(() => document.querySelector('output[for=sunElevation]').textContent), '12.5°');
+    assert.equal(
+      await page.evaluate(() => document.querySelector('output[for=sunElevation]').textContent),
+      '12.5°',
+    );
   });
 });

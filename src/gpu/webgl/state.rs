@@ -66,7 +66,10 @@ impl Saved {
             let active = gl.get_parameter_i32(glow::ACTIVE_TEXTURE);
             let units = std::array::from_fn(|unit| {
                 gl.active_texture(glow::TEXTURE0 + unit as u32);
-                (gl.get_parameter_texture(glow::TEXTURE_BINDING_2D), gl.get_parameter_sampler(glow::SAMPLER_BINDING))
+                (
+                    gl.get_parameter_texture(glow::TEXTURE_BINDING_2D),
+                    gl.get_parameter_sampler(glow::SAMPLER_BINDING),
+                )
             });
             Self {
                 program: gl.get_parameter_program(glow::CURRENT_PROGRAM),

@@ -1,7 +1,7 @@
 //! Solutions as bytes, to be kept between runs.
 //!
-//! Whoever reads them back states what they must have been solved for, and gets exactly what solving would have
-//! given, or the reason why not.
+//! Whoever reads them back states what they must have been solved for, and gets exactly what solving would
+//! have given, or the reason why not.
 
 use xxhash_rust::xxh3::xxh3_128;
 
@@ -13,14 +13,15 @@ use crate::model::atmosphere::{AtmosphereParams, MiePhase};
 const VERSION: u32 = 1;
 
 /// What a solution follows from, besides its inputs, and how it is written: a change of it makes another key.
-const SOURCES: [&str; 11] = [
+const SOURCES: [&str; 12] = [
     include_str!("stored.rs"),
     include_str!("../multiple.rs"),
     include_str!("../geometry.rs"),
     include_str!("../harmonics.rs"),
     include_str!("../medium.rs"),
     include_str!("../parallel.rs"),
-    include_str!("../quadrature.rs"),
+    include_str!("../../model/quadrature.rs"),
+    include_str!("../../model/rays.rs"),
     include_str!("../single.rs"),
     include_str!("../../model/atmosphere.rs"),
     include_str!("../../error.rs"),
@@ -105,8 +106,8 @@ fn inputs(params: &AtmosphereParams, settings: &Settings) -> Vec<u8> {
 }
 
 impl Orders {
-    /// A hash of all that the solution for these inputs follows from: the inputs to the last bit, the solver and
-    /// the platform. Good for a file's name; [`Self::from_bytes`] compares the inputs themselves.
+    /// A hash of all that the solution for these inputs follows from: the inputs to the last bit, the solver
+    /// and the platform. Good for a file's name; [`Self::from_bytes`] compares the inputs themselves.
     pub fn key(params: &AtmosphereParams, settings: &Settings) -> u128 {
         xxh3_128(&inputs(params, settings))
     }
@@ -124,7 +125,8 @@ impl Orders {
             out.extend(step.change.to_le_bytes());
             out.extend(step.ratio.to_le_bytes());
         }
-        for value in [log_mean, ratio, log_ground].into_iter().flatten().chain(ground_ratio.iter().flatten()) {
+        for value in [log_mean, ratio, log_ground].into_iter().flatten().chain(ground_ratio.iter().flatten())
+        {
             out.extend(value.to_le_bytes());
         }
         let (head, body) = out.split_at_mut(MAGIC.len() + CHECKSUM);
@@ -136,7 +138,11 @@ impl Orders {
     ///
     /// # Errors
     /// Anything else. Solve then.
-    pub fn from_bytes(bytes: &[u8], params: &AtmosphereParams, settings: Settings) -> Result<Self, NotRestored> {
+    pub fn from_bytes(
+        bytes: &[u8],
+        params: &AtmosphereParams,
+        settings: Settings,
+    ) -> Result<Self, NotRestored> {
         let mut orders = Self::unsolved(params, settings)?;
         let rest = bytes.strip_prefix(MAGIC).ok_or(NotRestored::Foreign)?;
         let (checksum, body) = rest.split_first_chunk::<CHECKSUM>().ok_or(NotRestored::Damaged)?;
@@ -156,7 +162,8 @@ impl Orders {
         }
         orders.converged = converged == 1;
         for _ in 0..iterations {
-            let (iteration, change, ratio) = (next()? as u32, f64::from_bits(next()?), f64::from_bits(next()?));
+            let (iteration, change, ratio) =
+                (next()? as u32, f64::from_bits(next()?), f64::from_bits(next()?));
             orders.history.push(Progress { iteration, change, ratio });
         }
         let mut floats =
@@ -215,7 +222,9 @@ mod tests {
             let query = RayQuery::new(altitude, view, sun, azimuth);
             let [a, b] = [&fresh, &again].map(|o| o.radiance(&query, Tolerance::TRUTH).unwrap());
             assert!(a.per_irradiance.iter().all(|v| *v > 0.0));
-            for (a, b) in [(a.per_irradiance, b.per_irradiance), (a.ground, b.ground), (a.radiance, b.radiance)] {
+            for (a, b) in
+                [(a.per_irradiance, b.per_irradiance), (a.ground, b.ground), (a.radiance, b.radiance)]
+            {
                 assert_eq!(a.map(f64::to_bits), b.map(f64::to_bits), "{query:?}");
             }
         }
@@ -291,7 +300,8 @@ mod tests {
         }
         assert_eq!(restore(&[&bytes[..], b"12345678"].concat()), Some(NotRestored::Damaged));
         // A checksum that fits tables of another size: nothing is read beyond the end, nothing is left over.
-        for length in [bytes.len() - 8, bytes.len() - 3, MAGIC.len() + CHECKSUM + inputs(&params, &SETTINGS).len() + 9]
+        for length in
+            [bytes.len() - 8, bytes.len() - 3, MAGIC.len() + CHECKSUM + inputs(&params, &SETTINGS).len() + 9]
         {
             let mut short = bytes[..length].to_vec();
             let sum = xxh3_128(&short[MAGIC.len() + CHECKSUM..]);

@@ -1,0 +1,147 @@
+//! The fixed scenes of the accuracy report.
+
+use glam::DVec3;
+use welkin::{AtmosphereParams, Camera, DepthConvention, Pose, Scene};
+
+/// A camera and a sun above a planet; the sun's azimuth is 0. Angles in degrees, no terrain.
+#[derive(Clone, Copy, Debug)]
+pub struct Setup {
+    /// Unique, for the tables.
+    pub name: &'static str,
+    /// Index into [`MEDIA`].
+    pub medium: usize,
+    /// The camera's height above the ground, metres.
+    pub altitude: f64,
+    /// The sun's angle from the zenith at the camera.
+    pub sun_zenith: f64,
+    /// How far above the horizontal the camera looks.
+    pub pitch: f64,
+    /// How far away from the sun the camera looks.
+    pub heading: f64,
+    /// Vertical field of view.
+    pub fov: f64,
+    /// Whether `--quick` has it.
+    pub quick: bool,
+}
+
+/// A frame and the pixels of it that are compared.
+#[derive(Clone, Copy, Debug)]
+pub struct Frame {
+    pub size: [u32; 2],
+    /// Every so many pixels, per side.
+    pub stride: u32,
+}
+
+impl Frame {
+    /// The frame of every scene.
+    pub const WHOLE: Self = Self { size: [320, 180], stride: 20 };
+    /// The frame of the quick scenes.
+    pub const QUICK: Self = Self { size: [256, 144], stride: 24 };
+
+    pub fn aspect(&self) -> f64 {
+        f64::from(self.size[0]) / f64::from(self.size[1])
+    }
+
+    /// Coordinates of the compared pixels.
+    pub fn pixels(&self) -> Vec<[u32; 2]> {
+        let along = |n: u32| (self.stride / 2..n).step_by(self.stride as usize);
+        along(self.size[1]).flat_map(|y| along(self.size[0]).map(move |x| [x, y])).collect()
+    }
+}
+
+pub use welkin::settings::front::MEDIA;
+
+/// A medium of [`MEDIA`], with a sun of irradiance 1.
+///
+/// `haze` is Earth with 400 times the aerosol: vertical optical depth 2.1, and a broader forward
+/// peak (g = 0.7), as thick as a heavy dust storm.
+pub fn medium(index: usize) -> welkin::Result<AtmosphereParams> {
+    let mut air = AtmosphereParams::preset(if index == 1 { "mars" } else { "earth" })?;
+    if index == 2 {
+        air.mie_scattering = air.mie_scattering.map(|v| v * 400.0);
+        air.mie_absorption = air.mie_absorption.map(|v| v * 400.0);
+        air.mie_asymmetry = [0.7; 3];
+    }
+    air.sun_intensity = 1.0;
+    Ok(air)
+}
+
+#[allow(clippy::too_many_arguments)]
+const fn setup(
+    name: &'static str,
+    medium: usize,
+    altitude: f64,
+    sun_zenith: f64,
+    pitch: f64,
+    heading: f64,
+    fov: f64,
+    quick: bool,
+) -> Setup {
+    Setup { name, medium, altitude, sun_zenith, pitch, heading, fov, quick }
+}
+
+/// All of them.
+#[rustfmt::skip]
+pub const SETUPS: [Setup; 22] = [
+    //    name                         medium  altitude   sun  pitch heading  fov  quick
+    setup("earth 2 m, sun 0°",              0,      2.0,   0.0,  20.0,   0.0, 60.0, false),
+    setup("earth 2 m, sun 60°",             0,      2.0,  60.0,  20.0,  60.0, 60.0, true),
+    setup("earth 2 m, sun 85°",             0,      2.0,  85.0,  20.0,   0.0, 60.0, false),
+    setup("earth 2 m, sun 90°",             0,      2.0,  90.0,  20.0,   0.0, 60.0, true),
+    setup("earth 2 m, sun 90° behind",      0,      2.0,  90.0,  20.0, 180.0, 60.0, false),
+    setup("earth 2 m, sun 94°",             0,      2.0,  94.0,  20.0,   0.0, 60.0, true),
+    setup("earth 2 m, sun 102°",            0,      2.0, 102.0,  20.0,   0.0, 60.0, true),
+    setup("earth 5 km, sun 75°",            0,    5.0e3,  75.0,   0.0,   0.0, 60.0, false),
+    setup("earth 30 km, sun 80°",           0,   30.0e3,  80.0,   0.0,   0.0, 60.0, false),
+    setup("earth 100 km, sun 85°",          0,  100.0e3,  85.0,  -9.0,   0.0, 30.0, false),
+    setup("earth 400 km limb, sun 70°",     0,  400.0e3,  70.0, -19.0,   0.0, 10.0, true),
+    setup("earth 400 km limb, sun 102°",    0,  400.0e3, 102.0, -19.0,   0.0, 10.0, false),
+    setup("earth 10,000 km, sun 60°",       0, 10000.0e3, 60.0, -90.0,   0.0, 50.0, true),
+    setup("earth 10,000 km, sun 102°",      0, 10000.0e3,102.0, -90.0,   0.0, 50.0, false),
+    setup("mars 2 m, sun 60°",              1,      2.0,  60.0,  20.0,  60.0, 60.0, true),
+    setup("mars 2 m, sun 90°",              1,      2.0,  90.0,  20.0,   0.0, 60.0, false),
+    setup("mars 400 km limb, sun 70°",      1,  400.0e3,  70.0, -25.0,   0.0, 15.0, false),
+    setup("mars 10,000 km, sun 60°",        1, 10000.0e3, 60.0, -90.0,   0.0, 32.0, false),
+    setup("haze 2 m, sun 60°",              2,      2.0,  60.0,  20.0,  60.0, 60.0, true),
+    setup("haze 2 m, sun 85°",              2,      2.0,  85.0,  20.0,   0.0, 60.0, false),
+    setup("haze 2 m, sun 94°",              2,      2.0,  94.0,  20.0,   0.0, 60.0, false),
+    setup("haze 400 km limb, sun 70°",      2,  400.0e3,  70.0, -19.0,   0.0, 10.0, false),
+];
+
+impl Setup {
+    /// The scene in a picture of the given width over height.
+    pub fn scene(&self, aspect: f64) -> welkin::Result<Scene> {
+        let atmosphere = medium(self.medium)?;
+        let pose = Pose {
+            altitude: self.altitude,
+            pitch: self.pitch.to_radians(),
+            heading: self.heading.to_radians(),
+            fov_y: self.fov.to_radians(),
+        };
+        let camera = Camera::above(DVec3::ZERO, atmosphere.planet_radius, DVec3::Z, DVec3::X, pose, aspect)?;
+        let (sin, cos) = self.sun_zenith.to_radians().sin_cos();
+        Ok(Scene {
+            camera,
+            planet_center: DVec3::ZERO,
+            atmosphere,
+            sun_direction: DVec3::new(sin, 0.0, cos),
+            depth: DepthConvention::default(),
+            moon: None,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_scene_is_valid_and_has_its_own_name() {
+        let mut names = std::collections::BTreeSet::new();
+        for setup in SETUPS {
+            setup.scene(16.0 / 9.0).unwrap().validate().unwrap();
+            assert!(names.insert(setup.name), "{}", setup.name);
+        }
+        assert!((0..MEDIA.len()).all(|m| SETUPS.iter().any(|s| s.medium == m && s.quick)));
+    }
+}

@@ -1,0 +1,757 @@
+#version 300 es
+
+precision highp float;
+precision highp int;
+
+struct Medium {
+    vec3 rayleigh;
+    float rayleigh_inv_height;
+    vec3 mie_scattering;
+    float mie_inv_height;
+    vec3 mie_extinction;
+    float ozone_center;
+    vec3 mie_asymmetry;
+    float ozone_inv_half_width;
+    vec3 ozone;
+    float radius;
+    vec3 irradiance;
+    float thickness;
+};
+struct DepthCode {
+    float scale;
+    float bias;
+    float log_;
+    float background;
+};
+struct Frame {
+    Medium medium;
+    vec3 ray_forward;
+    float altitude;
+    vec3 ray_right;
+    float sky_weight;
+    vec3 ray_up;
+    float shell_weight;
+    vec3 sun;
+    float sun_chord;
+    vec2 size;
+    float sun_disk;
+    float pixel_angle;
+    DepthCode depth;
+    uint view_samples;
+    uint light_samples;
+    uint reduced;
+    float camera_altitude;
+    vec4 sky_view_mapping;
+};
+const float HALF_MAX = 32000.0;
+const bool BLEND = true;
+const float SUBPIXEL = 0.0625;
+const bool RAYLEIGH = true;
+const bool MIE = true;
+const bool OZONE = true;
+const float INV_4PI = 0.07957747;
+const bool CORNETTE_SHANKS = true;
+const bool SUNLIGHT = true;
+
+layout(std140) uniform Frame_block_0Fragment { Frame _group_0_binding_0_fs; };
+
+uniform highp sampler2D _group_0_binding_1_fs;
+
+uniform highp sampler2D _group_0_binding_2_fs;
+
+layout(location = 0) out vec4 _fs2p_location0;
+
+vec3 pixel_ray(vec2 pixel, vec2 size, vec3 forward, vec3 right, vec3 up) {
+    vec2 ndc = (((pixel / size) * vec2(2.0, -2.0)) + vec2(-1.0, 1.0));
+    return ((forward + (right * ndc.x)) + (up * ndc.y));
+}
+
+float depth_distance(float c_scale, float c_bias, float c_log, float c_background, float depth, float ray_length_1) {
+    if ((depth == c_background)) {
+        return -1.0;
+    }
+    if ((c_log > 0.0)) {
+        return (((exp2((depth * c_log)) - 1.0) * 0.001) * ray_length_1);
+    }
+    float inverse_ = ((depth * c_scale) + c_bias);
+    if ((inverse_ <= 0.0)) {
+        return -1.0;
+    }
+    return (ray_length_1 / inverse_);
+}
+
+vec4 veil(vec3 inscatter, vec3 transmittance) {
+    return vec4(min(inscatter, vec3(32000.0)), (1.0 - dot(transmittance, vec3(0.33333334))));
+}
+
+float scene_reach(float start, float length_, float r_mu, bool ground, float distance_, float radius, float pixel_angle) {
+    float reach = min(length_, (distance_ - start));
+    if (!(ground)) {
+        return reach;
+    }
+    float slant = max((abs((r_mu + length_)) / radius), 0.05);
+    float snap = (((SUBPIXEL * pixel_angle) * distance_) / slant);
+    float before = smoothstep((0.5 * snap), snap, (length_ - reach));
+    return ((length_ * (1.0 - before)) + (reach * before));
+}
+
+void ray_end(float start_1, float length_1, float r_mu_1, bool ground_1, float distance_1, float radius_1, float pixel_angle_1, float shell_weight, inout float out_length, inout float out_weight, inout bool out_dims) {
+    if ((distance_1 >= 0.0)) {
+        float _e12 = scene_reach(start_1, length_1, r_mu_1, ground_1, distance_1, radius_1, pixel_angle_1);
+        out_length = _e12;
+        out_weight = 1.0;
+        out_dims = true;
+        return;
+    }
+    if (ground_1) {
+        out_length = length_1;
+        out_weight = 1.0;
+        out_dims = true;
+        return;
+    }
+    out_length = length_1;
+    out_weight = shell_weight;
+    out_dims = (shell_weight >= 1.0);
+}
+
+vec4 compose(vec4 scene_1, vec3 transmittance_1, vec3 inscatter_1) {
+    if (BLEND) {
+        vec4 _e3 = veil(inscatter_1, transmittance_1);
+        return _e3;
+    } else {
+        vec3 dimmed = (scene_1.xyz * transmittance_1);
+        return vec4((dimmed + min(inscatter_1, max((vec3(32000.0) - dimmed), vec3(0.0)))), scene_1.w);
+    }
+}
+
+float altitude_of(float excess, float radius_2) {
+    return (excess / (radius_2 + sqrt(max(((radius_2 * radius_2) + excess), 0.0))));
+}
+
+float excess_of(float h, float radius_3) {
+    return (h * ((2.0 * radius_3) + h));
+}
+
+float altitude_after(float excess_1, float r_mu_2, float t, float radius_4) {
+    float _e9 = altitude_of((excess_1 + (t * ((2.0 * r_mu_2) + t))), radius_4);
+    return max(_e9, 0.0);
+}
+
+float distance_to_top(float excess_2, float r_mu_3, float top_excess) {
+    float c = max((top_excess - excess_2), 0.0);
+    float root_1 = sqrt(((r_mu_3 * r_mu_3) + c));
+    if ((r_mu_3 > 0.0)) {
+        return (c / (r_mu_3 + root_1));
+    }
+    return (root_1 - r_mu_3);
+}
+
+float half_chord2_(float r_mu_4, float above, float depth_1, float p) {
+    float sphere = (depth_1 + p);
+    if ((abs(r_mu_4) < sphere)) {
+        return ((r_mu_4 * r_mu_4) - above);
+    }
+    return (depth_1 * (sphere + p));
+}
+
+float shadow_half2_(float s_sin2_, float s_shadow_b, float s_shadow_c, float side_z, float r, float radius_5) {
+    float sine = max(sqrt(s_sin2_), 1e-18);
+    float p_1 = ((r * abs(side_z)) / sine);
+    float _e14 = half_chord2_((s_shadow_b / sine), s_shadow_c, (radius_5 - p_1), p_1);
+    return _e14;
+}
+
+void sun_side_inside(vec3 dir, vec3 sun, float r_1, float excess_3, float radius_6, inout float out_sun_r_mu, inout float out_nu, inout float out_sin2_, inout float out_shadow_b, inout float out_shadow_c, inout float out_shadow_half2_) {
+    out_sun_r_mu = 0.0;
+    out_nu = 0.0;
+    out_sin2_ = 0.0;
+    out_shadow_b = 0.0;
+    out_shadow_c = 0.0;
+    out_shadow_half2_ = 0.0;
+    out_nu = dot(dir, sun);
+    float _e21 = out_nu;
+    vec3 side = cross((dir - (((_e21 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    out_sin2_ = dot(side, side);
+    out_sun_r_mu = (r_1 * sun.z);
+    out_shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+    float q = (r_1 * length(sun.xy));
+    float _e45 = out_sun_r_mu;
+    float _e49 = half_chord2_(_e45, excess_3, (radius_6 - q), q);
+    out_shadow_c = -(_e49);
+    float _e51 = out_sin2_;
+    float _e52 = out_shadow_b;
+    float _e53 = out_shadow_c;
+    float _e55 = shadow_half2_(_e51, _e52, _e53, side.z, r_1, radius_6);
+    out_shadow_half2_ = _e55;
+}
+
+void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start_2, float half_, float top_excess_1, float radius_7, inout float out_sun_r_mu_1, inout float out_nu_1, inout float out_sin2_1, inout float out_shadow_b_1, inout float out_shadow_c_1, inout float out_shadow_half2_1) {
+    out_sun_r_mu_1 = 0.0;
+    out_nu_1 = 0.0;
+    out_sin2_1 = 0.0;
+    out_shadow_b_1 = 0.0;
+    out_shadow_c_1 = 0.0;
+    out_shadow_half2_1 = 0.0;
+    out_nu_1 = dot(dir_1, sun_1);
+    float _e21 = out_nu_1;
+    float same = ((_e21 >= 0.0) ? 1.0 : -1.0);
+    vec3 apart = (dir_1 - (same * sun_1));
+    vec3 side_1 = cross(apart, sun_1);
+    out_sin2_1 = dot(side_1, side_1);
+    vec3 perigee_3 = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
+    float there = (-(same) * dot(perigee_3, apart));
+    float here = (r_2 * sun_1.z);
+    float _e47 = out_nu_1;
+    float _e53 = out_nu_1;
+    bool nearer = ((abs(here) + (start_2 * abs(_e47))) < (abs(there) + (half_ * abs(_e53))));
+    float _e59 = out_nu_1;
+    float _e62 = out_nu_1;
+    out_sun_r_mu_1 = (nearer ? (here + (start_2 * _e62)) : (there - (half_ * _e59)));
+    vec3 perigee_side = cross(perigee_3, sun_1);
+    float _e68 = out_sin2_1;
+    out_shadow_b_1 = (dot(perigee_side, side_1) - (half_ * _e68));
+    float q_1 = length((perigee_side - (half_ * side_1)));
+    float _e74 = out_sun_r_mu_1;
+    float _e78 = half_chord2_(_e74, top_excess_1, (radius_7 - q_1), q_1);
+    out_shadow_c_1 = -(_e78);
+    float _e80 = out_sin2_1;
+    float _e81 = out_shadow_b_1;
+    float _e82 = out_shadow_c_1;
+    float _e84 = shadow_half2_(_e80, _e81, _e82, side_1.z, r_2, radius_7);
+    out_shadow_half2_1 = _e84;
+}
+
+void line_past(vec3 dir_2, float h_1, float radius_8, inout float out_r_mu, inout float out_perigee_excess, inout bool out_ground) {
+    bool local_1 = false;
+    float r_3 = (radius_8 + h_1);
+    float r_mu_7 = (r_3 * dir_2.z);
+    float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
+    float _e14 = excess_of(h_1, radius_8);
+    float _e16 = half_chord2_(r_mu_7, _e14, (radius_8 - p_2), p_2);
+    if ((r_mu_7 < 0.0)) {
+        local_1 = (_e16 >= 0.0);
+    } else {
+        local_1 = false;
+    }
+    bool _e25 = local_1;
+    out_r_mu = r_mu_7;
+    out_perigee_excess = -(_e16);
+    out_ground = _e25;
+}
+
+float top_half_chord2_(float line_r_mu, float line_perigee_excess, float h_2, float radius_9, float thickness) {
+    float r_mu2_ = (line_r_mu * line_r_mu);
+    float _e5 = excess_of(thickness, radius_9);
+    float above_1 = ((h_2 - thickness) * (((2.0 * radius_9) + thickness) + h_2));
+    return ((r_mu2_ < _e5) ? (r_mu2_ - above_1) : (_e5 - line_perigee_excess));
+}
+
+float distance_to_ground(float excess_4, float r_mu_5, float root) {
+    return min((excess_4 / (root - r_mu_5)), -(r_mu_5));
+}
+
+void air_path(float line_r_mu_1, float line_perigee_excess_1, bool line_ground, float h_3, float radius_10, float thickness_1, inout float out_start, inout float out_length_1, inout float out_excess, inout float out_r_mu_1) {
+    bool local_2 = false;
+    float _e6 = excess_of(thickness_1, radius_10);
+    float ground_root = sqrt(max(-(line_perigee_excess_1), 0.0));
+    if ((h_3 <= thickness_1)) {
+        float _e16 = excess_of(h_3, radius_10);
+        float _e17 = distance_to_top(_e16, line_r_mu_1, _e6);
+        float _e18 = distance_to_ground(_e16, line_r_mu_1, ground_root);
+        out_start = 0.0;
+        out_length_1 = (line_ground ? _e18 : _e17);
+        out_excess = _e16;
+        out_r_mu_1 = line_r_mu_1;
+        return;
+    }
+    float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_10) + thickness_1) + h_3));
+    float _e27 = top_half_chord2_(line_r_mu_1, line_perigee_excess_1, h_3, radius_10, thickness_1);
+    if (!((line_r_mu_1 >= 0.0))) {
+        local_2 = (_e27 <= 0.0);
+    } else {
+        local_2 = true;
+    }
+    bool _e36 = local_2;
+    if (_e36) {
+        out_start = 0.0;
+        out_length_1 = -1.0;
+        out_excess = 0.0;
+        out_r_mu_1 = 0.0;
+        return;
+    }
+    float half_1 = sqrt(_e27);
+    float _e45 = distance_to_ground(_e6, -(half_1), ground_root);
+    float reach_1 = (line_ground ? _e45 : (2.0 * half_1));
+    out_start = (above_2 / (half_1 - line_r_mu_1));
+    out_length_1 = reach_1;
+    out_excess = _e6;
+    out_r_mu_1 = -(half_1);
+}
+
+void air_ray(vec3 dir_3, float h_4, float radius_11, float thickness_2, vec3 sun_2, inout float out_start_1, inout float out_length_2, inout float out_excess_1, inout float out_r_mu_2, inout float out_perigee_excess_1, inout float out_sun_r_mu_2, inout float out_nu_2, inout float out_sin2_2, inout float out_shadow_b_2, inout float out_shadow_c_2, inout float out_shadow_half2_2, inout bool out_ground_1) {
+    float s_sun_r_mu = 0.0;
+    float s_nu = 0.0;
+    float s_sin2_1 = 0.0;
+    float s_shadow_b_1 = 0.0;
+    float s_shadow_c_1 = 0.0;
+    float s_shadow_half2_ = 0.0;
+    bool local_3 = false;
+    float line_r_mu_2 = 0.0;
+    float line_perigee_excess_2 = 0.0;
+    bool line_ground_1 = false;
+    float path_start = 0.0;
+    float path_length = 0.0;
+    float path_excess = 0.0;
+    float path_r_mu = 0.0;
+    line_past(dir_3, h_4, radius_11, line_r_mu_2, line_perigee_excess_2, line_ground_1);
+    float _e18 = line_r_mu_2;
+    float _e19 = line_perigee_excess_2;
+    bool _e20 = line_ground_1;
+    air_path(_e18, _e19, _e20, h_4, radius_11, thickness_2, path_start, path_length, path_excess, path_r_mu);
+    float _e26 = path_start;
+    float _e27 = path_length;
+    float _e28 = path_excess;
+    float _e29 = path_r_mu;
+    if ((h_4 <= thickness_2)) {
+        sun_side_inside(dir_3, sun_2, (radius_11 + h_4), _e28, radius_11, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
+    } else {
+        if ((_e27 > 0.0)) {
+            sun_side_outside(dir_3, sun_2, (radius_11 + h_4), _e26, -(_e29), _e28, radius_11, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
+        } else {
+            s_nu = dot(dir_3, sun_2);
+        }
+    }
+    if (_e20) {
+        local_3 = (_e27 >= 0.0);
+    } else {
+        local_3 = false;
+    }
+    bool ground_2 = local_3;
+    float _e50 = s_sun_r_mu;
+    float _e51 = s_nu;
+    float _e52 = s_sin2_1;
+    float _e53 = s_shadow_b_1;
+    float _e54 = s_shadow_c_1;
+    float _e55 = s_shadow_half2_;
+    out_start_1 = _e26;
+    out_length_2 = _e27;
+    out_excess_1 = _e28;
+    out_r_mu_2 = _e29;
+    out_perigee_excess_1 = _e19;
+    out_sun_r_mu_2 = _e50;
+    out_nu_2 = _e51;
+    out_sin2_2 = _e52;
+    out_shadow_b_2 = _e53;
+    out_shadow_c_2 = _e54;
+    out_shadow_half2_2 = _e55;
+    out_ground_1 = ground_2;
+}
+
+void perigee_of(float ray_length_2, float ray_excess_1, float ray_r_mu_1, float ray_perigee_excess_1, bool ray_ground_1, float length_2, float radius_12, inout float out_distance, inout float out_excess_2, inout float out_r_mu_3) {
+    bool local_4 = false;
+    if ((ray_r_mu_1 >= 0.0)) {
+        out_distance = 0.0;
+        out_excess_2 = ray_excess_1;
+        out_r_mu_3 = ray_r_mu_1;
+        return;
+    }
+    if ((-(ray_r_mu_1) <= length_2)) {
+        out_distance = -(ray_r_mu_1);
+        out_excess_2 = ray_perigee_excess_1;
+        out_r_mu_3 = 0.0;
+        return;
+    }
+    float r_mu_8 = (ray_r_mu_1 + length_2);
+    if (ray_ground_1) {
+        local_4 = (length_2 >= ray_length_2);
+    } else {
+        local_4 = false;
+    }
+    bool _e21 = local_4;
+    if (_e21) {
+        out_distance = length_2;
+        out_excess_2 = 0.0;
+        out_r_mu_3 = r_mu_8;
+        return;
+    }
+    bool far = ((-(ray_r_mu_1) * length_2) > (radius_12 * radius_12));
+    float near_excess = (ray_excess_1 + (length_2 * ((2.0 * ray_r_mu_1) + length_2)));
+    out_distance = length_2;
+    out_excess_2 = (far ? (ray_perigee_excess_1 + (r_mu_8 * r_mu_8)) : near_excess);
+    out_r_mu_3 = r_mu_8;
+}
+
+vec2 shadow_stretch(float ray_sun_r_mu_1, float ray_nu_1, float ray_sin2_1, float ray_shadow_b_1, float ray_shadow_c_1, float ray_shadow_half2_1) {
+    vec2 stretch = vec2(0.0);
+    vec2 none = vec2(1.0, 0.0);
+    stretch = vec2(-(1e30), 1e30);
+    if ((ray_sin2_1 > 1e-30)) {
+        if ((ray_shadow_half2_1 <= 0.0)) {
+            return none;
+        }
+        float q_2 = -((ray_shadow_b_1 + (((ray_shadow_b_1 >= 0.0) ? 1.0 : -1.0) * sqrt((ray_sin2_1 * ray_shadow_half2_1)))));
+        float t0_3 = (q_2 / ray_sin2_1);
+        float t1_1 = ((q_2 != 0.0) ? (ray_shadow_c_1 / q_2) : t0_3);
+        stretch = vec2(min(t0_3, t1_1), max(t0_3, t1_1));
+    } else {
+        if ((ray_shadow_c_1 >= 0.0)) {
+            return none;
+        }
+    }
+    if ((abs(ray_nu_1) < 1e-12)) {
+        if ((ray_sun_r_mu_1 >= 0.0)) {
+            return none;
+        }
+    } else {
+        float t_2 = (-(ray_sun_r_mu_1) / ray_nu_1);
+        if ((ray_nu_1 > 0.0)) {
+            float _e48 = stretch.y;
+            stretch.y = min(_e48, t_2);
+        } else {
+            float _e52 = stretch.x;
+            stretch.x = max(_e52, t_2);
+        }
+    }
+    vec2 _e54 = stretch;
+    return _e54;
+}
+
+vec4 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width) {
+    return vec4(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_center, m_ozone_inv_half_width);
+}
+
+mat3x3 coefficients_of(vec3 m_rayleigh, vec3 m_mie_extinction, vec3 m_ozone) {
+    return mat3x3(m_rayleigh, m_mie_extinction, m_ozone);
+}
+
+vec3 densities(vec4 layers, float h_5) {
+    vec3 d = vec3(0.0);
+    if (RAYLEIGH) {
+        d.x = exp((-(h_5) * layers.x));
+    }
+    if (MIE) {
+        d.y = exp((-(h_5) * layers.y));
+    }
+    if (OZONE) {
+        d.z = max(0.0, (1.0 - (abs((h_5 - layers.z)) * layers.w)));
+    }
+    vec3 _e28 = d;
+    return _e28;
+}
+
+vec3 extinction(mat3x3 coefficients, vec3 d_1) {
+    vec3 sum = vec3(0.0);
+    if (RAYLEIGH) {
+        vec3 _e4 = sum;
+        sum = (_e4 + (coefficients[0] * d_1.x));
+    }
+    if (MIE) {
+        vec3 _e12 = sum;
+        sum = (_e12 + (coefficients[1] * d_1.y));
+    }
+    if (OZONE) {
+        vec3 _e18 = sum;
+        sum = (_e18 + (coefficients[2] * d_1.z));
+    }
+    vec3 _e23 = sum;
+    return _e23;
+}
+
+float u_to_distance(float perigee, float u) {
+    return (perigee + (u * abs(u)));
+}
+
+float distance_to_u(float perigee_1, float t_1) {
+    return (sign((t_1 - perigee_1)) * sqrt(abs((t_1 - perigee_1))));
+}
+
+vec3 path_densities(vec4 layers_1, float radius_13, float excess_5, float r_mu_6, float distance_2, uint samples) {
+    vec3 sum_1 = vec3(0.0);
+    float t0_ = 0.0;
+    uint i = 0u;
+    float perigee_4 = clamp(-(r_mu_6), 0.0, distance_2);
+    float u0_ = -(sqrt(perigee_4));
+    float du = ((sqrt((distance_2 - perigee_4)) - u0_) / float(samples));
+    bool loop_init = true;
+    while(true) {
+        if (!loop_init) {
+            uint _e42 = i;
+            i = (_e42 + 1u);
+        }
+        loop_init = false;
+        uint _e18 = i;
+        if ((_e18 < samples)) {
+        } else {
+            break;
+        }
+        {
+            uint _e20 = i;
+            float u_1 = (u0_ + (du * float(_e20)));
+            float _e27 = u_to_distance(perigee_4, (u_1 + (0.5 * du)));
+            float _e29 = u_to_distance(perigee_4, (u_1 + du));
+            float _e32 = altitude_after(excess_5, r_mu_6, _e27, radius_13);
+            vec3 _e34 = sum_1;
+            vec3 _e36 = densities(layers_1, _e32);
+            float _e38 = t0_;
+            sum_1 = (_e34 + (_e36 * (_e29 - _e38)));
+            t0_ = _e29;
+        }
+    }
+    vec3 _e45 = sum_1;
+    return _e45;
+}
+
+vec3 mean_transmittance(vec3 tau) {
+    vec3 series = (vec3(1.0) - (tau * (vec3(0.5) - (tau * 0.16666667))));
+    return mix(((vec3(1.0) - exp(-(tau))) / tau), series, lessThan(tau, vec3(0.01)));
+}
+
+vec2 lit_part(vec2 shadow, float perigee_2, float t0_1, float t1_, float mid) {
+    float dark0_ = clamp(shadow.x, t0_1, t1_);
+    float dark1_ = clamp(shadow.y, t0_1, t1_);
+    float dark = ((shadow.y > shadow.x) ? max((dark1_ - dark0_), 0.0) : 0.0);
+    if ((dark <= 0.0)) {
+        return vec2((t1_ - t0_1), mid);
+    }
+    bool first = ((dark0_ - t0_1) > (t1_ - dark1_));
+    float lit0_ = (first ? t0_1 : dark1_);
+    float lit1_ = (first ? dark0_ : t1_);
+    float _e26 = distance_to_u(perigee_2, lit0_);
+    float _e27 = distance_to_u(perigee_2, lit1_);
+    float middle = (0.5 * (_e26 + _e27));
+    float _e33 = u_to_distance(perigee_2, middle);
+    return vec2(((t1_ - t0_1) - dark), _e33);
+}
+
+float rayleigh_phase(float mu) {
+    return (0.0596831 * (1.0 + (mu * mu)));
+}
+
+vec3 henyey_greenstein_phase(float away, float toward, vec3 g) {
+    vec3 rest = (vec3(1.0) - abs(g));
+    vec3 base = ((rest * rest) + ((2.0 * abs(g)) * mix(vec3(toward), vec3(away), greaterThanEqual(g, vec3(0.0)))));
+    return ((INV_4PI * (vec3(1.0) - (g * g))) / (base * sqrt(base)));
+}
+
+vec3 cornette_shanks_phase(float away_1, float toward_1, vec3 g_1) {
+    float mu_1 = (1.0 - away_1);
+    vec3 _e16 = henyey_greenstein_phase(away_1, toward_1, g_1);
+    return ((vec3((1.5 * (1.0 + (mu_1 * mu_1)))) / (vec3(2.0) + (g_1 * g_1))) * _e16);
+}
+
+vec3 mie_phase(float away_2, float toward_2, vec3 asymmetry) {
+    if (CORNETTE_SHANKS) {
+        vec3 _e4 = cornette_shanks_phase(away_2, toward_2, asymmetry);
+        return _e4;
+    } else {
+        vec3 _e5 = henyey_greenstein_phase(away_2, toward_2, asymmetry);
+        return _e5;
+    }
+}
+
+vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_14, float thickness_3, float excess_6, float sun_r_mu, uint samples_1) {
+    float _e2 = excess_of(thickness_3, radius_14);
+    float _e5 = distance_to_top(excess_6, sun_r_mu, _e2);
+    vec3 _e8 = path_densities(layers_2, radius_14, excess_6, sun_r_mu, _e5, samples_1);
+    vec3 _e10 = extinction(coefficients_1, _e8);
+    return exp(-(_e10));
+}
+
+vec3 sun_visibility(vec3 dir_4, float distance_3) {
+    return vec3(1.0);
+}
+
+void single_scattering(vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, vec3 m_mie_extinction_1, float m_ozone_center_1, vec3 m_mie_asymmetry, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_thickness, float ray_start_1, float ray_length_3, float ray_excess_2, float ray_r_mu_2, float ray_perigee_excess_2, float ray_sun_r_mu_2, float ray_nu_2, float ray_sin2_2, float ray_shadow_b_2, float ray_shadow_c_2, float ray_shadow_half2_2, bool ray_ground_2, vec3 dir_5, float length_3, float away_3, uint view_samples, uint light_samples, inout vec3 out_radiance, inout vec3 out_transmittance) {
+    vec3 rayleigh = vec3(0.0);
+    vec3 mie = vec3(0.0);
+    vec2 shadow_1 = vec2(0.0);
+    float t0_2 = 0.0;
+    uint i_1 = 0u;
+    vec3 source = vec3(0.0);
+    float perigee_distance = 0.0;
+    float perigee_excess = 0.0;
+    float perigee_r_mu = 0.0;
+    out_radiance = vec3(0.0);
+    out_transmittance = vec3(1.0);
+    if (SUNLIGHT) {
+        vec2 _e27 = shadow_stretch(ray_sun_r_mu_2, ray_nu_2, ray_sin2_2, ray_shadow_b_2, ray_shadow_c_2, ray_shadow_half2_2);
+        shadow_1 = _e27;
+        if (RAYLEIGH) {
+            float _e44 = rayleigh_phase((1.0 - away_3));
+            rayleigh = (m_rayleigh_1 * _e44);
+        }
+        if (MIE) {
+            float toward_3 = ((away_3 > 1.0) ? (ray_sin2_2 / max(away_3, 1.0)) : (2.0 - away_3));
+            vec3 _e56 = mie_phase(away_3, toward_3, m_mie_asymmetry);
+            mie = (m_mie_scattering * _e56);
+        }
+    }
+    vec4 _e59 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
+    mat3x3 _e60 = coefficients_of(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
+    perigee_of(ray_length_3, ray_excess_2, ray_r_mu_2, ray_perigee_excess_2, ray_ground_2, length_3, m_radius, perigee_distance, perigee_excess, perigee_r_mu);
+    float nearest = perigee_distance;
+    float _e66 = perigee_excess;
+    float _e67 = perigee_r_mu;
+    float u0_1 = -(sqrt(nearest));
+    float du_1 = ((sqrt((length_3 - nearest)) - u0_1) / float(view_samples));
+    bool loop_init_1 = true;
+    while(true) {
+        if (!loop_init_1) {
+            uint _e158 = i_1;
+            i_1 = (_e158 + 1u);
+        }
+        loop_init_1 = false;
+        uint _e77 = i_1;
+        if ((_e77 < view_samples)) {
+        } else {
+            break;
+        }
+        {
+            uint _e79 = i_1;
+            float u_2 = (u0_1 + (du_1 * float(_e79)));
+            float _e84 = u_to_distance(nearest, (u_2 + du_1));
+            float _e88 = u_to_distance(nearest, (u_2 + (0.5 * du_1)));
+            float _e90 = altitude_after(_e66, _e67, (_e88 - nearest), m_radius);
+            vec3 _e91 = densities(_e59, _e90);
+            vec3 _e92 = extinction(_e60, _e91);
+            float _e94 = t0_2;
+            vec3 tau_1 = (_e92 * (_e84 - _e94));
+            if (SUNLIGHT) {
+                vec2 _e98 = shadow_1;
+                float _e99 = t0_2;
+                vec2 _e100 = lit_part(_e98, nearest, _e99, _e84, _e88);
+                if ((_e100.x > 0.0)) {
+                    float past = (_e100.y - nearest);
+                    float excess_7 = (_e66 + (past * ((2.0 * _e67) + past)));
+                    float _e111 = altitude_of(excess_7, m_radius);
+                    vec3 _e114 = densities(_e59, max(_e111, 0.0));
+                    source = vec3(0.0);
+                    if (RAYLEIGH) {
+                        vec3 _e119 = source;
+                        vec3 _e120 = rayleigh;
+                        source = (_e119 + (_e120 * _e114.x));
+                    }
+                    if (MIE) {
+                        vec3 _e125 = source;
+                        vec3 _e126 = mie;
+                        source = (_e125 + (_e126 * _e114.y));
+                    }
+                    float sun_r_mu_1 = (ray_sun_r_mu_2 + (ray_nu_2 * _e100.y));
+                    vec3 _e133 = source;
+                    vec3 _e135 = sun_transmittance(_e60, _e59, m_radius, m_thickness, excess_7, sun_r_mu_1, light_samples);
+                    source = (_e133 * _e135);
+                    vec3 _e137 = source;
+                    vec3 _e141 = sun_visibility(dir_5, (ray_start_1 + _e100.y));
+                    source = (_e137 * _e141);
+                    vec3 _e145 = out_radiance;
+                    vec3 _e146 = out_transmittance;
+                    vec3 _e147 = mean_transmittance(tau_1);
+                    vec3 _e149 = source;
+                    out_radiance = (_e145 + (((_e146 * _e147) * _e149) * _e100.x));
+                }
+            }
+            vec3 _e154 = out_transmittance;
+            out_transmittance = (_e154 * exp(-(tau_1)));
+            t0_2 = _e84;
+        }
+    }
+}
+
+void main() {
+    vec4 position = gl_FragCoord;
+    vec4 scene = vec4(0.0);
+    bool local = false;
+    float ray_start = 0.0;
+    float ray_length = 0.0;
+    float ray_excess = 0.0;
+    float ray_r_mu = 0.0;
+    float ray_perigee_excess = 0.0;
+    float ray_sun_r_mu = 0.0;
+    float ray_nu = 0.0;
+    float ray_sin2_ = 0.0;
+    float ray_shadow_b = 0.0;
+    float ray_shadow_c = 0.0;
+    float ray_shadow_half2_ = 0.0;
+    bool ray_ground = false;
+    float end_length = 0.0;
+    float end_weight = 0.0;
+    bool end_dims = false;
+    vec3 s_radiance = vec3(0.0);
+    vec3 s_transmittance = vec3(0.0);
+    vec3 m_rayleigh_2 = _group_0_binding_0_fs.medium.rayleigh;
+    float m_rayleigh_inv_height_2 = _group_0_binding_0_fs.medium.rayleigh_inv_height;
+    vec3 m_mie_scattering_1 = _group_0_binding_0_fs.medium.mie_scattering;
+    float m_mie_inv_height_2 = _group_0_binding_0_fs.medium.mie_inv_height;
+    vec3 m_mie_extinction_2 = _group_0_binding_0_fs.medium.mie_extinction;
+    float m_ozone_center_2 = _group_0_binding_0_fs.medium.ozone_center;
+    vec3 m_mie_asymmetry_1 = _group_0_binding_0_fs.medium.mie_asymmetry;
+    float m_ozone_inv_half_width_2 = _group_0_binding_0_fs.medium.ozone_inv_half_width;
+    vec3 m_ozone_2 = _group_0_binding_0_fs.medium.ozone;
+    float m_radius_1 = _group_0_binding_0_fs.medium.radius;
+    vec3 m_irradiance = _group_0_binding_0_fs.medium.irradiance;
+    float m_thickness_1 = _group_0_binding_0_fs.medium.thickness;
+    ivec2 pixel_1 = ivec2(position.xy);
+    if (BLEND) {
+    } else {
+        vec4 _e34 = texelFetch(_group_0_binding_1_fs, pixel_1, 0);
+        scene = _e34;
+    }
+    vec2 _e39 = _group_0_binding_0_fs.size;
+    vec3 _e42 = _group_0_binding_0_fs.ray_forward;
+    vec3 _e45 = _group_0_binding_0_fs.ray_right;
+    vec3 _e48 = _group_0_binding_0_fs.ray_up;
+    vec3 _e49 = pixel_ray(position.xy, _e39, _e42, _e45, _e48);
+    float ray_length_4 = length(_e49);
+    float _e54 = _group_0_binding_0_fs.depth.scale;
+    float _e56 = _group_0_binding_0_fs.depth.bias;
+    float _e58 = _group_0_binding_0_fs.depth.log_;
+    float _e60 = _group_0_binding_0_fs.depth.background;
+    vec4 _e63 = texelFetch(_group_0_binding_2_fs, pixel_1, 0);
+    float _e65 = depth_distance(_e54, _e56, _e58, _e60, _e63.x, ray_length_4);
+    vec3 dir_6 = (_e49 / vec3(ray_length_4));
+    float _e70 = _group_0_binding_0_fs.altitude;
+    vec3 _e73 = _group_0_binding_0_fs.sun;
+    air_ray(dir_6, _e70, m_radius_1, m_thickness_1, _e73, ray_start, ray_length, ray_excess, ray_r_mu, ray_perigee_excess, ray_sun_r_mu, ray_nu, ray_sin2_, ray_shadow_b, ray_shadow_c, ray_shadow_half2_, ray_ground);
+    float _e86 = ray_start;
+    float _e87 = ray_length;
+    float _e88 = ray_excess;
+    float _e89 = ray_r_mu;
+    float _e90 = ray_perigee_excess;
+    float _e91 = ray_sun_r_mu;
+    float _e92 = ray_nu;
+    float _e93 = ray_sin2_;
+    float _e94 = ray_shadow_b;
+    float _e95 = ray_shadow_c;
+    float _e96 = ray_shadow_half2_;
+    bool _e97 = ray_ground;
+    float _e100 = _group_0_binding_0_fs.pixel_angle;
+    float _e103 = _group_0_binding_0_fs.shell_weight;
+    ray_end(_e86, _e87, _e89, _e97, _e65, m_radius_1, _e100, _e103, end_length, end_weight, end_dims);
+    float _e107 = end_length;
+    float _e108 = end_weight;
+    bool _e109 = end_dims;
+    if (!((_e107 <= 0.0))) {
+        local = (_e108 <= 0.0);
+    } else {
+        local = true;
+    }
+    bool _e118 = local;
+    if (_e118) {
+        vec4 _e119 = scene;
+        _fs2p_location0 = _e119;
+        return;
+    }
+    vec3 _e122 = _group_0_binding_0_fs.sun;
+    vec3 offset = (dir_6 - _e122);
+    uint _e129 = _group_0_binding_0_fs.view_samples;
+    uint _e132 = _group_0_binding_0_fs.light_samples;
+    single_scattering(m_rayleigh_2, m_rayleigh_inv_height_2, m_mie_scattering_1, m_mie_inv_height_2, m_mie_extinction_2, m_ozone_center_2, m_mie_asymmetry_1, m_ozone_inv_half_width_2, m_ozone_2, m_radius_1, m_thickness_1, _e86, _e87, _e88, _e89, _e90, _e91, _e92, _e93, _e94, _e95, _e96, _e97, dir_6, _e107, (0.5 * dot(offset, offset)), _e129, _e132, s_radiance, s_transmittance);
+    vec3 _e135 = s_radiance;
+    vec3 _e136 = s_transmittance;
+    vec3 transmittance_2 = (_e109 ? _e136 : vec3(1.0));
+    vec4 _e140 = scene;
+    vec4 _e143 = compose(_e140, transmittance_2, ((_e135 * m_irradiance) * _e108));
+    _fs2p_location0 = _e143;
+    return;
+}
+

@@ -1,0 +1,750 @@
+#version 300 es
+
+precision highp float;
+precision highp int;
+
+struct Medium {
+    vec3 rayleigh;
+    float rayleigh_inv_height;
+    vec3 mie_scattering;
+    float mie_inv_height;
+    vec3 mie_extinction;
+    float ozone_center;
+    vec3 mie_asymmetry;
+    float ozone_inv_half_width;
+    vec3 ozone;
+    float radius;
+    vec3 irradiance;
+    float thickness;
+};
+struct DepthCode {
+    float scale;
+    float bias;
+    float log_;
+    float background;
+};
+struct Frame {
+    Medium medium;
+    vec3 ray_forward;
+    float altitude;
+    vec3 ray_right;
+    float sky_weight;
+    vec3 ray_up;
+    float shell_weight;
+    vec3 sun;
+    float sun_chord;
+    vec2 size;
+    float sun_disk;
+    float pixel_angle;
+    DepthCode depth;
+    uint view_samples;
+    uint light_samples;
+    uint reduced;
+    float camera_altitude;
+    vec4 sky_view_mapping;
+};
+struct Luts {
+    vec3 mie_extinction;
+    float altitude_steepness;
+    vec3 mie_moment0_;
+    float altitude_growth;
+    vec3 mie_moment1_;
+    float sun_middle;
+    vec3 mie_moment2_;
+    float sun_width;
+    vec3 mie_asymmetry;
+    float pad;
+    vec3 albedo;
+    float sun_first;
+    float sun_span;
+    float ground_rows;
+    uvec2 size;
+    uint steps;
+    uint shift;
+    uint slices;
+    float aerial_ground_rows;
+};
+struct Uniforms {
+    Frame frame;
+    Luts luts;
+};
+const float HALF_MAX = 32000.0;
+const bool BLEND = true;
+const float SUBPIXEL = 0.0625;
+const float LOG_FLOOR = -100.0;
+const float PI = 3.1415927;
+const float SQRT_HALF = 0.70710677;
+const bool RAYLEIGH = true;
+const bool MIE = true;
+const bool OZONE = true;
+const int AIR_SMOOTH = 0;
+const int AIR_MIE = 1;
+const int AIR_BEAM = 2;
+const int AIR_TRANSMITTANCE = 3;
+const int AIR_KINDS = 4;
+const float INV_4PI = 0.07957747;
+const bool CORNETTE_SHANKS = true;
+const bool MIE_SINGLE = true;
+
+layout(std140) uniform Uniforms_block_0Fragment { Uniforms _group_0_binding_0_fs; };
+
+uniform highp sampler2D _group_0_binding_1_fs;
+
+uniform highp sampler2D _group_0_binding_2_fs;
+
+uniform highp sampler2D _group_0_binding_3_fs;
+
+uniform highp sampler2D _group_0_binding_4_fs;
+
+uniform highp sampler2D _group_0_binding_5_fs;
+
+uniform highp sampler2D _group_0_binding_6_fs;
+
+layout(location = 0) out vec4 _fs2p_location0;
+
+vec3 pixel_ray(vec2 pixel, vec2 size, vec3 forward, vec3 right, vec3 up) {
+    vec2 ndc = (((pixel / size) * vec2(2.0, -2.0)) + vec2(-1.0, 1.0));
+    return ((forward + (right * ndc.x)) + (up * ndc.y));
+}
+
+float depth_distance(float c_scale, float c_bias, float c_log, float c_background, float depth, float ray_length) {
+    if ((depth == c_background)) {
+        return -1.0;
+    }
+    if ((c_log > 0.0)) {
+        return (((exp2((depth * c_log)) - 1.0) * 0.001) * ray_length);
+    }
+    float inverse_ = ((depth * c_scale) + c_bias);
+    if ((inverse_ <= 0.0)) {
+        return -1.0;
+    }
+    return (ray_length / inverse_);
+}
+
+vec4 veil(vec3 inscatter, vec3 transmittance) {
+    return vec4(min(inscatter, vec3(32000.0)), (1.0 - dot(transmittance, vec3(0.33333334))));
+}
+
+float scene_reach(float start, float length_, float r_mu, bool ground, float distance_, float radius, float pixel_angle) {
+    float reach = min(length_, (distance_ - start));
+    if (!(ground)) {
+        return reach;
+    }
+    float slant = max((abs((r_mu + length_)) / radius), 0.05);
+    float snap = (((SUBPIXEL * pixel_angle) * distance_) / slant);
+    float before = smoothstep((0.5 * snap), snap, (length_ - reach));
+    return ((length_ * (1.0 - before)) + (reach * before));
+}
+
+void ray_end(float start_1, float length_1, float r_mu_1, bool ground_1, float distance_1, float radius_1, float pixel_angle_1, float shell_weight, inout float out_length, inout float out_weight, inout bool out_dims) {
+    if ((distance_1 >= 0.0)) {
+        float _e12 = scene_reach(start_1, length_1, r_mu_1, ground_1, distance_1, radius_1, pixel_angle_1);
+        out_length = _e12;
+        out_weight = 1.0;
+        out_dims = true;
+        return;
+    }
+    if (ground_1) {
+        out_length = length_1;
+        out_weight = 1.0;
+        out_dims = true;
+        return;
+    }
+    out_length = length_1;
+    out_weight = shell_weight;
+    out_dims = (shell_weight >= 1.0);
+}
+
+vec4 compose(vec4 scene_1, vec3 transmittance_1, vec3 inscatter_1) {
+    if (BLEND) {
+        vec4 _e3 = veil(inscatter_1, transmittance_1);
+        return _e3;
+    } else {
+        vec3 dimmed = (scene_1.xyz * transmittance_1);
+        return vec4((dimmed + min(inscatter_1, max((vec3(32000.0) - dimmed), vec3(0.0)))), scene_1.w);
+    }
+}
+
+void corner(vec2 position_1, ivec2 size_1, inout ivec2 out_first, inout ivec2 out_last, inout vec2 out_between) {
+    vec2 inside = clamp(position_1, vec2(0.0), vec2((size_1 - ivec2(1))));
+    ivec2 first_1 = min(ivec2(inside), (size_1 - ivec2(1)));
+    out_first = first_1;
+    out_last = min((first_1 + ivec2(1)), (size_1 - ivec2(1)));
+    out_between = (inside - vec2(first_1));
+}
+
+vec4 bilinear(highp sampler2D lut, ivec2 c_first, ivec2 c_last, vec2 c_between, ivec2 origin) {
+    ivec2 first_2 = (c_first + origin);
+    ivec2 last = (c_last + origin);
+    vec4 _e8 = texelFetch(lut, first_2, 0);
+    vec4 _e13 = texelFetch(lut, ivec2(last.x, first_2.y), 0);
+    vec4 bottom = mix(_e8, _e13, c_between.x);
+    vec4 _e20 = texelFetch(lut, ivec2(first_2.x, last.y), 0);
+    vec4 _e22 = texelFetch(lut, last, 0);
+    vec4 top = mix(_e20, _e22, c_between.x);
+    return mix(bottom, top, c_between.y);
+}
+
+float altitude_of(float excess, float radius_2) {
+    return (excess / (radius_2 + sqrt(max(((radius_2 * radius_2) + excess), 0.0))));
+}
+
+float excess_of(float h, float radius_3) {
+    return (h * ((2.0 * radius_3) + h));
+}
+
+float altitude_after(float excess_1, float r_mu_2, float t, float radius_4) {
+    float _e9 = altitude_of((excess_1 + (t * ((2.0 * r_mu_2) + t))), radius_4);
+    return max(_e9, 0.0);
+}
+
+float distance_to_top(float excess_2, float r_mu_3, float top_excess) {
+    float c = max((top_excess - excess_2), 0.0);
+    float root_1 = sqrt(((r_mu_3 * r_mu_3) + c));
+    if ((r_mu_3 > 0.0)) {
+        return (c / (r_mu_3 + root_1));
+    }
+    return (root_1 - r_mu_3);
+}
+
+float half_chord2_(float r_mu_4, float above, float depth_1, float p) {
+    float sphere = (depth_1 + p);
+    if ((abs(r_mu_4) < sphere)) {
+        return ((r_mu_4 * r_mu_4) - above);
+    }
+    return (depth_1 * (sphere + p));
+}
+
+void line_past(vec3 dir, float h_1, float radius_5, inout float out_r_mu, inout float out_perigee, inout float out_perigee_excess, inout bool out_ground) {
+    bool local_3 = false;
+    float r = (radius_5 + h_1);
+    float r_mu_8 = (r * dir.z);
+    float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
+    float _e15 = excess_of(h_1, radius_5);
+    float _e17 = half_chord2_(r_mu_8, _e15, (radius_5 - p_1), p_1);
+    if ((r_mu_8 < 0.0)) {
+        local_3 = (_e17 >= 0.0);
+    } else {
+        local_3 = false;
+    }
+    bool _e26 = local_3;
+    out_r_mu = r_mu_8;
+    out_perigee = p_1;
+    out_perigee_excess = -(_e17);
+    out_ground = _e26;
+}
+
+float top_half_chord2_(float line_r_mu_1, float line_perigee_excess_1, float h_2, float radius_6, float thickness) {
+    float r_mu2_ = (line_r_mu_1 * line_r_mu_1);
+    float _e5 = excess_of(thickness, radius_6);
+    float above_1 = ((h_2 - thickness) * (((2.0 * radius_6) + thickness) + h_2));
+    return ((r_mu2_ < _e5) ? (r_mu2_ - above_1) : (_e5 - line_perigee_excess_1));
+}
+
+float distance_to_ground(float excess_3, float r_mu_5, float root) {
+    return min((excess_3 / (root - r_mu_5)), -(r_mu_5));
+}
+
+void air_path(float line_r_mu_2, float line_perigee_excess_2, bool line_ground_1, float h_3, float radius_7, float thickness_1, inout float out_start, inout float out_length_1, inout float out_excess, inout float out_r_mu_1) {
+    bool local_4 = false;
+    float _e6 = excess_of(thickness_1, radius_7);
+    float ground_root = sqrt(max(-(line_perigee_excess_2), 0.0));
+    if ((h_3 <= thickness_1)) {
+        float _e16 = excess_of(h_3, radius_7);
+        float _e17 = distance_to_top(_e16, line_r_mu_2, _e6);
+        float _e18 = distance_to_ground(_e16, line_r_mu_2, ground_root);
+        out_start = 0.0;
+        out_length_1 = (line_ground_1 ? _e18 : _e17);
+        out_excess = _e16;
+        out_r_mu_1 = line_r_mu_2;
+        return;
+    }
+    float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_7) + thickness_1) + h_3));
+    float _e27 = top_half_chord2_(line_r_mu_2, line_perigee_excess_2, h_3, radius_7, thickness_1);
+    if (!((line_r_mu_2 >= 0.0))) {
+        local_4 = (_e27 <= 0.0);
+    } else {
+        local_4 = true;
+    }
+    bool _e36 = local_4;
+    if (_e36) {
+        out_start = 0.0;
+        out_length_1 = -1.0;
+        out_excess = 0.0;
+        out_r_mu_1 = 0.0;
+        return;
+    }
+    float half_ = sqrt(_e27);
+    float _e45 = distance_to_ground(_e6, -(half_), ground_root);
+    float reach_1 = (line_ground_1 ? _e45 : (2.0 * half_));
+    out_start = (above_2 / (half_ - line_r_mu_2));
+    out_length_1 = reach_1;
+    out_excess = _e6;
+    out_r_mu_1 = -(half_);
+}
+
+float crowded(float rest, float s, float s_max) {
+    return sqrt((max(rest, 0.0) / (s_max * (s + s_max))));
+}
+
+float azimuth_to_u(vec3 dir_1) {
+    float flat_ = max(length(dir_1.xy), 1e-30);
+    float cosine = (dir_1.x / flat_);
+    float large = sqrt((0.5 + (0.5 * min(abs(cosine), 1.0))));
+    float small = (((0.5 * abs(dir_1.y)) / flat_) / large);
+    float s_1 = ((cosine >= 0.0) ? small : large);
+    return (s_1 / (large + small));
+}
+
+float zenith_to_v(float line_r_mu_3, float line_perigee_1, float line_perigee_excess_3, bool line_ground_2, float mu, float h_4, float radius_8, float thickness_2, vec4 mapping) {
+    if (line_ground_2) {
+        float cosine_1 = min((sqrt(max(-(line_perigee_excess_3), 0.0)) / radius_8), 1.0);
+        float _e22 = crowded((0.5 * cosine_1), ((line_perigee_1 / radius_8) / sqrt((2.0 + (2.0 * cosine_1)))), SQRT_HALF);
+        return _e22;
+    }
+    if ((mu >= 0.0)) {
+        float s_2 = ((line_perigee_1 / (radius_8 + h_4)) / sqrt((2.0 + (2.0 * mu))));
+        float _e46 = crowded((0.5 * (mu + mapping.w)), s_2, sqrt((0.5 + (0.5 * mapping.w))));
+        return (mapping.x + (((1.0 - mapping.x) * max((_e46 - mapping.z), 0.0)) / (1.0 - mapping.z)));
+    }
+    float limit = max(min(h_4, thickness_2), 1e-20);
+    float perigee_h = (max(line_perigee_excess_3, 0.0) / (radius_8 + line_perigee_1));
+    float part_1 = min((perigee_h / limit), 1.0);
+    float _e73 = top_half_chord2_(line_r_mu_3, line_perigee_excess_3, h_4, radius_8, thickness_2);
+    float r_mu2_1 = ((h_4 > thickness_2) ? _e73 : (line_r_mu_3 * line_r_mu_3));
+    float y = sqrt(clamp((r_mu2_1 / (limit * (((2.0 * radius_8) + limit) + perigee_h))), 0.0, 1.0));
+    return (mapping.x * sqrt(((part_1 * (1.0 + (mapping.y * y))) / (1.0 + y))));
+}
+
+float v_to_row(float v, bool ground_2, float rows, float ground_rows) {
+    return (ground_2 ? (v * (ground_rows - 1.0)) : (ground_rows + (v * ((rows - ground_rows) - 1.0))));
+}
+
+vec2 sky_view_uv(float u, float row, vec2 size_2) {
+    return ((vec2((u * (size_2.x - 1.0)), row) + vec2(0.5)) / size_2);
+}
+
+vec3 decode_light(vec3 texel) {
+    vec3 square = (texel * texel);
+    return (square * square);
+}
+
+mat3x3 coefficients_of(vec3 m_rayleigh, vec3 m_mie_extinction, vec3 m_ozone) {
+    return mat3x3(m_rayleigh, m_mie_extinction, m_ozone);
+}
+
+vec3 extinction(mat3x3 coefficients, vec3 d) {
+    vec3 sum = vec3(0.0);
+    if (RAYLEIGH) {
+        vec3 _e4 = sum;
+        sum = (_e4 + (coefficients[0] * d.x));
+    }
+    if (MIE) {
+        vec3 _e12 = sum;
+        sum = (_e12 + (coefficients[1] * d.y));
+    }
+    if (OZONE) {
+        vec3 _e18 = sum;
+        sum = (_e18 + (coefficients[2] * d.z));
+    }
+    vec3 _e23 = sum;
+    return _e23;
+}
+
+float distance_to_u(float perigee, float t_1) {
+    return (sign((t_1 - perigee)) * sqrt(abs((t_1 - perigee))));
+}
+
+vec3 mean_transmittance(vec3 tau) {
+    vec3 series = (vec3(1.0) - (tau * (vec3(0.5) - (tau * 0.16666667))));
+    return mix(((vec3(1.0) - exp(-(tau))) / tau), series, lessThan(tau, vec3(0.01)));
+}
+
+void aerial_column(highp sampler2D lut_1, uint luts_slices, float luts_aerial_ground_rows, float u_1, float v_1, bool ground_3, inout vec2 out_texel, inout vec2 out_size, inout float out_slices) {
+    float slices = float(luts_slices);
+    vec2 size_3 = (vec2(uvec2(textureSize(lut_1, 0).xy)) / vec2(slices, 4.0));
+    float _e15 = v_to_row(v_1, ground_3, size_3.y, luts_aerial_ground_rows);
+    out_texel = vec2((u_1 * (size_3.x - 1.0)), _e15);
+    out_size = size_3;
+    out_slices = slices;
+}
+
+vec4 aerial_at(highp sampler2D lut_2, vec2 c_texel, vec2 c_size, float c_slices, float slice, int kind, float first) {
+    if ((slice < 0.0)) {
+        return vec4(vec3(first), 0.0);
+    }
+    vec2 scale = (vec2(1.0) / vec2((c_size.x * c_slices), (c_size.y * 4.0)));
+    vec2 position_2 = ((c_texel + (c_size * vec2(slice, float(kind)))) + vec2(0.5));
+    vec4 _e31 = textureLod(lut_2, vec2((position_2 * scale)), 0.0);
+    return _e31;
+}
+
+void aerial_slice(highp sampler2D lut_3, vec2 c_texel_1, vec2 c_size_1, float c_slices_1, float path_length_1, float path_r_mu_1, float distance_2, inout float out_index, inout vec4 out_near, inout vec4 out_far) {
+    float slice_1 = 0.0;
+    vec4 near = vec4(0.0);
+    vec4 far = vec4(0.0);
+    int i = 0;
+    bool local_5 = false;
+    bool local_6 = false;
+    int i_1 = 0;
+    bool local_7 = false;
+    bool local_8 = false;
+    float perigee_1 = clamp(-(path_r_mu_1), 0.0, path_length_1);
+    float _e11 = distance_to_u(perigee_1, 0.0);
+    float _e13 = distance_to_u(perigee_1, distance_2);
+    float _e15 = distance_to_u(perigee_1, path_length_1);
+    float u_2 = ((_e13 - _e11) / (_e15 - _e11));
+    float last_1 = (c_slices_1 - 1.0);
+    float fraction = min((distance_2 / path_length_1), 1.0);
+    slice_1 = clamp(floor((u_2 * c_slices_1)), 0.0, last_1);
+    float _e31 = slice_1;
+    vec4 _e38 = aerial_at(lut_3, c_texel_1, c_size_1, c_slices_1, (_e31 - 1.0), AIR_TRANSMITTANCE, 1.0);
+    near = _e38;
+    float _e40 = slice_1;
+    vec4 _e43 = aerial_at(lut_3, c_texel_1, c_size_1, c_slices_1, _e40, AIR_TRANSMITTANCE, 1.0);
+    far = _e43;
+    bool loop_init = true;
+    while(true) {
+        if (!loop_init) {
+            int _e70 = i;
+            i = (_e70 + 1);
+        }
+        loop_init = false;
+        int _e46 = i;
+        if ((_e46 < 4)) {
+            float _e50 = far.w;
+            local_5 = (fraction > _e50);
+        } else {
+            local_5 = false;
+        }
+        bool _e55 = local_5;
+        if (_e55) {
+            float _e56 = slice_1;
+            local_6 = (_e56 < last_1);
+        } else {
+            local_6 = false;
+        }
+        bool _e61 = local_6;
+        if (_e61) {
+        } else {
+            break;
+        }
+        {
+            float _e62 = slice_1;
+            slice_1 = (_e62 + 1.0);
+            vec4 _e65 = far;
+            near = _e65;
+            float _e66 = slice_1;
+            vec4 _e69 = aerial_at(lut_3, c_texel_1, c_size_1, c_slices_1, _e66, AIR_TRANSMITTANCE, 1.0);
+            far = _e69;
+        }
+    }
+    bool loop_init_1 = true;
+    while(true) {
+        if (!loop_init_1) {
+            int _e101 = i_1;
+            i_1 = (_e101 + 1);
+        }
+        loop_init_1 = false;
+        int _e74 = i_1;
+        if ((_e74 < 4)) {
+            float _e78 = near.w;
+            local_7 = (fraction < _e78);
+        } else {
+            local_7 = false;
+        }
+        bool _e83 = local_7;
+        if (_e83) {
+            float _e84 = slice_1;
+            local_8 = (_e84 > 0.0);
+        } else {
+            local_8 = false;
+        }
+        bool _e90 = local_8;
+        if (_e90) {
+        } else {
+            break;
+        }
+        {
+            float _e91 = slice_1;
+            slice_1 = (_e91 - 1.0);
+            vec4 _e94 = near;
+            far = _e94;
+            float _e95 = slice_1;
+            vec4 _e100 = aerial_at(lut_3, c_texel_1, c_size_1, c_slices_1, (_e95 - 1.0), AIR_TRANSMITTANCE, 1.0);
+            near = _e100;
+        }
+    }
+    float _e104 = slice_1;
+    vec4 _e105 = near;
+    vec4 _e106 = far;
+    out_index = _e104;
+    out_near = _e105;
+    out_far = _e106;
+}
+
+vec3 slice_fraction(vec3 inverse_heights, float h0_, float h_5, float h1_, float part) {
+    vec3 rise = (inverse_heights * (h_5 - h0_));
+    vec3 whole = (inverse_heights * (h1_ - h0_));
+    vec3 _e9 = mean_transmittance(abs(rise));
+    vec3 _e11 = mean_transmittance(abs(whole));
+    vec3 ratio = (_e9 / _e11);
+    vec3 densest = exp((max(-(rise), vec3(0.0)) - max(-(whole), vec3(0.0))));
+    return clamp(((part * ratio) * densest), vec3(0.0), vec3(1.0));
+}
+
+vec3 slice_passed(vec4 s_near, vec4 s_far, float path_length_2, float path_excess_1, float path_r_mu_2, float distance_3, float m_rayleigh_inv_height, float m_mie_inv_height, float m_radius) {
+    float fraction_1 = min((distance_3 / path_length_2), 1.0);
+    float part_2 = clamp(((fraction_1 - s_near.w) / max((s_far.w - s_near.w), 1e-9)), 0.0, 1.0);
+    float _e27 = altitude_after(path_excess_1, path_r_mu_2, (s_near.w * path_length_2), m_radius);
+    float _e28 = altitude_after(path_excess_1, path_r_mu_2, distance_3, m_radius);
+    float _e31 = altitude_after(path_excess_1, path_r_mu_2, (s_far.w * path_length_2), m_radius);
+    vec3 _e32 = slice_fraction(vec3(m_rayleigh_inv_height, m_mie_inv_height, 0.0), _e27, _e28, _e31, part_2);
+    return _e32;
+}
+
+vec3 slice_depth(vec4 s_near_1, vec4 s_far_1) {
+    return -(log(clamp((s_far_1.xyz / max(s_near_1.xyz, vec3(1e-30))), vec3(1e-30), vec3(1.0))));
+}
+
+vec3 aerial_light(highp sampler2D lut_4, vec2 c_texel_2, vec2 c_size_2, float c_slices_2, float slice_2, int kind_1, vec3 passed) {
+    vec4 _e10 = aerial_at(lut_4, c_texel_2, c_size_2, c_slices_2, (slice_2 - 1.0), kind_1, 0.0);
+    vec3 near_1 = _e10.xyz;
+    vec4 _e13 = aerial_at(lut_4, c_texel_2, c_size_2, c_slices_2, slice_2, kind_1, 0.0);
+    return mix(near_1, _e13.xyz, passed);
+}
+
+vec2 transmittance_uv(float excess_4, float h_6, float r_mu_6, float radius_9, float thickness_3) {
+    float _e2 = excess_of(thickness_3, radius_9);
+    float rho = sqrt(max(excess_4, 0.0));
+    float rho_top = sqrt(_e2);
+    float _e9 = distance_to_top(excess_4, r_mu_6, _e2);
+    float shortest = max((thickness_3 - h_6), 0.0);
+    return vec2(((_e9 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
+}
+
+vec3 optical_path_to_top(highp sampler2D lut_5, float radius_10, float thickness_4, float excess_5, float h_7, float r_mu_7) {
+    ivec2 corner_first = ivec2(0);
+    ivec2 corner_last = ivec2(0);
+    vec2 corner_between = vec2(0.0);
+    ivec2 size_4 = ivec2(uvec2(textureSize(lut_5, 0).xy));
+    vec2 _e8 = transmittance_uv(excess_5, h_7, r_mu_7, radius_10, thickness_4);
+    vec2 position_3 = (_e8 * vec2((size_4 - ivec2(1))));
+    corner(position_3, size_4, corner_first, corner_last, corner_between);
+    ivec2 _e17 = corner_first;
+    ivec2 _e18 = corner_last;
+    vec2 _e19 = corner_between;
+    vec4 _e22 = bilinear(lut_5, _e17, _e18, _e19, ivec2(0));
+    return exp2(_e22.xyz);
+}
+
+vec3 henyey_greenstein_phase(float away, float toward, vec3 g) {
+    vec3 rest_1 = (vec3(1.0) - abs(g));
+    vec3 base = ((rest_1 * rest_1) + ((2.0 * abs(g)) * mix(vec3(toward), vec3(away), greaterThanEqual(g, vec3(0.0)))));
+    return ((INV_4PI * (vec3(1.0) - (g * g))) / (base * sqrt(base)));
+}
+
+vec3 cornette_shanks_phase(float away_1, float toward_1, vec3 g_1) {
+    float mu_1 = (1.0 - away_1);
+    vec3 _e16 = henyey_greenstein_phase(away_1, toward_1, g_1);
+    return ((vec3((1.5 * (1.0 + (mu_1 * mu_1)))) / (vec3(2.0) + (g_1 * g_1))) * _e16);
+}
+
+vec3 mie_phase(float away_2, float toward_2, vec3 asymmetry) {
+    if (CORNETTE_SHANKS) {
+        vec3 _e4 = cornette_shanks_phase(away_2, toward_2, asymmetry);
+        return _e4;
+    } else {
+        vec3 _e5 = henyey_greenstein_phase(away_2, toward_2, asymmetry);
+        return _e5;
+    }
+}
+
+vec3 mie_phase_between(vec3 dir_2, vec3 sun, vec3 asymmetry_1) {
+    vec3 apart = (dir_2 - sun);
+    vec3 together = (dir_2 + sun);
+    vec3 _e11 = mie_phase((0.5 * dot(apart, apart)), (0.5 * dot(together, together)), asymmetry_1);
+    return _e11;
+}
+
+void air_before(float m_rayleigh_inv_height_1, float m_mie_inv_height_1, float m_radius_1, float path_length_3, float path_excess_2, float path_r_mu_3, vec2 column_texel_1, vec2 column_size_1, float column_slices_1, float distance_4, vec3 smooth_light, vec3 mie_light_1, inout vec3 out_transmittance, inout vec3 out_inscatter) {
+    vec3 light = vec3(0.0);
+    vec3 mie = vec3(0.0);
+    float s_index = 0.0;
+    vec4 s_near_2 = vec4(0.0);
+    vec4 s_far_2 = vec4(0.0);
+    aerial_slice(_group_0_binding_4_fs, column_texel_1, column_size_1, column_slices_1, path_length_3, path_r_mu_3, distance_4, s_index, s_near_2, s_far_2);
+    float _e14 = s_index;
+    vec4 _e15 = s_near_2;
+    vec4 _e16 = s_far_2;
+    vec3 _e20 = slice_passed(_e15, _e16, path_length_3, path_excess_2, path_r_mu_3, distance_4, m_rayleigh_inv_height_1, m_mie_inv_height_1, m_radius_1);
+    vec3 _e21 = slice_depth(_e15, _e16);
+    vec3 _e24 = mean_transmittance((_e21 * _e20.x));
+    vec3 _e25 = mean_transmittance(_e21);
+    vec3 seen = (_e24 / _e25);
+    light = smooth_light;
+    mie = mie_light_1;
+    if ((distance_4 < path_length_3)) {
+        vec3 _e32 = light;
+        vec3 _e38 = aerial_light(_group_0_binding_4_fs, column_texel_1, column_size_1, column_slices_1, _e14, AIR_SMOOTH, (_e20.x * seen));
+        light = (_e32 * _e38);
+        if (MIE_SINGLE) {
+            vec3 mie_passed = min((_e20.y * seen), vec3(1.0));
+            vec3 _e46 = mie;
+            vec3 _e50 = aerial_light(_group_0_binding_4_fs, column_texel_1, column_size_1, column_slices_1, _e14, AIR_MIE, mie_passed);
+            mie = (_e46 * _e50);
+        }
+    }
+    if (MIE_SINGLE) {
+        vec3 _e53 = light;
+        vec3 _e54 = mie;
+        light = (_e53 + _e54);
+    }
+    vec3 _e62 = light;
+    out_transmittance = (_e15.xyz * exp((-(_e21) * _e20.x)));
+    out_inscatter = _e62;
+}
+
+vec3 whole_transmittance(vec3 m_rayleigh_1, vec3 m_mie_extinction_1, vec3 m_ozone_1, float m_radius_2, float m_thickness, float path_excess_3, float path_r_mu_4) {
+    float _e7 = altitude_of(path_excess_3, m_radius_2);
+    vec3 _e9 = optical_path_to_top(_group_0_binding_5_fs, m_radius_2, m_thickness, path_excess_3, _e7, path_r_mu_4);
+    mat3x3 _e10 = coefficients_of(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
+    vec3 _e11 = extinction(_e10, _e9);
+    return exp(-(_e11));
+}
+
+void main() {
+    vec4 position = gl_FragCoord;
+    vec4 scene = vec4(0.0);
+    bool local = false;
+    bool local_1 = false;
+    vec3 mie_light = vec3(0.0);
+    vec3 air_transmittance = vec3(0.0);
+    vec3 air_inscatter = vec3(0.0);
+    bool local_2 = false;
+    float line_r_mu = 0.0;
+    float line_perigee = 0.0;
+    float line_perigee_excess = 0.0;
+    bool line_ground = false;
+    float path_start = 0.0;
+    float path_length = 0.0;
+    float path_excess = 0.0;
+    float path_r_mu = 0.0;
+    float end_length = 0.0;
+    float end_weight = 0.0;
+    bool end_dims = false;
+    vec2 column_texel = vec2(0.0);
+    vec2 column_size = vec2(0.0);
+    float column_slices = 0.0;
+    vec3 f_medium_rayleigh = _group_0_binding_0_fs.frame.medium.rayleigh;
+    float f_medium_rayleigh_inv_height = _group_0_binding_0_fs.frame.medium.rayleigh_inv_height;
+    float f_medium_mie_inv_height = _group_0_binding_0_fs.frame.medium.mie_inv_height;
+    vec3 f_medium_mie_extinction = _group_0_binding_0_fs.frame.medium.mie_extinction;
+    vec3 f_medium_mie_asymmetry = _group_0_binding_0_fs.frame.medium.mie_asymmetry;
+    vec3 f_medium_ozone = _group_0_binding_0_fs.frame.medium.ozone;
+    float f_medium_radius = _group_0_binding_0_fs.frame.medium.radius;
+    vec3 f_medium_irradiance = _group_0_binding_0_fs.frame.medium.irradiance;
+    float f_medium_thickness = _group_0_binding_0_fs.frame.medium.thickness;
+    vec3 f_ray_forward = _group_0_binding_0_fs.frame.ray_forward;
+    float f_altitude = _group_0_binding_0_fs.frame.altitude;
+    vec3 f_ray_right = _group_0_binding_0_fs.frame.ray_right;
+    vec3 f_ray_up = _group_0_binding_0_fs.frame.ray_up;
+    float f_shell_weight = _group_0_binding_0_fs.frame.shell_weight;
+    vec3 f_sun = _group_0_binding_0_fs.frame.sun;
+    vec2 f_size = _group_0_binding_0_fs.frame.size;
+    float f_pixel_angle = _group_0_binding_0_fs.frame.pixel_angle;
+    float f_depth_scale = _group_0_binding_0_fs.frame.depth.scale;
+    float f_depth_bias = _group_0_binding_0_fs.frame.depth.bias;
+    float f_depth_log = _group_0_binding_0_fs.frame.depth.log_;
+    float f_depth_background = _group_0_binding_0_fs.frame.depth.background;
+    vec4 f_sky_view_mapping = _group_0_binding_0_fs.frame.sky_view_mapping;
+    float luts_ground_rows = _group_0_binding_0_fs.luts.ground_rows;
+    uint luts_slices_1 = _group_0_binding_0_fs.luts.slices;
+    float luts_aerial_ground_rows_1 = _group_0_binding_0_fs.luts.aerial_ground_rows;
+    ivec2 pixel_1 = ivec2(position.xy);
+    if (BLEND) {
+    } else {
+        vec4 _e66 = texelFetch(_group_0_binding_1_fs, pixel_1, 0);
+        scene = _e66;
+    }
+    vec3 _e69 = pixel_ray(position.xy, f_size, f_ray_forward, f_ray_right, f_ray_up);
+    float ray_length_1 = length(_e69);
+    vec4 _e73 = texelFetch(_group_0_binding_2_fs, pixel_1, 0);
+    float _e75 = depth_distance(f_depth_scale, f_depth_bias, f_depth_log, f_depth_background, _e73.x, ray_length_1);
+    vec3 dir_3 = (_e69 / vec3(ray_length_1));
+    line_past(dir_3, f_altitude, f_medium_radius, line_r_mu, line_perigee, line_perigee_excess, line_ground);
+    float _e82 = line_r_mu;
+    float _e83 = line_perigee;
+    float _e84 = line_perigee_excess;
+    bool _e85 = line_ground;
+    air_path(_e82, _e84, _e85, f_altitude, f_medium_radius, f_medium_thickness, path_start, path_length, path_excess, path_r_mu);
+    float _e90 = path_start;
+    float _e91 = path_length;
+    float _e92 = path_excess;
+    float _e93 = path_r_mu;
+    if (_e85) {
+        local = (_e91 >= 0.0);
+    } else {
+        local = false;
+    }
+    bool ground_4 = local;
+    ray_end(_e90, _e91, _e93, ground_4, _e75, f_medium_radius, f_pixel_angle, f_shell_weight, end_length, end_weight, end_dims);
+    float _e103 = end_length;
+    float _e104 = end_weight;
+    bool _e105 = end_dims;
+    if (!((_e103 <= 0.0))) {
+        local_1 = (_e104 <= 0.0);
+    } else {
+        local_1 = true;
+    }
+    bool _e114 = local_1;
+    if (_e114) {
+        vec4 _e115 = scene;
+        _fs2p_location0 = _e115;
+        return;
+    }
+    float _e116 = azimuth_to_u(dir_3);
+    float _e118 = zenith_to_v(_e82, _e83, _e84, _e85, dir_3.z, f_altitude, f_medium_radius, f_medium_thickness, f_sky_view_mapping);
+    vec2 size_5 = vec2(uvec2(textureSize(_group_0_binding_3_fs, 0).xy));
+    float _e123 = v_to_row(_e118, ground_4, size_5.y, luts_ground_rows);
+    vec2 _e124 = sky_view_uv(_e116, _e123, size_5);
+    float scale_1 = (ground_4 ? _e91 : 1.0);
+    vec4 _e130 = textureLod(_group_0_binding_3_fs, vec2(_e124), 0.0);
+    vec3 _e132 = decode_light(_e130.xyz);
+    vec3 smooth_light_1 = (_e132 * scale_1);
+    if (MIE_SINGLE) {
+        vec4 _e138 = textureLod(_group_0_binding_6_fs, vec2(_e124), 0.0);
+        vec3 _e140 = decode_light(_e138.xyz);
+        vec3 _e142 = mie_phase_between(dir_3, f_sun, f_medium_mie_asymmetry);
+        mie_light = ((_e140 * scale_1) * _e142);
+    }
+    vec3 _e147 = mie_light;
+    air_transmittance = vec3(1.0);
+    air_inscatter = (smooth_light_1 + _e147);
+    if (!(ground_4)) {
+        local_2 = (_e103 >= _e91);
+    } else {
+        local_2 = false;
+    }
+    bool _e156 = local_2;
+    if (_e156) {
+        if (_e105) {
+            vec3 _e157 = whole_transmittance(f_medium_rayleigh, f_medium_mie_extinction, f_medium_ozone, f_medium_radius, f_medium_thickness, _e92, _e93);
+            air_transmittance = _e157;
+        }
+    } else {
+        aerial_column(_group_0_binding_4_fs, luts_slices_1, luts_aerial_ground_rows_1, _e116, _e118, ground_4, column_texel, column_size, column_slices);
+        vec2 _e162 = column_texel;
+        vec2 _e163 = column_size;
+        float _e164 = column_slices;
+        vec3 _e165 = mie_light;
+        air_before(f_medium_rayleigh_inv_height, f_medium_mie_inv_height, f_medium_radius, _e91, _e92, _e93, _e162, _e163, _e164, _e103, smooth_light_1, _e165, air_transmittance, air_inscatter);
+    }
+    vec4 _e166 = scene;
+    vec3 _e167 = air_transmittance;
+    vec3 _e168 = air_inscatter;
+    vec4 _e171 = compose(_e166, _e167, ((_e168 * f_medium_irradiance) * _e104));
+    _fs2p_location0 = _e171;
+    return;
+}
+

@@ -1,0 +1,736 @@
+#version 300 es
+
+precision highp float;
+precision highp int;
+
+struct Medium {
+    vec3 rayleigh;
+    float rayleigh_inv_height;
+    vec3 mie_scattering;
+    float mie_inv_height;
+    vec3 mie_extinction;
+    float ozone_center;
+    vec3 mie_asymmetry;
+    float ozone_inv_half_width;
+    vec3 ozone;
+    float radius;
+    vec3 irradiance;
+    float thickness;
+};
+struct Luts {
+    vec3 mie_extinction;
+    float altitude_steepness;
+    vec3 mie_moment0_;
+    float altitude_growth;
+    vec3 mie_moment1_;
+    float sun_middle;
+    vec3 mie_moment2_;
+    float sun_width;
+    vec3 mie_asymmetry;
+    float pad;
+    vec3 albedo;
+    float sun_first;
+    float sun_span;
+    float ground_rows;
+    uvec2 size;
+    uint steps;
+    uint shift;
+    uint slices;
+    float aerial_ground_rows;
+};
+struct Uniforms {
+    Medium medium;
+    Luts luts;
+};
+const bool RAYLEIGH = true;
+const bool MIE = true;
+const bool OZONE = true;
+const float LOG_FLOOR = -100.0;
+const int MOMENTS = 6;
+const float SH0_ = 0.2820948;
+const float SH1_ = 0.48860252;
+const float SH20_ = 0.31539157;
+const float SH21_ = 1.0925485;
+const float SH22_ = 0.54627424;
+const bool MULTI_SCATTERING = true;
+const float INV_4PI = 0.07957747;
+const bool CORNETTE_SHANKS = true;
+const float PI = 3.1415927;
+const float SQRT_HALF = 0.70710677;
+const int ZENITHS = 16;
+const int AZIMUTHS = 8;
+
+layout(std140) uniform Uniforms_block_0Fragment { Uniforms _group_0_binding_0_fs; };
+
+uniform highp sampler2D _group_0_binding_1_fs;
+
+uniform highp sampler2D _group_0_binding_2_fs;
+
+layout(location = 0) out vec4 _fs2p_location0;
+
+float altitude_of(float excess, float radius) {
+    return (excess / (radius + sqrt(max(((radius * radius) + excess), 0.0))));
+}
+
+float excess_of(float h, float radius_1) {
+    return (h * ((2.0 * radius_1) + h));
+}
+
+float altitude_after(float excess_1, float r_mu, float t, float radius_2) {
+    float _e9 = altitude_of((excess_1 + (t * ((2.0 * r_mu) + t))), radius_2);
+    return max(_e9, 0.0);
+}
+
+float distance_to_top(float excess_2, float r_mu_1, float top_excess) {
+    float c = max((top_excess - excess_2), 0.0);
+    float root_1 = sqrt(((r_mu_1 * r_mu_1) + c));
+    if ((r_mu_1 > 0.0)) {
+        return (c / (r_mu_1 + root_1));
+    }
+    return (root_1 - r_mu_1);
+}
+
+float half_chord2_(float r_mu_2, float above, float depth, float p) {
+    float sphere = (depth + p);
+    if ((abs(r_mu_2) < sphere)) {
+        return ((r_mu_2 * r_mu_2) - above);
+    }
+    return (depth * (sphere + p));
+}
+
+float shadow_half2_(float s_sin2_, float s_shadow_b, float s_shadow_c, float side_z, float r, float radius_3) {
+    float sine = max(sqrt(s_sin2_), 1e-18);
+    float p_1 = ((r * abs(side_z)) / sine);
+    float _e14 = half_chord2_((s_shadow_b / sine), s_shadow_c, (radius_3 - p_1), p_1);
+    return _e14;
+}
+
+void sun_side_inside(vec3 dir, vec3 sun, float r_1, float excess_3, float radius_4, inout float out_sun_r_mu, inout float out_nu, inout float out_sin2_, inout float out_shadow_b, inout float out_shadow_c, inout float out_shadow_half2_) {
+    out_sun_r_mu = 0.0;
+    out_nu = 0.0;
+    out_sin2_ = 0.0;
+    out_shadow_b = 0.0;
+    out_shadow_c = 0.0;
+    out_shadow_half2_ = 0.0;
+    out_nu = dot(dir, sun);
+    float _e21 = out_nu;
+    vec3 side = cross((dir - (((_e21 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    out_sin2_ = dot(side, side);
+    out_sun_r_mu = (r_1 * sun.z);
+    out_shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+    float q = (r_1 * length(sun.xy));
+    float _e45 = out_sun_r_mu;
+    float _e49 = half_chord2_(_e45, excess_3, (radius_4 - q), q);
+    out_shadow_c = -(_e49);
+    float _e51 = out_sin2_;
+    float _e52 = out_shadow_b;
+    float _e53 = out_shadow_c;
+    float _e55 = shadow_half2_(_e51, _e52, _e53, side.z, r_1, radius_4);
+    out_shadow_half2_ = _e55;
+}
+
+float distance_to_ground(float excess_4, float r_mu_3, float root) {
+    return min((excess_4 / (root - r_mu_3)), -(r_mu_3));
+}
+
+void inner_ray(vec3 dir_1, float h_1, float radius_5, float thickness, vec3 sun_1, bool ground, inout float out_start, inout float out_length, inout float out_excess, inout float out_r_mu, inout float out_perigee_excess, inout float out_sun_r_mu_1, inout float out_nu_1, inout float out_sin2_1, inout float out_shadow_b_1, inout float out_shadow_c_1, inout float out_shadow_half2_1, inout bool out_ground) {
+    bool local = false;
+    float s_sun_r_mu = 0.0;
+    float s_nu = 0.0;
+    float s_sin2_1 = 0.0;
+    float s_shadow_b_1 = 0.0;
+    float s_shadow_c_1 = 0.0;
+    float s_shadow_half2_ = 0.0;
+    float r_2 = (radius_5 + h_1);
+    float _e15 = excess_of(h_1, radius_5);
+    float r_mu_6 = (r_2 * dir_1.z);
+    float p_2 = (r_2 * sqrt(dot(dir_1.xy, dir_1.xy)));
+    float _e25 = half_chord2_(r_mu_6, _e15, (radius_5 - p_2), p_2);
+    sun_side_inside(dir_1, sun_1, r_2, _e15, radius_5, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
+    float _e33 = s_sun_r_mu;
+    float _e34 = s_nu;
+    float _e35 = s_sin2_1;
+    float _e36 = s_shadow_b_1;
+    float _e37 = s_shadow_c_1;
+    float _e38 = s_shadow_half2_;
+    float _e40 = excess_of(thickness, radius_5);
+    float _e41 = distance_to_top(_e15, r_mu_6, _e40);
+    float _e45 = distance_to_ground(_e15, r_mu_6, sqrt(max(_e25, 0.0)));
+    if (ground) {
+        local = (r_mu_6 < 0.0);
+    } else {
+        local = false;
+    }
+    bool _e52 = local;
+    float reach = (_e52 ? _e45 : _e41);
+    out_start = 0.0;
+    out_length = reach;
+    out_excess = _e15;
+    out_r_mu = r_mu_6;
+    out_perigee_excess = -(_e25);
+    out_sun_r_mu_1 = _e33;
+    out_nu_1 = _e34;
+    out_sin2_1 = _e35;
+    out_shadow_b_1 = _e36;
+    out_shadow_c_1 = _e37;
+    out_shadow_half2_1 = _e38;
+    out_ground = ground;
+}
+
+void perigee_of(float ray_length_1, float ray_excess_1, float ray_r_mu_1, float ray_perigee_excess_1, bool ray_ground_1, float length_, float radius_6, inout float out_distance, inout float out_excess_1, inout float out_r_mu_1) {
+    bool local_1 = false;
+    if ((ray_r_mu_1 >= 0.0)) {
+        out_distance = 0.0;
+        out_excess_1 = ray_excess_1;
+        out_r_mu_1 = ray_r_mu_1;
+        return;
+    }
+    if ((-(ray_r_mu_1) <= length_)) {
+        out_distance = -(ray_r_mu_1);
+        out_excess_1 = ray_perigee_excess_1;
+        out_r_mu_1 = 0.0;
+        return;
+    }
+    float r_mu_7 = (ray_r_mu_1 + length_);
+    if (ray_ground_1) {
+        local_1 = (length_ >= ray_length_1);
+    } else {
+        local_1 = false;
+    }
+    bool _e21 = local_1;
+    if (_e21) {
+        out_distance = length_;
+        out_excess_1 = 0.0;
+        out_r_mu_1 = r_mu_7;
+        return;
+    }
+    bool far = ((-(ray_r_mu_1) * length_) > (radius_6 * radius_6));
+    float near_excess = (ray_excess_1 + (length_ * ((2.0 * ray_r_mu_1) + length_)));
+    out_distance = length_;
+    out_excess_1 = (far ? (ray_perigee_excess_1 + (r_mu_7 * r_mu_7)) : near_excess);
+    out_r_mu_1 = r_mu_7;
+}
+
+vec2 shadow_stretch(float ray_sun_r_mu_1, float ray_nu_1, float ray_sin2_1, float ray_shadow_b_1, float ray_shadow_c_1, float ray_shadow_half2_1) {
+    vec2 stretch = vec2(0.0);
+    vec2 none = vec2(1.0, 0.0);
+    stretch = vec2(-(1e30), 1e30);
+    if ((ray_sin2_1 > 1e-30)) {
+        if ((ray_shadow_half2_1 <= 0.0)) {
+            return none;
+        }
+        float q_1 = -((ray_shadow_b_1 + (((ray_shadow_b_1 >= 0.0) ? 1.0 : -1.0) * sqrt((ray_sin2_1 * ray_shadow_half2_1)))));
+        float t0_2 = (q_1 / ray_sin2_1);
+        float t1_1 = ((q_1 != 0.0) ? (ray_shadow_c_1 / q_1) : t0_2);
+        stretch = vec2(min(t0_2, t1_1), max(t0_2, t1_1));
+    } else {
+        if ((ray_shadow_c_1 >= 0.0)) {
+            return none;
+        }
+    }
+    if ((abs(ray_nu_1) < 1e-12)) {
+        if ((ray_sun_r_mu_1 >= 0.0)) {
+            return none;
+        }
+    } else {
+        float t_2 = (-(ray_sun_r_mu_1) / ray_nu_1);
+        if ((ray_nu_1 > 0.0)) {
+            float _e48 = stretch.y;
+            stretch.y = min(_e48, t_2);
+        } else {
+            float _e52 = stretch.x;
+            stretch.x = max(_e52, t_2);
+        }
+    }
+    vec2 _e54 = stretch;
+    return _e54;
+}
+
+vec4 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width) {
+    return vec4(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_center, m_ozone_inv_half_width);
+}
+
+vec3 densities(vec4 layers, float h_2) {
+    vec3 d = vec3(0.0);
+    if (RAYLEIGH) {
+        d.x = exp((-(h_2) * layers.x));
+    }
+    if (MIE) {
+        d.y = exp((-(h_2) * layers.y));
+    }
+    if (OZONE) {
+        d.z = max(0.0, (1.0 - (abs((h_2 - layers.z)) * layers.w)));
+    }
+    vec3 _e28 = d;
+    return _e28;
+}
+
+vec3 extinction(mat3x3 coefficients, vec3 d_1) {
+    vec3 sum = vec3(0.0);
+    if (RAYLEIGH) {
+        vec3 _e4 = sum;
+        sum = (_e4 + (coefficients[0] * d_1.x));
+    }
+    if (MIE) {
+        vec3 _e12 = sum;
+        sum = (_e12 + (coefficients[1] * d_1.y));
+    }
+    if (OZONE) {
+        vec3 _e18 = sum;
+        sum = (_e18 + (coefficients[2] * d_1.z));
+    }
+    vec3 _e23 = sum;
+    return _e23;
+}
+
+float u_to_distance(float perigee, float u) {
+    return (perigee + (u * abs(u)));
+}
+
+float distance_to_u(float perigee_1, float t_1) {
+    return (sign((t_1 - perigee_1)) * sqrt(abs((t_1 - perigee_1))));
+}
+
+vec3 mean_transmittance(vec3 tau) {
+    vec3 series = (vec3(1.0) - (tau * (vec3(0.5) - (tau * 0.16666667))));
+    return mix(((vec3(1.0) - exp(-(tau))) / tau), series, lessThan(tau, vec3(0.01)));
+}
+
+vec2 lit_part(vec2 shadow, float perigee_2, float t0_, float t1_, float mid) {
+    float dark0_ = clamp(shadow.x, t0_, t1_);
+    float dark1_ = clamp(shadow.y, t0_, t1_);
+    float dark = ((shadow.y > shadow.x) ? max((dark1_ - dark0_), 0.0) : 0.0);
+    if ((dark <= 0.0)) {
+        return vec2((t1_ - t0_), mid);
+    }
+    bool first = ((dark0_ - t0_) > (t1_ - dark1_));
+    float lit0_ = (first ? t0_ : dark1_);
+    float lit1_ = (first ? dark0_ : t1_);
+    float _e26 = distance_to_u(perigee_2, lit0_);
+    float _e27 = distance_to_u(perigee_2, lit1_);
+    float middle = (0.5 * (_e26 + _e27));
+    float _e33 = u_to_distance(perigee_2, middle);
+    return vec2(((t1_ - t0_) - dark), _e33);
+}
+
+void corner(vec2 position_1, ivec2 size, inout ivec2 out_first, inout ivec2 out_last, inout vec2 out_between) {
+    vec2 inside = clamp(position_1, vec2(0.0), vec2((size - ivec2(1))));
+    ivec2 first_1 = min(ivec2(inside), (size - ivec2(1)));
+    out_first = first_1;
+    out_last = min((first_1 + ivec2(1)), (size - ivec2(1)));
+    out_between = (inside - vec2(first_1));
+}
+
+vec4 bilinear(highp sampler2D lut, ivec2 c_first, ivec2 c_last, vec2 c_between, ivec2 origin) {
+    ivec2 first_2 = (c_first + origin);
+    ivec2 last = (c_last + origin);
+    vec4 _e8 = texelFetch(lut, first_2, 0);
+    vec4 _e13 = texelFetch(lut, ivec2(last.x, first_2.y), 0);
+    vec4 bottom = mix(_e8, _e13, c_between.x);
+    vec4 _e20 = texelFetch(lut, ivec2(first_2.x, last.y), 0);
+    vec4 _e22 = texelFetch(lut, last, 0);
+    vec4 top = mix(_e20, _e22, c_between.x);
+    return mix(bottom, top, c_between.y);
+}
+
+vec2 transmittance_uv(float excess_5, float h_3, float r_mu_4, float radius_7, float thickness_1) {
+    float _e2 = excess_of(thickness_1, radius_7);
+    float rho = sqrt(max(excess_5, 0.0));
+    float rho_top = sqrt(_e2);
+    float _e9 = distance_to_top(excess_5, r_mu_4, _e2);
+    float shortest = max((thickness_1 - h_3), 0.0);
+    return vec2(((_e9 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
+}
+
+vec3 optical_path_to_top(highp sampler2D lut_1, float radius_8, float thickness_2, float excess_6, float h_4, float r_mu_5) {
+    ivec2 corner_first = ivec2(0);
+    ivec2 corner_last = ivec2(0);
+    vec2 corner_between = vec2(0.0);
+    ivec2 size_1 = ivec2(uvec2(textureSize(lut_1, 0).xy));
+    vec2 _e8 = transmittance_uv(excess_6, h_4, r_mu_5, radius_8, thickness_2);
+    vec2 position_2 = (_e8 * vec2((size_1 - ivec2(1))));
+    corner(position_2, size_1, corner_first, corner_last, corner_between);
+    ivec2 _e17 = corner_first;
+    ivec2 _e18 = corner_last;
+    vec2 _e19 = corner_between;
+    vec4 _e22 = bilinear(lut_1, _e17, _e18, _e19, ivec2(0));
+    return exp2(_e22.xyz);
+}
+
+float altitude_to_v(float steepness, float growth, float h_5, float thickness_3) {
+    float grown = ((max(h_5, 0.0) / thickness_3) * growth);
+    float series_1 = (grown * (1.0 - (grown * (0.5 - (grown * (0.33333334 - (grown * 0.25)))))));
+    return sqrt((((grown < 0.05) ? series_1 : log((1.0 + grown))) / steepness));
+}
+
+float v_to_altitude(float luts_altitude_steepness, float luts_altitude_growth, float v, float thickness_4) {
+    float s = ((luts_altitude_steepness * v) * v);
+    float grown_1 = ((s < 0.05) ? (s * (1.0 + (s * (0.5 + (s * (0.16666667 + (s * 0.041666668))))))) : (exp(s) - 1.0));
+    return (thickness_4 * min((grown_1 / luts_altitude_growth), 1.0));
+}
+
+vec4 sun_axis(float luts_sun_middle, float luts_sun_width, float luts_sun_first, float luts_sun_span) {
+    return vec4(luts_sun_middle, luts_sun_width, luts_sun_first, luts_sun_span);
+}
+
+float mu_sun_to_u(vec4 axis, float mu_sun) {
+    float y = ((mu_sun - axis.x) / axis.y);
+    return (((sign(y) * log((abs(y) + sqrt(((y * y) + 1.0))))) - axis.z) / axis.w);
+}
+
+float u_to_mu_sun(float luts_sun_middle_1, float luts_sun_width_1, float luts_sun_first_1, float luts_sun_span_1, float u_1) {
+    return clamp((luts_sun_middle_1 + (luts_sun_width_1 * sinh((luts_sun_first_1 + (u_1 * luts_sun_span_1))))), -1.0, 1.0);
+}
+
+vec2 multi_scattering_span(highp sampler2D lut_2) {
+    ivec2 dims = ivec2(uvec2(textureSize(lut_2, 0).xy));
+    return (vec2(float(dims.x), float(((dims.y - 1) / MOMENTS))) - vec2(1.0));
+}
+
+float harmonic(int index, float mu, float along) {
+    switch(index) {
+        case 0: {
+            return SH0_;
+        }
+        case 1: {
+            return (SH1_ * mu);
+        }
+        case 2: {
+            return (SH1_ * along);
+        }
+        case 3: {
+            return (SH20_ * (((3.0 * mu) * mu) - 1.0));
+        }
+        case 4: {
+            return ((SH21_ * mu) * along);
+        }
+        default: {
+            return (SH22_ * ((((2.0 * along) * along) + (mu * mu)) - 1.0));
+        }
+    }
+}
+
+void multi_scattering_source(highp sampler2D lut_3, vec2 node, vec3 gas, mat3x3 aerosol, float mu_1, float mu_sun_1, float nu, inout vec3 out_gas, inout vec3 out_aerosol) {
+    ivec2 c_first_1 = ivec2(0);
+    ivec2 c_last_1 = ivec2(0);
+    vec2 c_between_1 = vec2(0.0);
+    out_gas = vec3(0.0);
+    out_aerosol = vec3(0.0);
+    ivec2 dims_1 = ivec2(uvec2(textureSize(lut_3, 0).xy));
+    corner(node, ivec2(dims_1.x, ((dims_1.y - 1) / MOMENTS)), c_first_1, c_last_1, c_between_1);
+    int _e21 = c_first_1.y;
+    c_first_1.y = (_e21 * MOMENTS);
+    int _e25 = c_last_1.y;
+    c_last_1.y = (_e25 * MOMENTS);
+    ivec2 _e28 = c_first_1;
+    ivec2 _e29 = c_last_1;
+    vec2 _e30 = c_between_1;
+    vec4 _e33 = bilinear(lut_3, _e28, _e29, _e30, ivec2(0));
+    vec3 mean = exp2(_e33.xyz);
+    float sin_sun = sqrt(max(((1.0 - mu_sun_1) * (1.0 + mu_sun_1)), 1e-12));
+    float sin_view = sqrt(max(((1.0 - mu_1) * (1.0 + mu_1)), 0.0));
+    float along_1 = clamp(((nu - (mu_1 * mu_sun_1)) / sin_sun), -(sin_view), sin_view);
+    ivec2 _e60 = c_first_1;
+    ivec2 _e61 = c_last_1;
+    vec2 _e62 = c_between_1;
+    vec4 _e66 = bilinear(lut_3, _e60, _e61, _e62, ivec2(0, 3));
+    float _e69 = harmonic(3, mu_1, along_1);
+    ivec2 _e71 = c_first_1;
+    ivec2 _e72 = c_last_1;
+    vec2 _e73 = c_between_1;
+    vec4 _e77 = bilinear(lut_3, _e71, _e72, _e73, ivec2(0, 4));
+    float _e80 = harmonic(4, mu_1, along_1);
+    ivec2 _e83 = c_first_1;
+    ivec2 _e84 = c_last_1;
+    vec2 _e85 = c_between_1;
+    vec4 _e89 = bilinear(lut_3, _e83, _e84, _e85, ivec2(0, 5));
+    float _e92 = harmonic(5, mu_1, along_1);
+    vec3 l2_ = (((_e66.xyz * _e69) + (_e77.xyz * _e80)) + (_e89.xyz * _e92));
+    if (RAYLEIGH) {
+        out_gas = ((gas * (vec3(0.2820948) + (0.1 * l2_))) * mean);
+    }
+    if (MIE) {
+        ivec2 _e107 = c_first_1;
+        ivec2 _e108 = c_last_1;
+        vec2 _e109 = c_between_1;
+        vec4 _e113 = bilinear(lut_3, _e107, _e108, _e109, ivec2(0, 1));
+        float _e116 = harmonic(1, mu_1, along_1);
+        ivec2 _e118 = c_first_1;
+        ivec2 _e119 = c_last_1;
+        vec2 _e120 = c_between_1;
+        vec4 _e124 = bilinear(lut_3, _e118, _e119, _e120, ivec2(0, 2));
+        float _e127 = harmonic(2, mu_1, along_1);
+        vec3 l1_ = ((_e113.xyz * _e116) + (_e124.xyz * _e127));
+        out_aerosol = ((((SH0_ * aerosol[0]) + (l1_ * aerosol[1])) + (l2_ * aerosol[2])) * mean);
+    }
+}
+
+vec3 ground_irradiance(highp sampler2D lut_4, float luts_sun_middle_2, float luts_sun_width_2, float luts_sun_first_2, float luts_sun_span_2, float mu_sun_2) {
+    ivec2 corner_first_1 = ivec2(0);
+    ivec2 corner_last_1 = ivec2(0);
+    vec2 corner_between_1 = vec2(0.0);
+    ivec2 dims_2 = ivec2(uvec2(textureSize(lut_4, 0).xy));
+    vec4 _e7 = sun_axis(luts_sun_middle_2, luts_sun_width_2, luts_sun_first_2, luts_sun_span_2);
+    float _e9 = mu_sun_to_u(_e7, mu_sun_2);
+    vec2 position_3 = vec2((_e9 * float((dims_2.x - 1))), 0.0);
+    corner(position_3, ivec2(dims_2.x, 1), corner_first_1, corner_last_1, corner_between_1);
+    ivec2 _e23 = corner_first_1;
+    ivec2 _e24 = corner_last_1;
+    vec2 _e25 = corner_between_1;
+    vec4 _e31 = bilinear(lut_4, _e23, _e24, _e25, ivec2(0, (dims_2.y - 1)));
+    return exp2(_e31.xyz);
+}
+
+vec3 sun_visibility(vec3 dir_2, float distance_) {
+    return vec3(1.0);
+}
+
+vec3 sun_visibility_around(vec3 dir_3, float distance_1) {
+    return vec3(1.0);
+}
+
+void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_lut, vec3 m_rayleigh, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, float m_ozone_center_1, float m_ozone_inv_half_width_1, vec3 m_ozone, float m_radius, float m_thickness, vec3 luts_mie_extinction, float luts_altitude_steepness_1, vec3 luts_mie_moment0_, float luts_altitude_growth_1, vec3 luts_mie_moment1_, float luts_sun_middle_3, vec3 luts_mie_moment2_, float luts_sun_width_3, float luts_sun_first_3, float luts_sun_span_3, uint luts_steps, float ray_start_1, float ray_sun_r_mu_2, float ray_nu_2, float ray_sin2_2, float ray_shadow_b_2, float ray_shadow_c_2, float ray_shadow_half2_2, vec3 dir_4, float perigee_distance_1, float perigee_excess_1, float perigee_r_mu_1, float u_from, float u_to, vec3 gas_1, vec3 aerosol_1, float multiple, inout vec3 out_radiance, inout vec3 out_transmittance) {
+    float t0_1 = 0.0;
+    uint i = 0u;
+    vec3 source = vec3(0.0);
+    vec3 before_gas = vec3(0.0);
+    vec3 before_aerosol = vec3(0.0);
+    out_radiance = vec3(0.0);
+    out_transmittance = vec3(1.0);
+    vec4 _e16 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
+    mat3x3 coefficients_1 = mat3x3(m_rayleigh, luts_mie_extinction, m_ozone);
+    vec2 _e36 = shadow_stretch(ray_sun_r_mu_2, ray_nu_2, ray_sin2_2, ray_shadow_b_2, ray_shadow_c_2, ray_shadow_half2_2);
+    vec4 _e37 = sun_axis(luts_sun_middle_3, luts_sun_width_3, luts_sun_first_3, luts_sun_span_3);
+    vec2 _e39 = multi_scattering_span(multi_scattering_lut);
+    mat3x3 moments = mat3x3((m_mie_scattering * luts_mie_moment0_), (m_mie_scattering * luts_mie_moment1_), (m_mie_scattering * luts_mie_moment2_));
+    float du = ((u_to - u_from) / float(luts_steps));
+    float _e52 = u_to_distance(perigee_distance_1, u_from);
+    t0_1 = _e52;
+    bool loop_init = true;
+    while(true) {
+        if (!loop_init) {
+            uint _e165 = i;
+            i = (_e165 + 1u);
+        }
+        loop_init = false;
+        uint _e55 = i;
+        if ((_e55 < luts_steps)) {
+        } else {
+            break;
+        }
+        {
+            uint _e57 = i;
+            float u_2 = (u_from + (du * float(_e57)));
+            float _e62 = u_to_distance(perigee_distance_1, (u_2 + du));
+            float _e63 = t0_1;
+            float step_ = (_e62 - _e63);
+            float _e68 = u_to_distance(perigee_distance_1, (u_2 + (0.5 * du)));
+            float _e70 = altitude_after(perigee_excess_1, perigee_r_mu_1, (_e68 - perigee_distance_1), m_radius);
+            vec3 _e71 = densities(_e16, _e70);
+            vec3 _e72 = extinction(coefficients_1, _e71);
+            vec3 tau_1 = (_e72 * step_);
+            vec3 _e76 = out_transmittance;
+            vec3 _e77 = mean_transmittance(tau_1);
+            vec3 weight = (_e76 * _e77);
+            float _e79 = t0_1;
+            vec2 _e80 = lit_part(_e36, perigee_distance_1, _e79, _e62, _e68);
+            if ((_e80.x > 0.0)) {
+                float past = (_e80.y - perigee_distance_1);
+                float lit_excess = max((perigee_excess_1 + (past * ((2.0 * perigee_r_mu_1) + past))), 0.0);
+                float _e93 = altitude_of(lit_excess, m_radius);
+                vec3 _e94 = densities(_e16, _e93);
+                float sun_r_mu_1 = (ray_sun_r_mu_2 + (ray_nu_2 * _e80.y));
+                vec3 _e99 = optical_path_to_top(transmittance_lut, m_radius, m_thickness, lit_excess, _e93, sun_r_mu_1);
+                vec3 _e107 = extinction(coefficients_1, _e99);
+                source = (((gas_1 * _e94.x) + (aerosol_1 * _e94.y)) * exp(-(_e107)));
+                vec3 _e112 = source;
+                vec3 _e116 = sun_visibility(dir_4, (ray_start_1 + _e80.y));
+                source = (_e112 * _e116);
+                vec3 _e118 = out_radiance;
+                vec3 _e119 = source;
+                out_radiance = (_e118 + ((weight * _e119) * _e80.x));
+            }
+            if (MULTI_SCATTERING) {
+                float r_3 = (m_radius + _e70);
+                float mu_3 = clamp((((perigee_r_mu_1 + _e68) - perigee_distance_1) / r_3), -1.0, 1.0);
+                float mu_sun_3 = clamp(((ray_sun_r_mu_2 + (ray_nu_2 * _e68)) / r_3), -1.0, 1.0);
+                float _e138 = altitude_to_v(luts_altitude_steepness_1, luts_altitude_growth_1, _e70, m_thickness);
+                float _e139 = mu_sun_to_u(_e37, mu_sun_3);
+                vec2 node_1 = (vec2(_e139, _e138) * _e39);
+                multi_scattering_source(multi_scattering_lut, node_1, m_rayleigh, moments, mu_3, mu_sun_3, ray_nu_2, before_gas, before_aerosol);
+                vec3 _e144 = before_gas;
+                vec3 _e145 = before_aerosol;
+                vec3 _e147 = sun_visibility_around(dir_4, (ray_start_1 + _e68));
+                vec3 source_1 = (((_e144 * _e147) * _e71.x) + ((_e145 * _e147) * _e71.y));
+                vec3 _e155 = out_radiance;
+                out_radiance = (_e155 + ((weight * (step_ * multiple)) * source_1));
+            }
+            vec3 _e161 = out_transmittance;
+            out_transmittance = (_e161 * exp(-(tau_1)));
+            t0_1 = _e62;
+        }
+    }
+}
+
+float rayleigh_phase(float mu_2) {
+    return (0.0596831 * (1.0 + (mu_2 * mu_2)));
+}
+
+vec3 henyey_greenstein_phase(float away, float toward, vec3 g) {
+    vec3 rest = (vec3(1.0) - abs(g));
+    vec3 base = ((rest * rest) + ((2.0 * abs(g)) * mix(vec3(toward), vec3(away), greaterThanEqual(g, vec3(0.0)))));
+    return ((INV_4PI * (vec3(1.0) - (g * g))) / (base * sqrt(base)));
+}
+
+vec2 gauss8_(int i_1) {
+    switch(i_1) {
+        case 0: {
+            return vec2(0.01985507, 0.050614268);
+        }
+        case 1: {
+            return vec2(0.10166676, 0.11119052);
+        }
+        case 2: {
+            return vec2(0.23723379, 0.15685332);
+        }
+        case 3: {
+            return vec2(0.40828267, 0.18134189);
+        }
+        case 4: {
+            return vec2(0.5917173, 0.18134189);
+        }
+        case 5: {
+            return vec2(0.7627662, 0.15685332);
+        }
+        case 6: {
+            return vec2(0.89833325, 0.11119052);
+        }
+        default: {
+            return vec2(0.9801449, 0.050614268);
+        }
+    }
+}
+
+void node_direction(int zenith, int azimuth, float h_6, float radius_9, inout float out_mu, inout float out_azimuth, inout bool out_above) {
+    bool above_1 = (zenith < 8);
+    vec2 _e8 = gauss8_((above_1 ? zenith : (zenith - 8)));
+    float _e11 = excess_of(h_6, radius_9);
+    float horizon = (-(sqrt(_e11)) / (radius_9 + h_6));
+    float span = (above_1 ? (1.0 - horizon) : (-1.0 - horizon));
+    float mu_4 = clamp((horizon + ((span * _e8.x) * _e8.x)), -1.0, 1.0);
+    out_mu = mu_4;
+    out_azimuth = ((float(azimuth) + 0.5) * 0.3926991);
+    out_above = above_1;
+}
+
+vec3 ground_radiance(vec3 m_rayleigh_1, vec3 m_ozone_1, float m_radius_1, float m_thickness_1, vec3 luts_mie_extinction_1, float luts_sun_middle_4, float luts_sun_width_4, vec3 luts_albedo, float luts_sun_first_4, float luts_sun_span_4, float sun_r_mu) {
+    vec3 light = vec3(0.0);
+    float mu_sun_4 = clamp((sun_r_mu / m_radius_1), -1.0, 1.0);
+    vec3 _e16 = ground_irradiance(_group_0_binding_2_fs, luts_sun_middle_4, luts_sun_width_4, luts_sun_first_4, luts_sun_span_4, mu_sun_4);
+    light = _e16;
+    if ((mu_sun_4 > 0.0)) {
+        mat3x3 coefficients_2 = mat3x3(m_rayleigh_1, luts_mie_extinction_1, m_ozone_1);
+        vec3 _e24 = optical_path_to_top(_group_0_binding_1_fs, m_radius_1, m_thickness_1, 0.0, 0.0, sun_r_mu);
+        vec3 _e25 = light;
+        vec3 _e26 = extinction(coefficients_2, _e24);
+        light = (_e25 + (mu_sun_4 * exp(-(_e26))));
+    }
+    vec3 _e31 = light;
+    return ((_e31 * luts_albedo) * 0.31830987);
+}
+
+void main() {
+    vec4 position = gl_FragCoord;
+    vec3 radiance = vec3(0.0);
+    float view_mu = 0.0;
+    float view_azimuth = 0.0;
+    bool view_above = false;
+    float ray_start = 0.0;
+    float ray_length = 0.0;
+    float ray_excess = 0.0;
+    float ray_r_mu = 0.0;
+    float ray_perigee_excess = 0.0;
+    float ray_sun_r_mu = 0.0;
+    float ray_nu = 0.0;
+    float ray_sin2_ = 0.0;
+    float ray_shadow_b = 0.0;
+    float ray_shadow_c = 0.0;
+    float ray_shadow_half2_ = 0.0;
+    bool ray_ground = false;
+    float perigee_distance = 0.0;
+    float perigee_excess = 0.0;
+    float perigee_r_mu = 0.0;
+    vec3 g_radiance = vec3(0.0);
+    vec3 g_transmittance = vec3(0.0);
+    vec3 m_rayleigh_2 = _group_0_binding_0_fs.medium.rayleigh;
+    float m_rayleigh_inv_height_2 = _group_0_binding_0_fs.medium.rayleigh_inv_height;
+    vec3 m_mie_scattering_1 = _group_0_binding_0_fs.medium.mie_scattering;
+    float m_mie_inv_height_2 = _group_0_binding_0_fs.medium.mie_inv_height;
+    float m_ozone_center_2 = _group_0_binding_0_fs.medium.ozone_center;
+    float m_ozone_inv_half_width_2 = _group_0_binding_0_fs.medium.ozone_inv_half_width;
+    vec3 m_ozone_2 = _group_0_binding_0_fs.medium.ozone;
+    float m_radius_2 = _group_0_binding_0_fs.medium.radius;
+    float m_thickness_2 = _group_0_binding_0_fs.medium.thickness;
+    vec3 luts_mie_extinction_2 = _group_0_binding_0_fs.luts.mie_extinction;
+    float luts_altitude_steepness_2 = _group_0_binding_0_fs.luts.altitude_steepness;
+    vec3 luts_mie_moment0_1 = _group_0_binding_0_fs.luts.mie_moment0_;
+    float luts_altitude_growth_2 = _group_0_binding_0_fs.luts.altitude_growth;
+    vec3 luts_mie_moment1_1 = _group_0_binding_0_fs.luts.mie_moment1_;
+    float luts_sun_middle_5 = _group_0_binding_0_fs.luts.sun_middle;
+    vec3 luts_mie_moment2_1 = _group_0_binding_0_fs.luts.mie_moment2_;
+    float luts_sun_width_5 = _group_0_binding_0_fs.luts.sun_width;
+    vec3 luts_mie_asymmetry = _group_0_binding_0_fs.luts.mie_asymmetry;
+    vec3 luts_albedo_1 = _group_0_binding_0_fs.luts.albedo;
+    float luts_sun_first_5 = _group_0_binding_0_fs.luts.sun_first;
+    float luts_sun_span_5 = _group_0_binding_0_fs.luts.sun_span;
+    uint luts_steps_1 = _group_0_binding_0_fs.luts.steps;
+    ivec2 texel = ivec2(position.xy);
+    ivec2 node_2 = ivec2((texel.x / AZIMUTHS), (texel.y / ZENITHS));
+    vec2 _e60 = multi_scattering_span(_group_0_binding_2_fs);
+    vec2 uv = (vec2(node_2) / _e60);
+    float _e63 = u_to_mu_sun(luts_sun_middle_5, luts_sun_width_5, luts_sun_first_5, luts_sun_span_5, uv.x);
+    float _e65 = v_to_altitude(luts_altitude_steepness_2, luts_altitude_growth_2, uv.y, m_thickness_2);
+    vec3 sun_2 = vec3(sqrt(max(((1.0 - _e63) * (1.0 + _e63)), 0.0)), 0.0, _e63);
+    node_direction((texel.y % ZENITHS), (texel.x % AZIMUTHS), _e65, m_radius_2, view_mu, view_azimuth, view_above);
+    float _e85 = view_mu;
+    float _e86 = view_azimuth;
+    bool _e87 = view_above;
+    float sine_1 = sqrt(max(((1.0 - _e85) * (1.0 + _e85)), 0.0));
+    vec3 dir_5 = vec3((sine_1 * cos(_e86)), (sine_1 * sin(_e86)), _e85);
+    inner_ray(dir_5, _e65, m_radius_2, m_thickness_2, sun_2, !(_e87), ray_start, ray_length, ray_excess, ray_r_mu, ray_perigee_excess, ray_sun_r_mu, ray_nu, ray_sin2_, ray_shadow_b, ray_shadow_c, ray_shadow_half2_, ray_ground);
+    float _e114 = ray_start;
+    float _e115 = ray_length;
+    float _e116 = ray_excess;
+    float _e117 = ray_r_mu;
+    float _e118 = ray_perigee_excess;
+    float _e119 = ray_sun_r_mu;
+    float nu_1 = ray_nu;
+    float _e121 = ray_sin2_;
+    float _e122 = ray_shadow_b;
+    float _e123 = ray_shadow_c;
+    float _e124 = ray_shadow_half2_;
+    bool _e125 = ray_ground;
+    float _e126 = rayleigh_phase(nu_1);
+    vec3 gas_2 = (m_rayleigh_2 * _e126);
+    vec3 _e133 = henyey_greenstein_phase((1.0 - nu_1), (1.0 + nu_1), luts_mie_asymmetry);
+    vec3 aerosol_2 = ((m_mie_scattering_1 * luts_mie_moment0_1) * _e133);
+    perigee_of(_e115, _e116, _e117, _e118, _e125, _e115, m_radius_2, perigee_distance, perigee_excess, perigee_r_mu);
+    float _e138 = perigee_distance;
+    float _e139 = perigee_excess;
+    float _e140 = perigee_r_mu;
+    float _e142 = distance_to_u(_e138, 0.0);
+    float _e143 = distance_to_u(_e138, _e115);
+    gather(_group_0_binding_1_fs, _group_0_binding_2_fs, m_rayleigh_2, m_rayleigh_inv_height_2, m_mie_scattering_1, m_mie_inv_height_2, m_ozone_center_2, m_ozone_inv_half_width_2, m_ozone_2, m_radius_2, m_thickness_2, luts_mie_extinction_2, luts_altitude_steepness_2, luts_mie_moment0_1, luts_altitude_growth_2, luts_mie_moment1_1, luts_sun_middle_5, luts_mie_moment2_1, luts_sun_width_5, luts_sun_first_5, luts_sun_span_5, luts_steps_1, _e114, _e119, nu_1, _e121, _e122, _e123, _e124, dir_5, _e138, _e139, _e140, _e142, _e143, gas_2, aerosol_2, 1.0, g_radiance, g_transmittance);
+    vec3 _e149 = g_radiance;
+    vec3 _e150 = g_transmittance;
+    radiance = _e149;
+    if (_e125) {
+        vec3 _e152 = radiance;
+        vec3 _e155 = ground_radiance(m_rayleigh_2, m_ozone_2, m_radius_2, m_thickness_2, luts_mie_extinction_2, luts_sun_middle_5, luts_sun_width_5, luts_albedo_1, luts_sun_first_5, luts_sun_span_5, (_e119 + (nu_1 * _e115)));
+        radiance = (_e152 + (_e150 * _e155));
+    }
+    vec3 _e158 = radiance;
+    _fs2p_location0 = vec4(_e158, 0.0);
+    return;
+}
+

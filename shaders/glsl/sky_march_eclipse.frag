@@ -1,0 +1,1132 @@
+#version 300 es
+
+precision highp float;
+precision highp int;
+
+struct Medium {
+    vec3 rayleigh;
+    float rayleigh_inv_height;
+    vec3 mie_scattering;
+    float mie_inv_height;
+    vec3 mie_extinction;
+    float ozone_center;
+    vec3 mie_asymmetry;
+    float ozone_inv_half_width;
+    vec3 ozone;
+    float radius;
+    vec3 irradiance;
+    float thickness;
+};
+struct DepthCode {
+    float scale;
+    float bias;
+    float log_;
+    float background;
+};
+struct Frame {
+    Medium medium;
+    vec3 ray_forward;
+    float altitude;
+    vec3 ray_right;
+    float sky_weight;
+    vec3 ray_up;
+    float shell_weight;
+    vec3 sun;
+    float sun_chord;
+    vec2 size;
+    float sun_disk;
+    float pixel_angle;
+    DepthCode depth;
+    uint view_samples;
+    uint light_samples;
+    uint reduced;
+    float camera_altitude;
+    vec4 sky_view_mapping;
+};
+struct Luts {
+    vec3 mie_extinction;
+    float altitude_steepness;
+    vec3 mie_moment0_;
+    float altitude_growth;
+    vec3 mie_moment1_;
+    float sun_middle;
+    vec3 mie_moment2_;
+    float sun_width;
+    vec3 mie_asymmetry;
+    float pad;
+    vec3 albedo;
+    float sun_first;
+    float sun_span;
+    float ground_rows;
+    uvec2 size;
+    uint steps;
+    uint shift;
+    uint slices;
+    float aerial_ground_rows;
+};
+struct MoonShadow {
+    vec3 across;
+    float along;
+    float radius;
+    float tan_sun_radius;
+    float min_visibility;
+    float inv_extent;
+};
+struct Uniforms {
+    Frame frame;
+    Luts luts;
+    MoonShadow moon_shadow;
+};
+const float HALF_MAX = 32000.0;
+const bool RAYLEIGH = true;
+const bool MIE = true;
+const bool OZONE = true;
+const float LOG_FLOOR = -100.0;
+const int MOMENTS = 6;
+const float SH0_ = 0.2820948;
+const float SH1_ = 0.48860252;
+const float SH20_ = 0.31539157;
+const float SH21_ = 1.0925485;
+const float SH22_ = 0.54627424;
+const bool MULTI_SCATTERING = true;
+const float PI = 3.1415927;
+const float INV_4PI = 0.07957747;
+const bool CORNETTE_SHANKS = true;
+const bool SUNLIGHT = true;
+const float SQRT_HALF = 0.70710677;
+
+uniform highp sampler2D _group_0_binding_1_fs;
+
+layout(std140) uniform Uniforms_block_0Fragment { Uniforms _group_0_binding_0_fs; };
+
+uniform highp sampler2D _group_0_binding_2_fs;
+
+uniform highp sampler2D _group_0_binding_3_fs;
+
+layout(location = 0) out vec4 _fs2p_location0;
+
+vec3 pixel_ray(vec2 pixel, vec2 size, vec3 forward, vec3 right, vec3 up) {
+    vec2 ndc = (((pixel / size) * vec2(2.0, -2.0)) + vec2(-1.0, 1.0));
+    return ((forward + (right * ndc.x)) + (up * ndc.y));
+}
+
+vec4 veil(vec3 inscatter, vec3 transmittance) {
+    return vec4(min(inscatter, vec3(32000.0)), (1.0 - dot(transmittance, vec3(0.33333334))));
+}
+
+float altitude_of(float excess, float radius) {
+    return (excess / (radius + sqrt(max(((radius * radius) + excess), 0.0))));
+}
+
+float excess_of(float h, float radius_1) {
+    return (h * ((2.0 * radius_1) + h));
+}
+
+float altitude_after(float excess_1, float r_mu, float t, float radius_2) {
+    float _e9 = altitude_of((excess_1 + (t * ((2.0 * r_mu) + t))), radius_2);
+    return max(_e9, 0.0);
+}
+
+float distance_to_top(float excess_2, float r_mu_1, float top_excess) {
+    float c = max((top_excess - excess_2), 0.0);
+    float root_1 = sqrt(((r_mu_1 * r_mu_1) + c));
+    if ((r_mu_1 > 0.0)) {
+        return (c / (r_mu_1 + root_1));
+    }
+    return (root_1 - r_mu_1);
+}
+
+float half_chord2_(float r_mu_2, float above, float depth, float p) {
+    float sphere = (depth + p);
+    if ((abs(r_mu_2) < sphere)) {
+        return ((r_mu_2 * r_mu_2) - above);
+    }
+    return (depth * (sphere + p));
+}
+
+float shadow_half2_(float s_sin2_, float s_shadow_b, float s_shadow_c, float side_z, float r, float radius_3) {
+    float sine = max(sqrt(s_sin2_), 1e-18);
+    float p_1 = ((r * abs(side_z)) / sine);
+    float _e14 = half_chord2_((s_shadow_b / sine), s_shadow_c, (radius_3 - p_1), p_1);
+    return _e14;
+}
+
+void sun_side_inside(vec3 dir, vec3 sun, float r_1, float excess_3, float radius_4, inout float out_sun_r_mu, inout float out_nu, inout float out_sin2_, inout float out_shadow_b, inout float out_shadow_c, inout float out_shadow_half2_) {
+    out_sun_r_mu = 0.0;
+    out_nu = 0.0;
+    out_sin2_ = 0.0;
+    out_shadow_b = 0.0;
+    out_shadow_c = 0.0;
+    out_shadow_half2_ = 0.0;
+    out_nu = dot(dir, sun);
+    float _e21 = out_nu;
+    vec3 side = cross((dir - (((_e21 >= 0.0) ? 1.0 : -1.0) * sun)), sun);
+    out_sin2_ = dot(side, side);
+    out_sun_r_mu = (r_1 * sun.z);
+    out_shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
+    float q = (r_1 * length(sun.xy));
+    float _e45 = out_sun_r_mu;
+    float _e49 = half_chord2_(_e45, excess_3, (radius_4 - q), q);
+    out_shadow_c = -(_e49);
+    float _e51 = out_sin2_;
+    float _e52 = out_shadow_b;
+    float _e53 = out_shadow_c;
+    float _e55 = shadow_half2_(_e51, _e52, _e53, side.z, r_1, radius_4);
+    out_shadow_half2_ = _e55;
+}
+
+void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half_, float top_excess_1, float radius_5, inout float out_sun_r_mu_1, inout float out_nu_1, inout float out_sin2_1, inout float out_shadow_b_1, inout float out_shadow_c_1, inout float out_shadow_half2_1) {
+    out_sun_r_mu_1 = 0.0;
+    out_nu_1 = 0.0;
+    out_sin2_1 = 0.0;
+    out_shadow_b_1 = 0.0;
+    out_shadow_c_1 = 0.0;
+    out_shadow_half2_1 = 0.0;
+    out_nu_1 = dot(dir_1, sun_1);
+    float _e21 = out_nu_1;
+    float same = ((_e21 >= 0.0) ? 1.0 : -1.0);
+    vec3 apart_4 = (dir_1 - (same * sun_1));
+    vec3 side_1 = cross(apart_4, sun_1);
+    out_sin2_1 = dot(side_1, side_1);
+    vec3 perigee_3 = (vec3((-(dir_1.z) * dir_1.xy), dot(dir_1.xy, dir_1.xy)) * r_2);
+    float there = (-(same) * dot(perigee_3, apart_4));
+    float here = (r_2 * sun_1.z);
+    float _e47 = out_nu_1;
+    float _e53 = out_nu_1;
+    bool nearer = ((abs(here) + (start * abs(_e47))) < (abs(there) + (half_ * abs(_e53))));
+    float _e59 = out_nu_1;
+    float _e62 = out_nu_1;
+    out_sun_r_mu_1 = (nearer ? (here + (start * _e62)) : (there - (half_ * _e59)));
+    vec3 perigee_side = cross(perigee_3, sun_1);
+    float _e68 = out_sin2_1;
+    out_shadow_b_1 = (dot(perigee_side, side_1) - (half_ * _e68));
+    float q_1 = length((perigee_side - (half_ * side_1)));
+    float _e74 = out_sun_r_mu_1;
+    float _e78 = half_chord2_(_e74, top_excess_1, (radius_5 - q_1), q_1);
+    out_shadow_c_1 = -(_e78);
+    float _e80 = out_sin2_1;
+    float _e81 = out_shadow_b_1;
+    float _e82 = out_shadow_c_1;
+    float _e84 = shadow_half2_(_e80, _e81, _e82, side_1.z, r_2, radius_5);
+    out_shadow_half2_1 = _e84;
+}
+
+void line_past(vec3 dir_2, float h_1, float radius_6, inout float out_r_mu, inout float out_perigee_excess, inout bool out_ground) {
+    bool local = false;
+    float r_3 = (radius_6 + h_1);
+    float r_mu_7 = (r_3 * dir_2.z);
+    float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
+    float _e14 = excess_of(h_1, radius_6);
+    float _e16 = half_chord2_(r_mu_7, _e14, (radius_6 - p_2), p_2);
+    if ((r_mu_7 < 0.0)) {
+        local = (_e16 >= 0.0);
+    } else {
+        local = false;
+    }
+    bool _e25 = local;
+    out_r_mu = r_mu_7;
+    out_perigee_excess = -(_e16);
+    out_ground = _e25;
+}
+
+float top_half_chord2_(float line_r_mu, float line_perigee_excess, float h_2, float radius_7, float thickness) {
+    float r_mu2_ = (line_r_mu * line_r_mu);
+    float _e5 = excess_of(thickness, radius_7);
+    float above_1 = ((h_2 - thickness) * (((2.0 * radius_7) + thickness) + h_2));
+    return ((r_mu2_ < _e5) ? (r_mu2_ - above_1) : (_e5 - line_perigee_excess));
+}
+
+float distance_to_ground(float excess_4, float r_mu_3, float root) {
+    return min((excess_4 / (root - r_mu_3)), -(r_mu_3));
+}
+
+void air_path(float line_r_mu_1, float line_perigee_excess_1, bool line_ground, float h_3, float radius_8, float thickness_1, inout float out_start, inout float out_length, inout float out_excess, inout float out_r_mu_1) {
+    bool local_1 = false;
+    float _e6 = excess_of(thickness_1, radius_8);
+    float ground_root = sqrt(max(-(line_perigee_excess_1), 0.0));
+    if ((h_3 <= thickness_1)) {
+        float _e16 = excess_of(h_3, radius_8);
+        float _e17 = distance_to_top(_e16, line_r_mu_1, _e6);
+        float _e18 = distance_to_ground(_e16, line_r_mu_1, ground_root);
+        out_start = 0.0;
+        out_length = (line_ground ? _e18 : _e17);
+        out_excess = _e16;
+        out_r_mu_1 = line_r_mu_1;
+        return;
+    }
+    float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_8) + thickness_1) + h_3));
+    float _e27 = top_half_chord2_(line_r_mu_1, line_perigee_excess_1, h_3, radius_8, thickness_1);
+    if (!((line_r_mu_1 >= 0.0))) {
+        local_1 = (_e27 <= 0.0);
+    } else {
+        local_1 = true;
+    }
+    bool _e36 = local_1;
+    if (_e36) {
+        out_start = 0.0;
+        out_length = -1.0;
+        out_excess = 0.0;
+        out_r_mu_1 = 0.0;
+        return;
+    }
+    float half_2 = sqrt(_e27);
+    float _e45 = distance_to_ground(_e6, -(half_2), ground_root);
+    float reach = (line_ground ? _e45 : (2.0 * half_2));
+    out_start = (above_2 / (half_2 - line_r_mu_1));
+    out_length = reach;
+    out_excess = _e6;
+    out_r_mu_1 = -(half_2);
+}
+
+void air_ray(vec3 dir_3, float h_4, float radius_9, float thickness_2, vec3 sun_2, inout float out_start_1, inout float out_length_1, inout float out_excess_1, inout float out_r_mu_2, inout float out_perigee_excess_1, inout float out_sun_r_mu_2, inout float out_nu_2, inout float out_sin2_2, inout float out_shadow_b_2, inout float out_shadow_c_2, inout float out_shadow_half2_2, inout bool out_ground_1) {
+    float s_sun_r_mu = 0.0;
+    float s_nu = 0.0;
+    float s_sin2_1 = 0.0;
+    float s_shadow_b_1 = 0.0;
+    float s_shadow_c_1 = 0.0;
+    float s_shadow_half2_ = 0.0;
+    bool local_2 = false;
+    float line_r_mu_2 = 0.0;
+    float line_perigee_excess_2 = 0.0;
+    bool line_ground_1 = false;
+    float path_start = 0.0;
+    float path_length = 0.0;
+    float path_excess = 0.0;
+    float path_r_mu = 0.0;
+    line_past(dir_3, h_4, radius_9, line_r_mu_2, line_perigee_excess_2, line_ground_1);
+    float _e18 = line_r_mu_2;
+    float _e19 = line_perigee_excess_2;
+    bool _e20 = line_ground_1;
+    air_path(_e18, _e19, _e20, h_4, radius_9, thickness_2, path_start, path_length, path_excess, path_r_mu);
+    float _e26 = path_start;
+    float _e27 = path_length;
+    float _e28 = path_excess;
+    float _e29 = path_r_mu;
+    if ((h_4 <= thickness_2)) {
+        sun_side_inside(dir_3, sun_2, (radius_9 + h_4), _e28, radius_9, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
+    } else {
+        if ((_e27 > 0.0)) {
+            sun_side_outside(dir_3, sun_2, (radius_9 + h_4), _e26, -(_e29), _e28, radius_9, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
+        } else {
+            s_nu = dot(dir_3, sun_2);
+        }
+    }
+    if (_e20) {
+        local_2 = (_e27 >= 0.0);
+    } else {
+        local_2 = false;
+    }
+    bool ground = local_2;
+    float _e50 = s_sun_r_mu;
+    float _e51 = s_nu;
+    float _e52 = s_sin2_1;
+    float _e53 = s_shadow_b_1;
+    float _e54 = s_shadow_c_1;
+    float _e55 = s_shadow_half2_;
+    out_start_1 = _e26;
+    out_length_1 = _e27;
+    out_excess_1 = _e28;
+    out_r_mu_2 = _e29;
+    out_perigee_excess_1 = _e19;
+    out_sun_r_mu_2 = _e50;
+    out_nu_2 = _e51;
+    out_sin2_2 = _e52;
+    out_shadow_b_2 = _e53;
+    out_shadow_c_2 = _e54;
+    out_shadow_half2_2 = _e55;
+    out_ground_1 = ground;
+}
+
+void perigee_of(float ray_length_1, float ray_excess_1, float ray_r_mu_1, float ray_perigee_excess_1, bool ray_ground_1, float length_, float radius_10, inout float out_distance, inout float out_excess_2, inout float out_r_mu_3) {
+    bool local_3 = false;
+    if ((ray_r_mu_1 >= 0.0)) {
+        out_distance = 0.0;
+        out_excess_2 = ray_excess_1;
+        out_r_mu_3 = ray_r_mu_1;
+        return;
+    }
+    if ((-(ray_r_mu_1) <= length_)) {
+        out_distance = -(ray_r_mu_1);
+        out_excess_2 = ray_perigee_excess_1;
+        out_r_mu_3 = 0.0;
+        return;
+    }
+    float r_mu_8 = (ray_r_mu_1 + length_);
+    if (ray_ground_1) {
+        local_3 = (length_ >= ray_length_1);
+    } else {
+        local_3 = false;
+    }
+    bool _e21 = local_3;
+    if (_e21) {
+        out_distance = length_;
+        out_excess_2 = 0.0;
+        out_r_mu_3 = r_mu_8;
+        return;
+    }
+    bool far = ((-(ray_r_mu_1) * length_) > (radius_10 * radius_10));
+    float near_excess = (ray_excess_1 + (length_ * ((2.0 * ray_r_mu_1) + length_)));
+    out_distance = length_;
+    out_excess_2 = (far ? (ray_perigee_excess_1 + (r_mu_8 * r_mu_8)) : near_excess);
+    out_r_mu_3 = r_mu_8;
+}
+
+bool hits_planet(vec3 dir_4, float h_5, float radius_11) {
+    float line_past_r_mu = 0.0;
+    float line_past_perigee_excess = 0.0;
+    bool line_past_ground = false;
+    line_past(dir_4, h_5, radius_11, line_past_r_mu, line_past_perigee_excess, line_past_ground);
+    bool _e6 = line_past_ground;
+    return _e6;
+}
+
+vec2 shadow_stretch(float ray_sun_r_mu_1, float ray_nu_1, float ray_sin2_1, float ray_shadow_b_1, float ray_shadow_c_1, float ray_shadow_half2_1) {
+    vec2 stretch = vec2(0.0);
+    vec2 none = vec2(1.0, 0.0);
+    stretch = vec2(-(1e30), 1e30);
+    if ((ray_sin2_1 > 1e-30)) {
+        if ((ray_shadow_half2_1 <= 0.0)) {
+            return none;
+        }
+        float q_2 = -((ray_shadow_b_1 + (((ray_shadow_b_1 >= 0.0) ? 1.0 : -1.0) * sqrt((ray_sin2_1 * ray_shadow_half2_1)))));
+        float t0_4 = (q_2 / ray_sin2_1);
+        float t1_1 = ((q_2 != 0.0) ? (ray_shadow_c_1 / q_2) : t0_4);
+        stretch = vec2(min(t0_4, t1_1), max(t0_4, t1_1));
+    } else {
+        if ((ray_shadow_c_1 >= 0.0)) {
+            return none;
+        }
+    }
+    if ((abs(ray_nu_1) < 1e-12)) {
+        if ((ray_sun_r_mu_1 >= 0.0)) {
+            return none;
+        }
+    } else {
+        float t_2 = (-(ray_sun_r_mu_1) / ray_nu_1);
+        if ((ray_nu_1 > 0.0)) {
+            float _e48 = stretch.y;
+            stretch.y = min(_e48, t_2);
+        } else {
+            float _e52 = stretch.x;
+            stretch.x = max(_e52, t_2);
+        }
+    }
+    vec2 _e54 = stretch;
+    return _e54;
+}
+
+vec4 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width) {
+    return vec4(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_center, m_ozone_inv_half_width);
+}
+
+mat3x3 coefficients_of(vec3 m_rayleigh, vec3 m_mie_extinction, vec3 m_ozone) {
+    return mat3x3(m_rayleigh, m_mie_extinction, m_ozone);
+}
+
+vec3 densities(vec4 layers, float h_6) {
+    vec3 d = vec3(0.0);
+    if (RAYLEIGH) {
+        d.x = exp((-(h_6) * layers.x));
+    }
+    if (MIE) {
+        d.y = exp((-(h_6) * layers.y));
+    }
+    if (OZONE) {
+        d.z = max(0.0, (1.0 - (abs((h_6 - layers.z)) * layers.w)));
+    }
+    vec3 _e28 = d;
+    return _e28;
+}
+
+vec3 extinction(mat3x3 coefficients, vec3 d_1) {
+    vec3 sum = vec3(0.0);
+    if (RAYLEIGH) {
+        vec3 _e4 = sum;
+        sum = (_e4 + (coefficients[0] * d_1.x));
+    }
+    if (MIE) {
+        vec3 _e12 = sum;
+        sum = (_e12 + (coefficients[1] * d_1.y));
+    }
+    if (OZONE) {
+        vec3 _e18 = sum;
+        sum = (_e18 + (coefficients[2] * d_1.z));
+    }
+    vec3 _e23 = sum;
+    return _e23;
+}
+
+float u_to_distance(float perigee, float u) {
+    return (perigee + (u * abs(u)));
+}
+
+float distance_to_u(float perigee_1, float t_1) {
+    return (sign((t_1 - perigee_1)) * sqrt(abs((t_1 - perigee_1))));
+}
+
+vec3 path_densities(vec4 layers_1, float radius_12, float excess_5, float r_mu_4, float distance_, uint samples) {
+    vec3 sum_1 = vec3(0.0);
+    float t0_ = 0.0;
+    uint i = 0u;
+    float perigee_4 = clamp(-(r_mu_4), 0.0, distance_);
+    float u0_ = -(sqrt(perigee_4));
+    float du = ((sqrt((distance_ - perigee_4)) - u0_) / float(samples));
+    bool loop_init = true;
+    while(true) {
+        if (!loop_init) {
+            uint _e42 = i;
+            i = (_e42 + 1u);
+        }
+        loop_init = false;
+        uint _e18 = i;
+        if ((_e18 < samples)) {
+        } else {
+            break;
+        }
+        {
+            uint _e20 = i;
+            float u_2 = (u0_ + (du * float(_e20)));
+            float _e27 = u_to_distance(perigee_4, (u_2 + (0.5 * du)));
+            float _e29 = u_to_distance(perigee_4, (u_2 + du));
+            float _e32 = altitude_after(excess_5, r_mu_4, _e27, radius_12);
+            vec3 _e34 = sum_1;
+            vec3 _e36 = densities(layers_1, _e32);
+            float _e38 = t0_;
+            sum_1 = (_e34 + (_e36 * (_e29 - _e38)));
+            t0_ = _e29;
+        }
+    }
+    vec3 _e45 = sum_1;
+    return _e45;
+}
+
+vec3 mean_transmittance(vec3 tau) {
+    vec3 series = (vec3(1.0) - (tau * (vec3(0.5) - (tau * 0.16666667))));
+    return mix(((vec3(1.0) - exp(-(tau))) / tau), series, lessThan(tau, vec3(0.01)));
+}
+
+vec2 lit_part(vec2 shadow, float perigee_2, float t0_1, float t1_, float mid) {
+    float dark0_ = clamp(shadow.x, t0_1, t1_);
+    float dark1_ = clamp(shadow.y, t0_1, t1_);
+    float dark = ((shadow.y > shadow.x) ? max((dark1_ - dark0_), 0.0) : 0.0);
+    if ((dark <= 0.0)) {
+        return vec2((t1_ - t0_1), mid);
+    }
+    bool first = ((dark0_ - t0_1) > (t1_ - dark1_));
+    float lit0_ = (first ? t0_1 : dark1_);
+    float lit1_ = (first ? dark0_ : t1_);
+    float _e26 = distance_to_u(perigee_2, lit0_);
+    float _e27 = distance_to_u(perigee_2, lit1_);
+    float middle = (0.5 * (_e26 + _e27));
+    float _e33 = u_to_distance(perigee_2, middle);
+    return vec2(((t1_ - t0_1) - dark), _e33);
+}
+
+void corner(vec2 position_1, ivec2 size_1, inout ivec2 out_first, inout ivec2 out_last, inout vec2 out_between) {
+    vec2 inside = clamp(position_1, vec2(0.0), vec2((size_1 - ivec2(1))));
+    ivec2 first_1 = min(ivec2(inside), (size_1 - ivec2(1)));
+    out_first = first_1;
+    out_last = min((first_1 + ivec2(1)), (size_1 - ivec2(1)));
+    out_between = (inside - vec2(first_1));
+}
+
+vec4 bilinear(highp sampler2D lut, ivec2 c_first, ivec2 c_last, vec2 c_between, ivec2 origin) {
+    ivec2 first_2 = (c_first + origin);
+    ivec2 last = (c_last + origin);
+    vec4 _e8 = texelFetch(lut, first_2, 0);
+    vec4 _e13 = texelFetch(lut, ivec2(last.x, first_2.y), 0);
+    vec4 bottom = mix(_e8, _e13, c_between.x);
+    vec4 _e20 = texelFetch(lut, ivec2(first_2.x, last.y), 0);
+    vec4 _e22 = texelFetch(lut, last, 0);
+    vec4 top = mix(_e20, _e22, c_between.x);
+    return mix(bottom, top, c_between.y);
+}
+
+vec2 transmittance_uv(float excess_6, float h_7, float r_mu_5, float radius_13, float thickness_3) {
+    float _e2 = excess_of(thickness_3, radius_13);
+    float rho = sqrt(max(excess_6, 0.0));
+    float rho_top = sqrt(_e2);
+    float _e9 = distance_to_top(excess_6, r_mu_5, _e2);
+    float shortest = max((thickness_3 - h_7), 0.0);
+    return vec2(((_e9 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
+}
+
+vec3 optical_path_to_top(highp sampler2D lut_1, float radius_14, float thickness_4, float excess_7, float h_8, float r_mu_6) {
+    ivec2 corner_first = ivec2(0);
+    ivec2 corner_last = ivec2(0);
+    vec2 corner_between = vec2(0.0);
+    ivec2 size_2 = ivec2(uvec2(textureSize(lut_1, 0).xy));
+    vec2 _e8 = transmittance_uv(excess_7, h_8, r_mu_6, radius_14, thickness_4);
+    vec2 position_4 = (_e8 * vec2((size_2 - ivec2(1))));
+    corner(position_4, size_2, corner_first, corner_last, corner_between);
+    ivec2 _e17 = corner_first;
+    ivec2 _e18 = corner_last;
+    vec2 _e19 = corner_between;
+    vec4 _e22 = bilinear(lut_1, _e17, _e18, _e19, ivec2(0));
+    return exp2(_e22.xyz);
+}
+
+float altitude_to_v(float steepness, float growth, float h_9, float thickness_5) {
+    float grown = ((max(h_9, 0.0) / thickness_5) * growth);
+    float series_1 = (grown * (1.0 - (grown * (0.5 - (grown * (0.33333334 - (grown * 0.25)))))));
+    return sqrt((((grown < 0.05) ? series_1 : log((1.0 + grown))) / steepness));
+}
+
+vec4 sun_axis(float luts_sun_middle, float luts_sun_width, float luts_sun_first, float luts_sun_span) {
+    return vec4(luts_sun_middle, luts_sun_width, luts_sun_first, luts_sun_span);
+}
+
+float mu_sun_to_u(vec4 axis, float mu_sun) {
+    float y_1 = ((mu_sun - axis.x) / axis.y);
+    return (((sign(y_1) * log((abs(y_1) + sqrt(((y_1 * y_1) + 1.0))))) - axis.z) / axis.w);
+}
+
+vec2 multi_scattering_span(highp sampler2D lut_2) {
+    ivec2 dims = ivec2(uvec2(textureSize(lut_2, 0).xy));
+    return (vec2(float(dims.x), float(((dims.y - 1) / MOMENTS))) - vec2(1.0));
+}
+
+float harmonic(int index, float mu, float along) {
+    switch(index) {
+        case 0: {
+            return SH0_;
+        }
+        case 1: {
+            return (SH1_ * mu);
+        }
+        case 2: {
+            return (SH1_ * along);
+        }
+        case 3: {
+            return (SH20_ * (((3.0 * mu) * mu) - 1.0));
+        }
+        case 4: {
+            return ((SH21_ * mu) * along);
+        }
+        default: {
+            return (SH22_ * ((((2.0 * along) * along) + (mu * mu)) - 1.0));
+        }
+    }
+}
+
+void multi_scattering_source(highp sampler2D lut_3, vec2 node, vec3 gas, mat3x3 aerosol, float mu_1, float mu_sun_1, float nu, inout vec3 out_gas, inout vec3 out_aerosol) {
+    ivec2 c_first_1 = ivec2(0);
+    ivec2 c_last_1 = ivec2(0);
+    vec2 c_between_1 = vec2(0.0);
+    out_gas = vec3(0.0);
+    out_aerosol = vec3(0.0);
+    ivec2 dims_1 = ivec2(uvec2(textureSize(lut_3, 0).xy));
+    corner(node, ivec2(dims_1.x, ((dims_1.y - 1) / MOMENTS)), c_first_1, c_last_1, c_between_1);
+    int _e21 = c_first_1.y;
+    c_first_1.y = (_e21 * MOMENTS);
+    int _e25 = c_last_1.y;
+    c_last_1.y = (_e25 * MOMENTS);
+    ivec2 _e28 = c_first_1;
+    ivec2 _e29 = c_last_1;
+    vec2 _e30 = c_between_1;
+    vec4 _e33 = bilinear(lut_3, _e28, _e29, _e30, ivec2(0));
+    vec3 mean = exp2(_e33.xyz);
+    float sin_sun = sqrt(max(((1.0 - mu_sun_1) * (1.0 + mu_sun_1)), 1e-12));
+    float sin_view = sqrt(max(((1.0 - mu_1) * (1.0 + mu_1)), 0.0));
+    float along_2 = clamp(((nu - (mu_1 * mu_sun_1)) / sin_sun), -(sin_view), sin_view);
+    ivec2 _e60 = c_first_1;
+    ivec2 _e61 = c_last_1;
+    vec2 _e62 = c_between_1;
+    vec4 _e66 = bilinear(lut_3, _e60, _e61, _e62, ivec2(0, 3));
+    float _e69 = harmonic(3, mu_1, along_2);
+    ivec2 _e71 = c_first_1;
+    ivec2 _e72 = c_last_1;
+    vec2 _e73 = c_between_1;
+    vec4 _e77 = bilinear(lut_3, _e71, _e72, _e73, ivec2(0, 4));
+    float _e80 = harmonic(4, mu_1, along_2);
+    ivec2 _e83 = c_first_1;
+    ivec2 _e84 = c_last_1;
+    vec2 _e85 = c_between_1;
+    vec4 _e89 = bilinear(lut_3, _e83, _e84, _e85, ivec2(0, 5));
+    float _e92 = harmonic(5, mu_1, along_2);
+    vec3 l2_ = (((_e66.xyz * _e69) + (_e77.xyz * _e80)) + (_e89.xyz * _e92));
+    if (RAYLEIGH) {
+        out_gas = ((gas * (vec3(0.2820948) + (0.1 * l2_))) * mean);
+    }
+    if (MIE) {
+        ivec2 _e107 = c_first_1;
+        ivec2 _e108 = c_last_1;
+        vec2 _e109 = c_between_1;
+        vec4 _e113 = bilinear(lut_3, _e107, _e108, _e109, ivec2(0, 1));
+        float _e116 = harmonic(1, mu_1, along_2);
+        ivec2 _e118 = c_first_1;
+        ivec2 _e119 = c_last_1;
+        vec2 _e120 = c_between_1;
+        vec4 _e124 = bilinear(lut_3, _e118, _e119, _e120, ivec2(0, 2));
+        float _e127 = harmonic(2, mu_1, along_2);
+        vec3 l1_ = ((_e113.xyz * _e116) + (_e124.xyz * _e127));
+        out_aerosol = ((((SH0_ * aerosol[0]) + (l1_ * aerosol[1])) + (l2_ * aerosol[2])) * mean);
+    }
+}
+
+vec2 moon_before_sun(float apart, float along_1, float radius_15, float tan_sun_radius) {
+    float scale = (1.0 / (max(along_1, (0.001 * radius_15)) * tan_sun_radius));
+    return ((along_1 > 0.0) ? (vec2(radius_15, apart) * scale) : vec2(0.0, 1000.0));
+}
+
+vec2 half_angle(float own, float apart_1, float other) {
+    float more = (other - own);
+    float opposite = ((more + apart_1) * ((other + own) - apart_1));
+    float adjacent = ((apart_1 - more) * ((own + apart_1) + other));
+    return sqrt(max(vec2(opposite, adjacent), vec2(0.0)));
+}
+
+float quarter_atan(float y, float x) {
+    float q_3 = (min(x, y) / max(max(x, y), 1e-30));
+    float s = (q_3 * q_3);
+    float p_3 = (1.0 + (s * (-0.33333147 + (s * (0.19993551 + (s * (-0.142089 + (s * (0.10656264 + (s * (-0.07528964 + (s * (0.042909615 + (s * (-0.016165737 + (s * 0.0028662258))))))))))))))));
+    return ((y > x) ? (1.5707964 - (q_3 * p_3)) : (q_3 * p_3));
+}
+
+float segment(vec2 half_1) {
+    float _e3 = quarter_atan(half_1.x, half_1.y);
+    float a = (2.0 * _e3);
+    if ((a < 0.5)) {
+        float y2_ = ((4.0 * a) * a);
+        float series_2 = (1.0 - ((y2_ * 0.05) * (1.0 - ((y2_ * 0.023809524) * (1.0 - (y2_ * 0.013888889))))));
+        return (((a * y2_) * 0.16666667) * series_2);
+    }
+    float sum_2 = dot(half_1, half_1);
+    return (a - ((((2.0 * half_1.x) * half_1.y) * ((half_1.y * half_1.y) - (half_1.x * half_1.x))) / (sum_2 * sum_2)));
+}
+
+float visible_fraction(float moon, float apart_2) {
+    if ((apart_2 >= (1.0 + moon))) {
+        return 1.0;
+    }
+    if ((apart_2 <= (moon - 1.0))) {
+        return 0.0;
+    }
+    if ((apart_2 <= (1.0 - moon))) {
+        return ((1.0 - moon) * (1.0 + moon));
+    }
+    vec2 _e19 = half_angle(1.0, apart_2, moon);
+    vec2 _e22 = half_angle(moon, apart_2, 1.0);
+    float _e23 = segment(_e22);
+    float of_moon = ((moon * moon) * _e23);
+    if ((_e19.y < _e19.x)) {
+        float _e29 = segment(_e19.yx);
+        return clamp(((_e29 - of_moon) / PI), 0.0, 1.0);
+    }
+    float _e36 = segment(_e19);
+    return clamp((1.0 - ((_e36 + of_moon) / PI)), 0.0, 1.0);
+}
+
+vec3 moon_shadow_lut_row(highp sampler2D lut_4, float u_1, int row) {
+    int last_1 = (int(uvec2(textureSize(lut_4, 0).xy).x) - 1);
+    float position_5 = (clamp(u_1, 0.0, 1.0) * float(last_1));
+    int texel = min(int(position_5), last_1);
+    vec4 _e17 = texelFetch(lut_4, ivec2(texel, row), 0);
+    vec4 _e24 = texelFetch(lut_4, ivec2(min((texel + 1), last_1), row), 0);
+    return mix(_e17.xyz, _e24.xyz, (position_5 - float(texel)));
+}
+
+float moon_distance_to_u(float moon_1, float apart_3) {
+    float inner = abs((moon_1 - 1.0));
+    if ((apart_3 < inner)) {
+        return ((0.25 * apart_3) / inner);
+    }
+    return (0.25 + (0.75 * sqrt(((apart_3 - inner) / (2.0 * min(moon_1, 1.0))))));
+}
+
+vec3 moon_shadow_visibility(highp sampler2D lut_5, vec3 s_across, float s_along, float s_radius, float s_tan_sun_radius, float s_min_visibility, vec3 position_2, vec3 sun_3) {
+    vec3 visible = vec3(0.0);
+    bool local_4 = false;
+    float beside = dot(position_2, sun_3);
+    float apart_5 = length((s_across - (position_2 - (sun_3 * beside))));
+    vec2 _e13 = moon_before_sun(apart_5, (s_along - beside), s_radius, s_tan_sun_radius);
+    float _e16 = visible_fraction(_e13.x, _e13.y);
+    visible = vec3(_e16);
+    float _e20 = visible.x;
+    if ((_e20 > 0.0)) {
+        float _e24 = visible.x;
+        local_4 = (_e24 < 1.0);
+    } else {
+        local_4 = false;
+    }
+    bool _e30 = local_4;
+    if (_e30) {
+        vec3 _e31 = visible;
+        float _e34 = moon_distance_to_u(_e13.x, _e13.y);
+        vec3 _e37 = moon_shadow_lut_row(lut_5, _e34, 1);
+        visible = (_e31 * _e37);
+    }
+    vec3 _e39 = visible;
+    return max(_e39, vec3(s_min_visibility));
+}
+
+vec3 sun_visibility(vec3 dir_5, float distance_1) {
+    vec3 _e3 = _group_0_binding_0_fs.moon_shadow.across;
+    float _e5 = _group_0_binding_0_fs.moon_shadow.along;
+    float _e7 = _group_0_binding_0_fs.moon_shadow.radius;
+    float _e9 = _group_0_binding_0_fs.moon_shadow.tan_sun_radius;
+    float _e11 = _group_0_binding_0_fs.moon_shadow.min_visibility;
+    vec3 _e18 = _group_0_binding_0_fs.frame.sun;
+    vec3 _e20 = moon_shadow_visibility(_group_0_binding_1_fs, _e3, _e5, _e7, _e9, _e11, (dir_5 * distance_1), _e18);
+    return _e20;
+}
+
+vec3 moon_shadow_visibility_around(highp sampler2D lut_6, vec3 s_across_1, float s_min_visibility_1, float s_inv_extent, vec3 position_3, vec3 sun_4) {
+    float apart_6 = length((s_across_1 - (position_3 - (sun_4 * dot(position_3, sun_4)))));
+    vec3 _e13 = moon_shadow_lut_row(lut_6, (apart_6 * s_inv_extent), 0);
+    return max(_e13, vec3(s_min_visibility_1));
+}
+
+vec3 sun_visibility_around(vec3 dir_6, float distance_2) {
+    vec3 _e3 = _group_0_binding_0_fs.moon_shadow.across;
+    float _e5 = _group_0_binding_0_fs.moon_shadow.min_visibility;
+    float _e7 = _group_0_binding_0_fs.moon_shadow.inv_extent;
+    vec3 _e14 = _group_0_binding_0_fs.frame.sun;
+    vec3 _e16 = moon_shadow_visibility_around(_group_0_binding_1_fs, _e3, _e5, _e7, (dir_6 * distance_2), _e14);
+    return _e16;
+}
+
+void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_lut, vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, float m_ozone_center_1, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_thickness, vec3 luts_mie_extinction, float luts_altitude_steepness, vec3 luts_mie_moment0_, float luts_altitude_growth, vec3 luts_mie_moment1_, float luts_sun_middle_1, vec3 luts_mie_moment2_, float luts_sun_width_1, float luts_sun_first_1, float luts_sun_span_1, uint luts_steps, float ray_start_1, float ray_sun_r_mu_2, float ray_nu_2, float ray_sin2_2, float ray_shadow_b_2, float ray_shadow_c_2, float ray_shadow_half2_2, vec3 dir_7, float perigee_distance, float perigee_excess, float perigee_r_mu, float u_from, float u_to, vec3 gas_1, vec3 aerosol_1, float multiple, inout vec3 out_radiance, inout vec3 out_transmittance, inout vec3 out_optical_path) {
+    float t0_2 = 0.0;
+    uint i_1 = 0u;
+    vec3 source = vec3(0.0);
+    vec3 before_gas = vec3(0.0);
+    vec3 before_aerosol = vec3(0.0);
+    out_radiance = vec3(0.0);
+    out_transmittance = vec3(1.0);
+    out_optical_path = vec3(0.0);
+    vec4 _e19 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
+    mat3x3 coefficients_2 = mat3x3(m_rayleigh_1, luts_mie_extinction, m_ozone_1);
+    vec2 _e39 = shadow_stretch(ray_sun_r_mu_2, ray_nu_2, ray_sin2_2, ray_shadow_b_2, ray_shadow_c_2, ray_shadow_half2_2);
+    vec4 _e40 = sun_axis(luts_sun_middle_1, luts_sun_width_1, luts_sun_first_1, luts_sun_span_1);
+    vec2 _e42 = multi_scattering_span(multi_scattering_lut);
+    mat3x3 moments = mat3x3((m_mie_scattering * luts_mie_moment0_), (m_mie_scattering * luts_mie_moment1_), (m_mie_scattering * luts_mie_moment2_));
+    float du_1 = ((u_to - u_from) / float(luts_steps));
+    float _e55 = u_to_distance(perigee_distance, u_from);
+    t0_2 = _e55;
+    bool loop_init_1 = true;
+    while(true) {
+        if (!loop_init_1) {
+            uint _e172 = i_1;
+            i_1 = (_e172 + 1u);
+        }
+        loop_init_1 = false;
+        uint _e58 = i_1;
+        if ((_e58 < luts_steps)) {
+        } else {
+            break;
+        }
+        {
+            uint _e60 = i_1;
+            float u_3 = (u_from + (du_1 * float(_e60)));
+            float _e65 = u_to_distance(perigee_distance, (u_3 + du_1));
+            float _e66 = t0_2;
+            float step_ = (_e65 - _e66);
+            float _e71 = u_to_distance(perigee_distance, (u_3 + (0.5 * du_1)));
+            float _e73 = altitude_after(perigee_excess, perigee_r_mu, (_e71 - perigee_distance), m_radius);
+            vec3 _e74 = densities(_e19, _e73);
+            vec3 _e75 = extinction(coefficients_2, _e74);
+            vec3 tau_1 = (_e75 * step_);
+            vec3 _e80 = out_transmittance;
+            vec3 _e81 = mean_transmittance(tau_1);
+            vec3 weight = (_e80 * _e81);
+            float _e83 = t0_2;
+            vec2 _e84 = lit_part(_e39, perigee_distance, _e83, _e65, _e71);
+            if ((_e84.x > 0.0)) {
+                float past = (_e84.y - perigee_distance);
+                float lit_excess = max((perigee_excess + (past * ((2.0 * perigee_r_mu) + past))), 0.0);
+                float _e97 = altitude_of(lit_excess, m_radius);
+                vec3 _e98 = densities(_e19, _e97);
+                float sun_r_mu_1 = (ray_sun_r_mu_2 + (ray_nu_2 * _e84.y));
+                vec3 _e103 = optical_path_to_top(transmittance_lut, m_radius, m_thickness, lit_excess, _e97, sun_r_mu_1);
+                vec3 _e111 = extinction(coefficients_2, _e103);
+                source = (((gas_1 * _e98.x) + (aerosol_1 * _e98.y)) * exp(-(_e111)));
+                vec3 _e116 = source;
+                vec3 _e120 = sun_visibility(dir_7, (ray_start_1 + _e84.y));
+                source = (_e116 * _e120);
+                vec3 _e122 = out_radiance;
+                vec3 _e123 = source;
+                out_radiance = (_e122 + ((weight * _e123) * _e84.x));
+            }
+            if (MULTI_SCATTERING) {
+                float r_4 = (m_radius + _e73);
+                float mu_3 = clamp((((perigee_r_mu + _e71) - perigee_distance) / r_4), -1.0, 1.0);
+                float mu_sun_2 = clamp(((ray_sun_r_mu_2 + (ray_nu_2 * _e71)) / r_4), -1.0, 1.0);
+                float _e142 = altitude_to_v(luts_altitude_steepness, luts_altitude_growth, _e73, m_thickness);
+                float _e143 = mu_sun_to_u(_e40, mu_sun_2);
+                vec2 node_1 = (vec2(_e143, _e142) * _e42);
+                multi_scattering_source(multi_scattering_lut, node_1, m_rayleigh_1, moments, mu_3, mu_sun_2, ray_nu_2, before_gas, before_aerosol);
+                vec3 _e148 = before_gas;
+                vec3 _e149 = before_aerosol;
+                vec3 _e151 = sun_visibility_around(dir_7, (ray_start_1 + _e71));
+                vec3 source_2 = (((_e148 * _e151) * _e74.x) + ((_e149 * _e151) * _e74.y));
+                vec3 _e159 = out_radiance;
+                out_radiance = (_e159 + ((weight * (step_ * multiple)) * source_2));
+            }
+            vec3 _e165 = out_transmittance;
+            out_transmittance = (_e165 * exp(-(tau_1)));
+            vec3 _e169 = out_optical_path;
+            out_optical_path = (_e169 + (_e74 * step_));
+            t0_2 = _e65;
+        }
+    }
+}
+
+float rayleigh_phase(float mu_2) {
+    return (0.0596831 * (1.0 + (mu_2 * mu_2)));
+}
+
+vec3 henyey_greenstein_phase(float away, float toward, vec3 g) {
+    vec3 rest = (vec3(1.0) - abs(g));
+    vec3 base = ((rest * rest) + ((2.0 * abs(g)) * mix(vec3(toward), vec3(away), greaterThanEqual(g, vec3(0.0)))));
+    return ((INV_4PI * (vec3(1.0) - (g * g))) / (base * sqrt(base)));
+}
+
+vec3 cornette_shanks_phase(float away_1, float toward_1, vec3 g_1) {
+    float mu_4 = (1.0 - away_1);
+    vec3 _e16 = henyey_greenstein_phase(away_1, toward_1, g_1);
+    return ((vec3((1.5 * (1.0 + (mu_4 * mu_4)))) / (vec3(2.0) + (g_1 * g_1))) * _e16);
+}
+
+vec3 mie_phase(float away_2, float toward_2, vec3 asymmetry) {
+    if (CORNETTE_SHANKS) {
+        vec3 _e4 = cornette_shanks_phase(away_2, toward_2, asymmetry);
+        return _e4;
+    } else {
+        vec3 _e5 = henyey_greenstein_phase(away_2, toward_2, asymmetry);
+        return _e5;
+    }
+}
+
+vec3 mie_phase_between(vec3 dir_8, vec3 sun_5, vec3 asymmetry_1) {
+    vec3 apart_7 = (dir_8 - sun_5);
+    vec3 together = (dir_8 + sun_5);
+    vec3 _e11 = mie_phase((0.5 * dot(apart_7, apart_7)), (0.5 * dot(together, together)), asymmetry_1);
+    return _e11;
+}
+
+vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_16, float thickness_6, float excess_8, float sun_r_mu, uint samples_1) {
+    float _e2 = excess_of(thickness_6, radius_16);
+    float _e5 = distance_to_top(excess_8, sun_r_mu, _e2);
+    vec3 _e8 = path_densities(layers_2, radius_16, excess_8, sun_r_mu, _e5, samples_1);
+    vec3 _e10 = extinction(coefficients_1, _e8);
+    return exp(-(_e10));
+}
+
+void single_scattering(vec3 m_rayleigh_2, float m_rayleigh_inv_height_2, vec3 m_mie_scattering_1, float m_mie_inv_height_2, vec3 m_mie_extinction_1, float m_ozone_center_2, vec3 m_mie_asymmetry, float m_ozone_inv_half_width_2, vec3 m_ozone_2, float m_radius_1, float m_thickness_1, float ray_start_2, float ray_length_2, float ray_excess_2, float ray_r_mu_2, float ray_perigee_excess_2, float ray_sun_r_mu_3, float ray_nu_3, float ray_sin2_3, float ray_shadow_b_3, float ray_shadow_c_3, float ray_shadow_half2_3, bool ray_ground_2, vec3 dir_9, float length_1, float away_3, uint view_samples, uint light_samples, inout vec3 out_radiance_1, inout vec3 out_transmittance_1) {
+    vec3 rayleigh = vec3(0.0);
+    vec3 mie = vec3(0.0);
+    vec2 shadow_1 = vec2(0.0);
+    float t0_3 = 0.0;
+    uint i_2 = 0u;
+    vec3 source_1 = vec3(0.0);
+    float perigee_distance_1 = 0.0;
+    float perigee_excess_1 = 0.0;
+    float perigee_r_mu_1 = 0.0;
+    out_radiance_1 = vec3(0.0);
+    out_transmittance_1 = vec3(1.0);
+    if (SUNLIGHT) {
+        vec2 _e27 = shadow_stretch(ray_sun_r_mu_3, ray_nu_3, ray_sin2_3, ray_shadow_b_3, ray_shadow_c_3, ray_shadow_half2_3);
+        shadow_1 = _e27;
+        if (RAYLEIGH) {
+            float _e44 = rayleigh_phase((1.0 - away_3));
+            rayleigh = (m_rayleigh_2 * _e44);
+        }
+        if (MIE) {
+            float toward_3 = ((away_3 > 1.0) ? (ray_sin2_3 / max(away_3, 1.0)) : (2.0 - away_3));
+            vec3 _e56 = mie_phase(away_3, toward_3, m_mie_asymmetry);
+            mie = (m_mie_scattering_1 * _e56);
+        }
+    }
+    vec4 _e59 = layers_of(m_rayleigh_inv_height_2, m_mie_inv_height_2, m_ozone_center_2, m_ozone_inv_half_width_2);
+    mat3x3 _e60 = coefficients_of(m_rayleigh_2, m_mie_extinction_1, m_ozone_2);
+    perigee_of(ray_length_2, ray_excess_2, ray_r_mu_2, ray_perigee_excess_2, ray_ground_2, length_1, m_radius_1, perigee_distance_1, perigee_excess_1, perigee_r_mu_1);
+    float nearest = perigee_distance_1;
+    float _e66 = perigee_excess_1;
+    float _e67 = perigee_r_mu_1;
+    float u0_1 = -(sqrt(nearest));
+    float du_2 = ((sqrt((length_1 - nearest)) - u0_1) / float(view_samples));
+    bool loop_init_2 = true;
+    while(true) {
+        if (!loop_init_2) {
+            uint _e158 = i_2;
+            i_2 = (_e158 + 1u);
+        }
+        loop_init_2 = false;
+        uint _e77 = i_2;
+        if ((_e77 < view_samples)) {
+        } else {
+            break;
+        }
+        {
+            uint _e79 = i_2;
+            float u_4 = (u0_1 + (du_2 * float(_e79)));
+            float _e84 = u_to_distance(nearest, (u_4 + du_2));
+            float _e88 = u_to_distance(nearest, (u_4 + (0.5 * du_2)));
+            float _e90 = altitude_after(_e66, _e67, (_e88 - nearest), m_radius_1);
+            vec3 _e91 = densities(_e59, _e90);
+            vec3 _e92 = extinction(_e60, _e91);
+            float _e94 = t0_3;
+            vec3 tau_2 = (_e92 * (_e84 - _e94));
+            if (SUNLIGHT) {
+                vec2 _e98 = shadow_1;
+                float _e99 = t0_3;
+                vec2 _e100 = lit_part(_e98, nearest, _e99, _e84, _e88);
+                if ((_e100.x > 0.0)) {
+                    float past_1 = (_e100.y - nearest);
+                    float excess_9 = (_e66 + (past_1 * ((2.0 * _e67) + past_1)));
+                    float _e111 = altitude_of(excess_9, m_radius_1);
+                    vec3 _e114 = densities(_e59, max(_e111, 0.0));
+                    source_1 = vec3(0.0);
+                    if (RAYLEIGH) {
+                        vec3 _e119 = source_1;
+                        vec3 _e120 = rayleigh;
+                        source_1 = (_e119 + (_e120 * _e114.x));
+                    }
+                    if (MIE) {
+                        vec3 _e125 = source_1;
+                        vec3 _e126 = mie;
+                        source_1 = (_e125 + (_e126 * _e114.y));
+                    }
+                    float sun_r_mu_2 = (ray_sun_r_mu_3 + (ray_nu_3 * _e100.y));
+                    vec3 _e133 = source_1;
+                    vec3 _e135 = sun_transmittance(_e60, _e59, m_radius_1, m_thickness_1, excess_9, sun_r_mu_2, light_samples);
+                    source_1 = (_e133 * _e135);
+                    vec3 _e137 = source_1;
+                    vec3 _e141 = sun_visibility(dir_9, (ray_start_2 + _e100.y));
+                    source_1 = (_e137 * _e141);
+                    vec3 _e145 = out_radiance_1;
+                    vec3 _e146 = out_transmittance_1;
+                    vec3 _e147 = mean_transmittance(tau_2);
+                    vec3 _e149 = source_1;
+                    out_radiance_1 = (_e145 + (((_e146 * _e147) * _e149) * _e100.x));
+                }
+            }
+            vec3 _e154 = out_transmittance_1;
+            out_transmittance_1 = (_e154 * exp(-(tau_2)));
+            t0_3 = _e84;
+        }
+    }
+}
+
+void all_orders(highp sampler2D transmittance_lut_1, highp sampler2D multi_scattering_lut_1, vec3 m_rayleigh_3, float m_rayleigh_inv_height_3, vec3 m_mie_scattering_2, float m_mie_inv_height_3, vec3 m_mie_extinction_2, float m_ozone_center_3, vec3 m_mie_asymmetry_1, float m_ozone_inv_half_width_3, vec3 m_ozone_3, float m_radius_2, float m_thickness_2, vec3 luts_mie_extinction_1, float luts_altitude_steepness_1, vec3 luts_mie_moment0_1, float luts_altitude_growth_1, vec3 luts_mie_moment1_1, float luts_sun_middle_2, vec3 luts_mie_moment2_1, float luts_sun_width_2, float luts_sun_first_2, float luts_sun_span_2, uint luts_steps_1, float ray_start_3, float ray_length_3, float ray_excess_3, float ray_r_mu_3, float ray_perigee_excess_3, float ray_sun_r_mu_4, float ray_nu_4, float ray_sin2_4, float ray_shadow_b_4, float ray_shadow_c_4, float ray_shadow_half2_4, bool ray_ground_3, vec3 dir_10, vec3 sun_6, float length_2, inout vec3 out_radiance_2, inout vec3 out_transmittance_2) {
+    float perigee_distance_2 = 0.0;
+    float perigee_excess_2 = 0.0;
+    float perigee_r_mu_2 = 0.0;
+    vec3 g_radiance = vec3(0.0);
+    vec3 g_transmittance = vec3(0.0);
+    vec3 g_optical_path = vec3(0.0);
+    perigee_of(ray_length_3, ray_excess_3, ray_r_mu_3, ray_perigee_excess_3, ray_ground_3, length_2, m_radius_2, perigee_distance_2, perigee_excess_2, perigee_r_mu_2);
+    float _e29 = perigee_distance_2;
+    float _e30 = perigee_excess_2;
+    float _e31 = perigee_r_mu_2;
+    float _e33 = distance_to_u(_e29, 0.0);
+    float _e34 = distance_to_u(_e29, length_2);
+    float _e35 = rayleigh_phase(ray_nu_4);
+    vec3 gas_2 = (m_rayleigh_3 * _e35);
+    vec3 _e39 = mie_phase_between(dir_10, sun_6, m_mie_asymmetry_1);
+    vec3 aerosol_2 = (m_mie_scattering_2 * _e39);
+    gather(transmittance_lut_1, multi_scattering_lut_1, m_rayleigh_3, m_rayleigh_inv_height_3, m_mie_scattering_2, m_mie_inv_height_3, m_ozone_center_3, m_ozone_inv_half_width_3, m_ozone_3, m_radius_2, m_thickness_2, luts_mie_extinction_1, luts_altitude_steepness_1, luts_mie_moment0_1, luts_altitude_growth_1, luts_mie_moment1_1, luts_sun_middle_2, luts_mie_moment2_1, luts_sun_width_2, luts_sun_first_2, luts_sun_span_2, luts_steps_1, ray_start_3, ray_sun_r_mu_4, ray_nu_4, ray_sin2_4, ray_shadow_b_4, ray_shadow_c_4, ray_shadow_half2_4, dir_10, _e29, _e30, _e31, _e33, _e34, gas_2, aerosol_2, 1.0, g_radiance, g_transmittance, g_optical_path);
+    vec3 _e58 = g_radiance;
+    vec3 _e59 = g_optical_path;
+    mat3x3 _e60 = coefficients_of(m_rayleigh_3, m_mie_extinction_2, m_ozone_3);
+    vec3 _e61 = extinction(_e60, _e59);
+    out_radiance_2 = _e58;
+    out_transmittance_2 = exp(-(_e61));
+}
+
+void eclipsed_light(highp sampler2D transmittance_lut_2, highp sampler2D multi_scattering_lut_2, vec3 m_rayleigh_4, float m_rayleigh_inv_height_4, vec3 m_mie_scattering_3, float m_mie_inv_height_4, vec3 m_mie_extinction_3, float m_ozone_center_4, vec3 m_mie_asymmetry_2, float m_ozone_inv_half_width_4, vec3 m_ozone_4, float m_radius_3, float m_thickness_3, vec3 luts_mie_extinction_2, float luts_altitude_steepness_2, vec3 luts_mie_moment0_2, float luts_altitude_growth_2, vec3 luts_mie_moment1_2, float luts_sun_middle_3, vec3 luts_mie_moment2_2, float luts_sun_width_3, float luts_sun_first_3, float luts_sun_span_3, uint luts_steps_2, float ray_start_4, float ray_length_4, float ray_excess_4, float ray_r_mu_4, float ray_perigee_excess_4, float ray_sun_r_mu_5, float ray_nu_5, float ray_sin2_5, float ray_shadow_b_5, float ray_shadow_c_5, float ray_shadow_half2_5, bool ray_ground_4, vec3 dir_11, vec3 sun_7, float length_3, uint view_samples_1, uint light_samples_1, inout vec3 out_radiance_3, inout vec3 out_transmittance_3) {
+    if (MULTI_SCATTERING) {
+        all_orders(transmittance_lut_2, multi_scattering_lut_2, m_rayleigh_4, m_rayleigh_inv_height_4, m_mie_scattering_3, m_mie_inv_height_4, m_mie_extinction_3, m_ozone_center_4, m_mie_asymmetry_2, m_ozone_inv_half_width_4, m_ozone_4, m_radius_3, m_thickness_3, luts_mie_extinction_2, luts_altitude_steepness_2, luts_mie_moment0_2, luts_altitude_growth_2, luts_mie_moment1_2, luts_sun_middle_3, luts_mie_moment2_2, luts_sun_width_3, luts_sun_first_3, luts_sun_span_3, luts_steps_2, ray_start_4, ray_length_4, ray_excess_4, ray_r_mu_4, ray_perigee_excess_4, ray_sun_r_mu_5, ray_nu_5, ray_sin2_5, ray_shadow_b_5, ray_shadow_c_5, ray_shadow_half2_5, ray_ground_4, dir_11, sun_7, length_3, out_radiance_3, out_transmittance_3);
+        return;
+    } else {
+        vec3 offset = (dir_11 - sun_7);
+        single_scattering(m_rayleigh_4, m_rayleigh_inv_height_4, m_mie_scattering_3, m_mie_inv_height_4, m_mie_extinction_3, m_ozone_center_4, m_mie_asymmetry_2, m_ozone_inv_half_width_4, m_ozone_4, m_radius_3, m_thickness_3, ray_start_4, ray_length_4, ray_excess_4, ray_r_mu_4, ray_perigee_excess_4, ray_sun_r_mu_5, ray_nu_5, ray_sin2_5, ray_shadow_b_5, ray_shadow_c_5, ray_shadow_half2_5, ray_ground_4, dir_11, length_3, (0.5 * dot(offset, offset)), view_samples_1, light_samples_1, out_radiance_3, out_transmittance_3);
+        return;
+    }
+}
+
+void main() {
+    vec4 position = gl_FragCoord;
+    float ray_start = 0.0;
+    float ray_length = 0.0;
+    float ray_excess = 0.0;
+    float ray_r_mu = 0.0;
+    float ray_perigee_excess = 0.0;
+    float ray_sun_r_mu = 0.0;
+    float ray_nu = 0.0;
+    float ray_sin2_ = 0.0;
+    float ray_shadow_b = 0.0;
+    float ray_shadow_c = 0.0;
+    float ray_shadow_half2_ = 0.0;
+    bool ray_ground = false;
+    vec3 s_radiance = vec3(0.0);
+    vec3 s_transmittance = vec3(0.0);
+    vec3 f_medium_rayleigh = _group_0_binding_0_fs.frame.medium.rayleigh;
+    float f_medium_rayleigh_inv_height = _group_0_binding_0_fs.frame.medium.rayleigh_inv_height;
+    vec3 f_medium_mie_scattering = _group_0_binding_0_fs.frame.medium.mie_scattering;
+    float f_medium_mie_inv_height = _group_0_binding_0_fs.frame.medium.mie_inv_height;
+    vec3 f_medium_mie_extinction = _group_0_binding_0_fs.frame.medium.mie_extinction;
+    float f_medium_ozone_center = _group_0_binding_0_fs.frame.medium.ozone_center;
+    vec3 f_medium_mie_asymmetry = _group_0_binding_0_fs.frame.medium.mie_asymmetry;
+    float f_medium_ozone_inv_half_width = _group_0_binding_0_fs.frame.medium.ozone_inv_half_width;
+    vec3 f_medium_ozone = _group_0_binding_0_fs.frame.medium.ozone;
+    float f_medium_radius = _group_0_binding_0_fs.frame.medium.radius;
+    vec3 f_medium_irradiance = _group_0_binding_0_fs.frame.medium.irradiance;
+    float f_medium_thickness = _group_0_binding_0_fs.frame.medium.thickness;
+    vec3 f_ray_forward = _group_0_binding_0_fs.frame.ray_forward;
+    float f_altitude = _group_0_binding_0_fs.frame.altitude;
+    vec3 f_ray_right = _group_0_binding_0_fs.frame.ray_right;
+    float f_sky_weight = _group_0_binding_0_fs.frame.sky_weight;
+    vec3 f_ray_up = _group_0_binding_0_fs.frame.ray_up;
+    vec3 f_sun = _group_0_binding_0_fs.frame.sun;
+    vec2 f_size = _group_0_binding_0_fs.frame.size;
+    uint f_view_samples = _group_0_binding_0_fs.frame.view_samples;
+    uint f_light_samples = _group_0_binding_0_fs.frame.light_samples;
+    uint f_reduced = _group_0_binding_0_fs.frame.reduced;
+    vec3 _e49 = pixel_ray(position.xy, f_size, f_ray_forward, f_ray_right, f_ray_up);
+    vec3 dir_12 = normalize(_e49);
+    bool _e51 = hits_planet(dir_12, f_altitude, f_medium_radius);
+    if (_e51) {
+        if ((f_reduced == 0u)) {
+            discard;
+        }
+        _fs2p_location0 = vec4(0.0, 0.0, 0.0, -1.0);
+        return;
+    }
+    air_ray(dir_12, f_altitude, f_medium_radius, f_medium_thickness, f_sun, ray_start, ray_length, ray_excess, ray_r_mu, ray_perigee_excess, ray_sun_r_mu, ray_nu, ray_sin2_, ray_shadow_b, ray_shadow_c, ray_shadow_half2_, ray_ground);
+    float _e71 = ray_start;
+    float _e72 = ray_length;
+    float _e73 = ray_excess;
+    float _e74 = ray_r_mu;
+    float _e75 = ray_perigee_excess;
+    float _e76 = ray_sun_r_mu;
+    float _e77 = ray_nu;
+    float _e78 = ray_sin2_;
+    float _e79 = ray_shadow_b;
+    float _e80 = ray_shadow_c;
+    float _e81 = ray_shadow_half2_;
+    bool _e82 = ray_ground;
+    if ((_e72 <= 0.0)) {
+        _fs2p_location0 = vec4(0.0);
+        return;
+    }
+    vec3 _e90 = _group_0_binding_0_fs.luts.mie_extinction;
+    float _e92 = _group_0_binding_0_fs.luts.altitude_steepness;
+    vec3 _e94 = _group_0_binding_0_fs.luts.mie_moment0_;
+    float _e96 = _group_0_binding_0_fs.luts.altitude_growth;
+    vec3 _e98 = _group_0_binding_0_fs.luts.mie_moment1_;
+    float _e100 = _group_0_binding_0_fs.luts.sun_middle;
+    vec3 _e102 = _group_0_binding_0_fs.luts.mie_moment2_;
+    float _e104 = _group_0_binding_0_fs.luts.sun_width;
+    float _e106 = _group_0_binding_0_fs.luts.sun_first;
+    float _e108 = _group_0_binding_0_fs.luts.sun_span;
+    uint _e110 = _group_0_binding_0_fs.luts.steps;
+    eclipsed_light(_group_0_binding_2_fs, _group_0_binding_3_fs, f_medium_rayleigh, f_medium_rayleigh_inv_height, f_medium_mie_scattering, f_medium_mie_inv_height, f_medium_mie_extinction, f_medium_ozone_center, f_medium_mie_asymmetry, f_medium_ozone_inv_half_width, f_medium_ozone, f_medium_radius, f_medium_thickness, _e90, _e92, _e94, _e96, _e98, _e100, _e102, _e104, _e106, _e108, _e110, _e71, _e72, _e73, _e74, _e75, _e76, _e77, _e78, _e79, _e80, _e81, _e82, dir_12, f_sun, _e72, f_view_samples, f_light_samples, s_radiance, s_transmittance);
+    vec3 _e115 = s_radiance;
+    vec3 _e116 = s_transmittance;
+    vec4 _e119 = veil(((_e115 * f_sky_weight) * f_medium_irradiance), _e116);
+    _fs2p_location0 = _e119;
+    return;
+}
+
