@@ -7,7 +7,7 @@ use welkin::{
 
 use crate::embedding::scene;
 use crate::harness::world::World;
-use crate::harness::{TINY, View, background_passes, everything, march, on_both, over_black, target};
+use crate::harness::{TINY, View, background_passes, everything, finish, march, on_both, over_black, target};
 use crate::plan::tables;
 
 #[test]
@@ -27,6 +27,9 @@ fn tables_are_freed() {
                 if i.is_multiple_of(5) { Composition::SkyDome } else { Composition::Full };
             let settings = over_black(world.sky());
             renderer.draw(b, &world.view.scene(), &settings, world.size).unwrap();
+            if i.is_multiple_of(20) {
+                finish(b);
+            }
         };
         (0..100).for_each(|i| frame(b, i));
         let after_few = b.live();
@@ -50,6 +53,9 @@ fn nothing_leaks_over_many_sizes_and_settings() {
         let mut draw = |backend: &mut dyn Backend, i: u32| {
             settings.sky.render_scale = if i.is_multiple_of(2) { 1.0 } else { 0.5 };
             renderer.draw(backend, &scene(), &settings, [1 + i % 13, 1 + i % 7]).unwrap();
+            if i.is_multiple_of(20) {
+                finish(backend);
+            }
         };
         (0..4).for_each(|i| draw(backend, i));
         let after_few = backend.live();
@@ -116,8 +122,11 @@ fn a_night_keeps_the_tables_of_the_medium_for_a_while() {
             assert_eq!(labels(b, &day), ["sky-view LUT", "background sky"]);
         }
         assert_eq!(b.live().textures, with);
-        for _ in 0..700 {
+        for i in 0..700 {
             labels(b, &night);
+            if i % 20 == 0 {
+                finish(b);
+            }
         }
         assert_eq!(
             b.live().textures,

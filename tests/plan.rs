@@ -12,7 +12,7 @@ use welkin::{
 };
 
 use crate::harness::{
-    View, airless, asked_for, clear_pass, frame_passes, frame_textures, free, march, on_both,
+    View, airless, asked_for, clear_pass, draw, frame_passes, frame_textures, free, march, on_both,
 };
 
 const SIZE: [u32; 2] = [12, 9];
@@ -475,7 +475,7 @@ fn pipelines_are_made_ahead() {
             assert!(ready.programs > before.programs + 5, "{ready:?}");
             let mut renderer = welkin::PictureRenderer::default();
             for scene in &views {
-                renderer.draw(b, scene, &settings, SIZE).unwrap();
+                draw(b, &mut renderer, scene, &settings, SIZE);
             }
             let after = b.live();
             println!("{} {}: {steps} steps, {} programs", b.info().backend, method.method(), ready.programs);

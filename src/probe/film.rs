@@ -14,20 +14,20 @@ pub const NIGHT: f64 = -20.0;
 pub struct Moment {
     /// Metres above the ground.
     pub altitude: f64,
-    /// Above the horizontal.
+    /// How far above the horizontal the camera looks.
     pub pitch: f64,
     /// Vertical field of view.
     pub fov: f64,
-    /// Above the horizontal, -90 to 90.
+    /// How far the sun stands above the horizontal, -90 to 90.
     pub sun_elevation: f64,
-    /// From where the sun rises: 0 before noon, 180 after.
+    /// Where the sun stands, from where it rises: 0 before noon, 180 after.
     pub sun_azimuth: f64,
 }
 
 impl Moment {
-    /// Of a climb, in pictures of this width over height. The horizon is in the middle near the ground; from
-    /// 100 km on the camera turns towards the planet's centre, which it looks at from 10,000 km; from where
-    /// the whole planet fits into 60°, it fills 5/6 of the picture.
+    /// A moment of a climb, in pictures of this width over height. The horizon is in the middle near the
+    /// ground; from 100 km on the camera turns towards the planet's centre, which it looks at from 10,000 km;
+    /// from where the whole planet fits into 60°, it fills 5/6 of the picture.
     pub fn climb(params: &AtmosphereParams, altitude: f64, sun_elevation: f64, aspect: f64) -> Self {
         let radius = params.planet_radius;
         // Of the planet's edge from the point below the camera; the horizon lies 90° - edge below the
@@ -45,8 +45,8 @@ impl Moment {
         }
     }
 
-    /// Of a day, `angle` degrees along the sun's way through the zenith: from [`NIGHT`] to 180 - [`NIGHT`].
-    /// The camera sees the horizon above which the sun sets.
+    /// A moment of a day, `angle` degrees along the sun's way through the zenith: from [`NIGHT`] to 180 -
+    /// [`NIGHT`]. The camera sees the horizon above which the sun sets.
     pub fn day(altitude: f64, angle: f64) -> Self {
         let (sun_elevation, sun_azimuth) = if angle <= 90.0 { (angle, 0.0) } else { (180.0 - angle, 180.0) };
         Self { altitude, pitch: 20.0, fov: 60.0, sun_elevation, sun_azimuth }
@@ -85,27 +85,27 @@ pub fn altitudes(params: &AtmosphereParams, n: u32) -> Vec<f64> {
     all
 }
 
-/// How far two neighbouring frames lie apart, as a share of the brightest value of each channel in the
+/// How far two neighbouring frames lie apart, as a fraction of the brightest value of each channel in the
 /// reference's two.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Step {
     /// Mean over pixels and channels: drawn, the reference's, and of the difference between the two changes.
     pub mean: [f64; 3],
-    /// Of the pixel and channel where it is largest, each for itself.
+    /// The change of the pixel and channel where it is largest, each for itself.
     pub pixel: [f64; 3],
 }
 
 impl Step {
-    /// From the first to the second frame; red, green and blue of each pixel.
-    pub fn between(drawn: [&[[f64; 3]]; 2], truth: [&[[f64; 3]]; 2]) -> Self {
+    /// The step from the first to the second frame; red, green and blue of each pixel.
+    pub fn between(drawn: [&[[f64; 3]]; 2], expected: [&[[f64; 3]]; 2]) -> Self {
         let mut step = Self::default();
-        let n = (3 * truth[0].len()) as f64;
+        let n = (3 * expected[0].len()) as f64;
         for c in 0..3 {
-            let top = truth.iter().flat_map(|t| t.iter()).fold(0.0, |m: f64, v| m.max(v[c]));
+            let top = expected.iter().flat_map(|t| t.iter()).fold(0.0, |m: f64, v| m.max(v[c]));
             // Where there is no light at all, light that is drawn is all wrong.
             let scale = if top > 0.0 { 1.0 / top } else { 1.0 };
-            for i in 0..truth[0].len() {
-                let changes = [drawn, truth].map(|[a, b]| scale * (b[i][c] - a[i][c]));
+            for i in 0..expected[0].len() {
+                let changes = [drawn, expected].map(|[a, b]| scale * (b[i][c] - a[i][c]));
                 let sizes = [changes[0].abs(), changes[1].abs(), (changes[0] - changes[1]).abs()];
                 for (k, size) in sizes.into_iter().enumerate() {
                     step.mean[k] += size / n;

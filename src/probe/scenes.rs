@@ -11,13 +11,13 @@ pub struct Setup {
     pub name: &'static str,
     /// Index into [`MEDIA`].
     pub medium: usize,
-    /// Of the camera, metres.
+    /// The camera's height above the ground, metres.
     pub altitude: f64,
-    /// Of the sun, at the camera.
+    /// The sun's angle from the zenith at the camera.
     pub sun_zenith: f64,
-    /// Of the camera, above the horizontal.
+    /// How far above the horizontal the camera looks.
     pub pitch: f64,
-    /// Of the camera, away from the sun.
+    /// How far away from the sun the camera looks.
     pub heading: f64,
     /// Vertical field of view.
     pub fov: f64,
@@ -25,7 +25,7 @@ pub struct Setup {
     pub quick: bool,
 }
 
-/// A frame and the pixels of it that are judged.
+/// A frame and the pixels of it that are compared.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame {
     /// Width and height in pixels.
@@ -35,9 +35,9 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// With every scene.
+    /// The frame of every scene.
     pub const WHOLE: Self = Self { size: [320, 180], stride: 20 };
-    /// With the quick scenes.
+    /// The frame of the quick scenes.
     pub const QUICK: Self = Self { size: [256, 144], stride: 24 };
 
     /// Width over height.
@@ -45,7 +45,7 @@ impl Frame {
         f64::from(self.size[0]) / f64::from(self.size[1])
     }
 
-    /// Coordinates of the judged pixels.
+    /// Coordinates of the compared pixels.
     pub fn pixels(&self) -> Vec<[u32; 2]> {
         let along = |n: u32| (self.stride / 2..n).step_by(self.stride as usize);
         along(self.size[1]).flat_map(|y| along(self.size[0]).map(move |x| [x, y])).collect()

@@ -1,10 +1,10 @@
 //! What the accuracy report is made of.
 
+use welkin::probe::scenes::{Frame, MEDIA, Setup};
 use welkin::{Quality, SkySettings};
 
 use crate::args::quality::march;
 use crate::lab::accuracy::measure::{Against, Summary, Times};
-use crate::lab::accuracy::scenes::{Frame, MEDIA, Setup};
 
 const VIEW_SAMPLES: [u32; 5] = [4, 8, 16, 32, 64];
 const LIGHT_SAMPLES: [u32; 3] = [4, 8, 16];

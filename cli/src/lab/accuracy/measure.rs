@@ -9,11 +9,11 @@ use rayon::prelude::*;
 use welkin::frame::luts::MEDIUM_LABELS;
 use welkin::frame::tone_map::{srgb_encode, tone_map};
 use welkin::gpu::{Backend, Format, Pass, PassTime, TextureId};
+use welkin::probe::scenes::Frame;
 use welkin::reference::multiple::Orders;
 use welkin::reference::single::{Sun, Tolerance, single_scattering};
 use welkin::{PictureRenderer, PictureSettings, Scene, SkySettings, ToneMap};
 
-use crate::lab::accuracy::scenes::Frame;
 use crate::lab::reference;
 use crate::lab::timing;
 

@@ -4,7 +4,6 @@ mod findings;
 mod measure;
 mod plot;
 mod report;
-mod scenes;
 
 use std::io::Write;
 use std::path::PathBuf;
@@ -13,6 +12,7 @@ use std::time::Instant;
 use anyhow::Context;
 use clap::Args;
 use welkin::gpu::{Backend, Format, TextureDesc, TextureId};
+use welkin::probe::scenes::{self, Frame, MEDIA, SETUPS, Setup};
 use welkin::reference::multiple::Settings;
 use welkin::settings::front::{MeanError, ParetoFront};
 use welkin::{PictureRenderer, Quality};
@@ -30,7 +30,6 @@ use crate::progress::Progress;
 use crate::quality_choice::presets;
 use findings::{Candidate, Entry, Findings, Over};
 use measure::{Against, Errors, Expected, Times};
-use scenes::{Frame, MEDIA, SETUPS, Setup};
 
 /// The option `--output` as errors name it.
 const OPTION: &str = "--output <FOLDER>";

@@ -2,9 +2,10 @@
 
 use std::fmt::Write;
 
+use welkin::probe::scenes::MEDIA;
+
 use crate::lab::accuracy::findings::{Entry, Findings, Over};
 use crate::lab::accuracy::measure::{Against, FLOOR, Statistics};
-use crate::lab::accuracy::scenes::MEDIA;
 
 fn percent(v: f64) -> String {
     // Three digits; large ones without decimals.

@@ -1,7 +1,6 @@
 //! `welkin-lab film`: a climb to a million kilometres or a day as a strip of frames, and how smoothly they
 //! follow.
 
-pub mod path;
 mod strip;
 
 use std::io::Write;
@@ -13,6 +12,7 @@ use clap::{Args, ValueEnum};
 use rayon::prelude::*;
 use welkin::frame::HAND_OVER;
 use welkin::gpu::Format;
+use welkin::probe::film::{self, Moment, Step};
 use welkin::reference::multiple::{Orders, Settings};
 use welkin::{AtmosphereParams, PictureRenderer, PictureSettings, Scene, SkySettings, ToneMap};
 
@@ -31,7 +31,6 @@ use crate::output::{Destination, Output};
 use crate::picture::{Picture, RenderRequest};
 use crate::progress::Progress;
 use crate::views::{self, Place, View};
-use path::{Moment, Step};
 
 const FILM_ABOUT: &str = "\
 Draw a climb to a million kilometres, or a day, as a strip of frames; measure how smoothly they follow
@@ -295,8 +294,8 @@ impl<'a> Film<'a> {
     fn strip(&self, gpu: &mut Gpu) -> anyhow::Result<(u32, u32, Vec<[u8; 4]>)> {
         let [width, height] = self.args.size;
         let at = match self.kind {
-            FilmKind::Climb => path::log_spaced(self.args.frames),
-            FilmKind::Day => path::angles(self.args.frames),
+            FilmKind::Climb => film::log_spaced(self.args.frames),
+            FilmKind::Day => film::angles(self.args.frames),
         };
         let steps = Progress::new(at.len());
         let frames = self.frames(at).into_iter().map(|frame| {
@@ -338,8 +337,8 @@ impl<'a> Film<'a> {
         out: &mut impl Write,
     ) -> anyhow::Result<()> {
         let at = match self.kind {
-            FilmKind::Climb => path::altitudes(&self.params, self.args.steps + 1),
-            FilmKind::Day => path::angles(self.args.steps + 1),
+            FilmKind::Climb => film::altitudes(&self.params, self.args.steps + 1),
+            FilmKind::Day => film::angles(self.args.steps + 1),
         };
         let frames = self.frames(at);
         let [width, height] = self.args.size;
@@ -533,8 +532,8 @@ mod tests {
     fn the_camera_moves_without_a_jump_and_ends_with_the_planet_in_its_picture() {
         for planet in AtmosphereParams::PRESETS {
             let params = AtmosphereParams::preset(planet).unwrap();
-            let at = path::log_spaced(4000);
-            assert_eq!((at[0], at[3999]), (path::CLIMB[0], path::CLIMB[1]));
+            let at = film::log_spaced(4000);
+            assert_eq!((at[0], at[3999]), (film::CLIMB[0], film::CLIMB[1]));
             let moments: Vec<_> = at.iter().map(|&h| Moment::climb(&params, h, 25.0, 2.0 / 3.0)).collect();
             for (pair, h) in moments.windows(2).zip(&at) {
                 let turned = (pair[1].pitch - pair[0].pitch).abs();
@@ -544,15 +543,15 @@ mod tests {
             let planet_wide = 2.0 * (params.planet_radius / (params.planet_radius + 1e9)).asin().to_degrees();
             assert!(last.pitch == -90.0 && last.fov * 2.0 / 3.0 > 1.1 * planet_wide, "{planet}: {last:?}");
         }
-        let day: Vec<_> = path::angles(23).into_iter().map(|a| Moment::day(2.0, a)).collect();
-        assert_eq!((day[0].sun_elevation, day[22].sun_elevation), (path::NIGHT, path::NIGHT));
+        let day: Vec<_> = film::angles(23).into_iter().map(|a| Moment::day(2.0, a)).collect();
+        assert_eq!((day[0].sun_elevation, day[22].sun_elevation), (film::NIGHT, film::NIGHT));
         assert!(day.iter().any(|m| m.sun_elevation == 90.0) && day.iter().all(|m| m.sun_elevation <= 90.0));
     }
 
     #[test]
     fn altitudes_are_dense_where_something_hands_over() {
         let params = AtmosphereParams::earth();
-        let all = path::altitudes(&params, 241);
+        let all = film::altitudes(&params, 241);
         let within = |low: f64, high: f64| all.iter().filter(|h| (low..=high).contains(*h)).count();
         assert!((235..=241).contains(&all.len()) && all.is_sorted());
         assert!(within(14e3, 51e3) >= 60 && within(9e4, 1.11e5) >= 60, "{all:?}");

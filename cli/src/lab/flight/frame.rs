@@ -1,6 +1,6 @@
 //! What is measured of each frame of a flight.
 
-use crate::lab::film::path::Moment;
+use welkin::probe::film::Moment;
 
 /// What a frame's sky costs.
 #[derive(Clone, Copy, Debug, Default)]

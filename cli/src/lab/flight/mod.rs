@@ -12,6 +12,7 @@ use anyhow::Context;
 use clap::Args;
 use welkin::frame::graph::Runs;
 use welkin::gpu::{Backend, Format, Pass};
+use welkin::probe::film::Moment;
 use welkin::{AtmosphereParams, Bound, Frame, PictureRenderer, PictureSettings, Scene, SkySettings, WarmUp};
 
 use crate::args::backend::{BackendArgs, BackendChoice};
@@ -20,7 +21,6 @@ use crate::args::quality::PresetArgs;
 use crate::args::scene::PlanetArgs;
 use crate::args::values;
 use crate::gpu::Gpu;
-use crate::lab::film::path::Moment;
 use crate::lab::values::frame_size;
 use crate::lab::{device, timing};
 use crate::output::Destination;
