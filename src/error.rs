@@ -139,7 +139,7 @@ pub fn short(v: f64) -> String {
     }
 }
 
-/// A number as `{}` writes it, by [`text::decimal`].
+/// A number as `{}` writes it, by `text::decimal`.
 #[derive(Clone, Copy, Debug)]
 pub struct Decimal(pub f64);
 

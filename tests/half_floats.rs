@@ -1,7 +1,7 @@
 //! Half floats: what a picture loses in 16-bit targets, from the sun's disk to the end of astronomical
 //! twilight.
 //!
-//! `cargo test --test all half_floats -- --nocapture` prints it.
+//! `cargo test --all-features --test all half_floats -- --nocapture` prints it.
 
 use welkin::gpu::{Backend, Format};
 use welkin::render::picture::scale;

@@ -1,7 +1,7 @@
 //! The library's layers import in one direction, and no line of the project is too long to read.
 //!
-//! `cargo test --test all layers -- --nocapture` prints the arrows between layers, with how many lines draw
-//! each.
+//! `cargo test --all-features --test all layers -- --nocapture` prints the arrows between layers, with how
+//! many lines draw each.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};

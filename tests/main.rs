@@ -4,7 +4,7 @@
 //! One process links the drivers once and solves the reference once for each medium. Tests run in threads,
 //! each with its own devices and contexts; what a test counts (live objects, allocations) belongs to its
 //! device or its thread. The harness runs tests in the order of their names: what takes long is in
-//! [`thorough`], nearly last, and `cargo test --test all -- --skip thorough::` leaves it out.
+//! [`thorough`], nearly last, and `cargo test --all-features --test all -- --skip thorough::` leaves it out.
 #![allow(clippy::needless_range_loop)] // Loops over the three channels index several arrays.
 
 #[cfg(not(all(
@@ -14,9 +14,7 @@
     feature = "probe",
     feature = "reference"
 )))]
-compile_error!(
-    "the integration tests need every feature: run `cargo test` at the root, or give --all-features"
-);
+compile_error!("the integration tests need every feature: give cargo test --all-features");
 
 mod airglow;
 mod depth;

@@ -1,7 +1,7 @@
 //! What a plan leaves out: why, how little it changes, and that nothing is made for it. On both backends.
 //!
-//! `WELKIN_SCENES=2000 cargo test --test all plan -- --nocapture` tries more random scenes and prints the
-//! largest changes.
+//! `WELKIN_SCENES=2000 cargo test --all-features --test all plan -- --nocapture` tries more random scenes and
+//! prints the largest changes.
 
 use std::collections::BTreeMap;
 

@@ -2,7 +2,7 @@
 //!
 //! A [`Pass`] is data: a program, the textures and the one uniform block that it reads, and its target.
 //! Passes are full-screen triangles (or, for the demonstration's terrain, one strip made in the vertex
-//! shader). [`wgpu::WgpuBackend`] and [`glow::WebGlBackend`] run the same passes with the same result.
+//! shader). [`wgpu::WgpuBackend`] and [`webgl::WebGlBackend`] run the same passes with the same result.
 
 #[cfg(feature = "egl")]
 pub mod egl;

@@ -32,7 +32,7 @@ impl Airglow {
     /// Checks the ranges given at the fields.
     ///
     /// # Errors
-    /// [`crate::Error::Invalid`] for the first field that is out of range.
+    /// [`crate::ErrorKind::Invalid`] for the first field that is out of range.
     pub fn validate(&self) -> Result<()> {
         for (c, v) in self.zenith.iter().enumerate() {
             in_range(format_args!("airglow.zenith[{c}]"), *v, 0.0, 1.0, "/sr")?;

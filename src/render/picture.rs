@@ -22,7 +22,7 @@ pub struct PictureSettings {
     pub tone_map: ToneMap,
     /// Whether display values get noise of one 8-bit step, so that gradients show no bands; their mean stays.
     /// See
-    /// [`super::tone::dither`].
+    /// [`dither`](crate::frame::tone_map::dither).
     pub dither: bool,
     /// The ground; `None` draws none.
     pub terrain: Option<TerrainStyle>,

@@ -77,8 +77,8 @@ pub fn free<const N: usize>(b: &mut dyn Backend, textures: [TextureId; N]) {
     textures.into_iter().for_each(|id| b.destroy_texture(id));
 }
 
-/// Waits until all that was run is drawn. A test that draws hundreds of frames and reads none must do so now and
-/// then: a driver in software keeps megabytes for each frame that it has not come to yet.
+/// Waits until all that was run is drawn. A test that draws hundreds of frames and reads none must do so now
+/// and then: a driver in software keeps megabytes for each frame that it has not come to yet.
 pub fn finish(b: &mut dyn Backend) {
     let pixel = target(b, [1, 1]);
     b.read(pixel).unwrap();
