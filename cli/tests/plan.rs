@@ -22,8 +22,8 @@ fn plans_are_printed() {
     );
     assert!(effects.iter().all(|e| !e["reason"].as_str().unwrap().is_empty()));
     let passes = plan["passes"].as_array().unwrap();
-    assert!(passes.iter().any(|p| p["program"] == "lut_sky-rayleigh-mie-ozone-bare"), "{passes:?}");
-    assert!(passes.iter().all(|p| p["label"] != "moments table"), "{passes:?}");
+    assert!(passes.iter().any(|p| p["program"] == "sky_view_lut+RAYLEIGH+MIE+OZONE"), "{passes:?}");
+    assert!(passes.iter().all(|p| p["label"] != "multi-scattering LUT"), "{passes:?}");
     // Linear radiance has another bound than a picture of 8 bits.
     let bound = |file| {
         let out = welkin(&folder, &["plan", "-o", file, "--json"]);

@@ -211,6 +211,8 @@ fn split_constants(module: &mut Module) -> HashMap<Handle<Constant>, Tree<Handle
         let Tree::Members(_) = shape(&module.types, constant.ty) else { continue };
         let tree = constant_members(module, constant.init, constant.name.as_deref(), constant.ty, "");
         split.insert(handle, tree);
+        // naga writes every constant that has a name.
+        module.constants.get_mut(handle).name = None;
     }
     split
 }

@@ -66,9 +66,9 @@ fn what_is_chosen_by_error_is_that_exact() {
     let orders = orders(&scenes::medium(0).unwrap(), truth_settings);
     let truths: Vec<_> = setups.iter().map(|s| truth(s, &frame, &orders)).collect();
     on_both(|backend| {
-        let name = backend.info().backend;
+        let on = backend.info().backend;
         for (name, q) in Quality::PRESETS {
-            let cost = front.on(name).unwrap().cost(q).unwrap();
+            let cost = front.on(on).unwrap().cost(q).unwrap();
             // Asking for what a quality has gives it or something cheaper, and that is as exact as asked.
             let asked = front.cost(q).unwrap().error;
             let chosen = Quality::within_error(asked).unwrap();
@@ -87,7 +87,7 @@ fn what_is_chosen_by_error_is_that_exact() {
             }
         }
         let chosen = Quality::within_error(0.5).unwrap();
-        assert!(mean_error(backend, chosen, &frame, &truths)[0] <= 0.5, "{name}: {chosen}");
+        assert!(mean_error(backend, chosen, &frame, &truths)[0] <= 0.5, "{on}: {chosen}");
     });
 }
 

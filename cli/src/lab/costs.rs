@@ -9,8 +9,8 @@ use welkin::frame::graph::Runs;
 use welkin::gpu::{Format, Target, TextureDesc};
 use welkin::model::moon::{MOON_RADIUS, Moon};
 use welkin::{
-    AerialTargets, AtmosphereParams, Bound, Composition, FrameTargets, Look, Quality, Scene, SkyRenderer,
-    SkySettings,
+    AerialTargets, Airglow, AtmosphereParams, Bound, Composition, FrameTargets, Look, Quality, Scene,
+    SkyRenderer, SkySettings,
 };
 
 use crate::args::backend::BackendArgs;
@@ -165,6 +165,13 @@ fn rows(quality: Quality) -> Vec<Row> {
     let half = sky(|s| s.render_scale = 0.5);
     let full = sky(|s| s.render_scale = 1.0);
     let march = sky(|s| s.quality = march([16, 8]));
+    // Too faint for a picture of a day: without a bound nothing is left out.
+    let dark = |case: &Case| Case { sky: SkySettings { bound: None, ..case.sky }, ..case.clone() };
+    let glow = |case: &Case| {
+        let mut case = dark(case);
+        case.sky.look.airglow = Some(Airglow::EARTH);
+        case
+    };
     let row =
         |effect, without, on: &Case, off: &Case| Row { effect, without, cases: [on.clone(), off.clone()] };
     vec![
@@ -187,11 +194,14 @@ fn rows(quality: Quality) -> Vec<Row> {
         row("background sky", "the planet fills the picture", &dome, &down(&dome)),
         row("planet shell", "the planet fills the picture", &orbit, &down(&orbit)),
         row("aerial perspective", "nothing before the sky", &up, &nothing_before),
+        row("transmittance LUT", "marching 16 × 8", &day, &march),
         row("sky-view LUT", "marching 16 × 8", &day, &march),
         row("aerial LUT", "nothing before the sky", &up, &nothing_before),
         row("eclipse", "no moon before the sun", &Case { moon: Some(Where::BeforeSun), ..day.clone() }, &day),
         row("sun disk", "switched off", &day, &sky(|s| s.look.sun_disk = false)),
         row("moon disk", "the scene has none", &Case { moon: Some(Where::Ahead), ..day.clone() }, &day),
+        row("airglow", "not asked for", &glow(&day), &dark(&day)),
+        row("airglow before the planet", "not asked for", &glow(&orbit), &dark(&orbit)),
         row("reduced resolution", "render scale 1", &half, &full),
     ]
 }
