@@ -8,8 +8,8 @@
 //   --case NUMBER    only this one: its inputs, and every number that comes back
 //
 // Prints a table for each backend, and keeps its numbers in target/artifacts/stress-BACKEND.tsv for
-// `cargo lab stress --table`. Exit status 1 when a promise is broken. Run scripts/build-web and scripts/build-web
-// --probe before.
+// `cargo lab stress --table`. Exit status 1 when a promise is broken. Run scripts/build-web and
+// scripts/build-web --probe before.
 import { existsSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
