@@ -1,6 +1,7 @@
 //! The fixed scenes of the accuracy report: `cargo lab accuracy` measures over them, and the tests measure
 //! again.
 
+use crate::model::scene::Tangents;
 use crate::{AtmosphereParams, Camera, DepthConvention, Pose, Scene};
 use glam::DVec3;
 
@@ -25,12 +26,14 @@ pub struct Setup {
     pub quick: bool,
 }
 
-/// A frame and the pixels of it that are compared.
+/// A picture of which some pixels are compared.
+///
+/// Errors need few pixels of it, and no more are drawn: see [`Frame::compared`].
 #[derive(Clone, Copy, Debug)]
 pub struct Frame {
     /// Width and height in pixels.
     pub size: [u32; 2],
-    /// Every so many pixels, per side.
+    /// Every so many pixels, per side; the first in the middle of that many.
     pub stride: u32,
 }
 
@@ -45,10 +48,29 @@ impl Frame {
         f64::from(self.size[0]) / f64::from(self.size[1])
     }
 
-    /// Coordinates of the compared pixels.
-    pub fn pixels(&self) -> Vec<[u32; 2]> {
-        let along = |n: u32| (self.stride / 2..n).step_by(self.stride as usize);
-        along(self.size[1]).flat_map(|y| along(self.size[0]).map(move |x| [x, y])).collect()
+    /// How many pixels are compared: in a row, and in a column.
+    pub const fn counts(&self) -> [u32; 2] {
+        let [width, height] = self.size;
+        let first = self.stride / 2;
+        [(width - first).div_ceil(self.stride), (height - first).div_ceil(self.stride)]
+    }
+
+    /// The camera in whose picture of [`Frame::counts`] pixels there are the compared pixels alone: their
+    /// middles are where they are in the whole frame.
+    pub fn compared(&self, camera: &Camera) -> Camera {
+        let Tangents { left, right, bottom, top } = camera.tangents;
+        // From an edge, in pixels of the frame: the compared pixel i is at i · stride + first, and its middle
+        // is the middle of a pixel that is stride wide.
+        let first = f64::from(self.stride / 2) + 0.5 - 0.5 * f64::from(self.stride);
+        let [across, down] = self.counts().map(|n| first + f64::from(n * self.stride));
+        let [x, y] = [(right - left) / f64::from(self.size[0]), (top - bottom) / f64::from(self.size[1])];
+        let tangents = Tangents {
+            left: left + first * x,
+            right: left + across * x,
+            bottom: top - down * y,
+            top: top - first * y,
+        };
+        Camera { tangents, ..*camera }
     }
 }
 
@@ -112,6 +134,15 @@ pub const SETUPS: [Setup; 22] = [
 ];
 
 impl Setup {
+    /// The scene with the compared pixels of a frame alone: a picture of [`Frame::counts`] pixels.
+    ///
+    /// # Errors
+    /// Those of [`Setup::scene`].
+    pub fn compared(&self, frame: &Frame) -> crate::Result<Scene> {
+        let whole = self.scene(frame.aspect())?;
+        Ok(Scene { camera: frame.compared(&whole.camera), ..whole })
+    }
+
     /// The scene in a picture of the given width over height.
     pub fn scene(&self, aspect: f64) -> crate::Result<Scene> {
         let atmosphere = medium(self.medium)?;
@@ -137,6 +168,28 @@ impl Setup {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn compared_pixels_look_where_they_do_in_the_whole_frame() {
+        let middle = |t: Tangents, [x, y]: [u32; 2], [width, height]: [u32; 2]| {
+            let part = |i: u32, n: u32| (f64::from(i) + 0.5) / f64::from(n);
+            [t.left + part(x, width) * (t.right - t.left), t.top - part(y, height) * (t.top - t.bottom)]
+        };
+        for frame in [Frame::WHOLE, Frame::QUICK, Frame { size: [7, 5], stride: 1 }] {
+            let whole = SETUPS[0].scene(frame.aspect()).unwrap().camera;
+            let few = frame.compared(&whole);
+            let [columns, rows] = frame.counts();
+            for (i, j) in (0..rows).flat_map(|j| (0..columns).map(move |i| (i, j))) {
+                let pixel = [i, j].map(|n| frame.stride / 2 + n * frame.stride);
+                assert!(pixel[0] < frame.size[0] && pixel[1] < frame.size[1], "{pixel:?} in {frame:?}");
+                let want = middle(whole.tangents, pixel, frame.size);
+                let got = middle(few.tangents, [i, j], [columns, rows]);
+                assert!((0..2).all(|c| (got[c] - want[c]).abs() < 1e-12), "{pixel:?}: {got:?}, {want:?}");
+            }
+            let beyond = frame.counts().map(|n| frame.stride / 2 + n * frame.stride);
+            assert!(beyond[0] >= frame.size[0] && beyond[1] >= frame.size[1], "{frame:?} has more pixels");
+        }
+    }
 
     #[test]
     fn every_scene_is_valid_and_has_its_own_name() {

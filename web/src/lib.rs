@@ -173,7 +173,8 @@ impl Viewer {
     /// The method in use and its numbers: `lut 100 × 100 × 32`.
     #[wasm_bindgen(getter)]
     pub fn method(&self) -> String {
-        self.settings.sky.quality.to_string()
+        let quality = &self.settings.sky.quality;
+        format!("{} {}", quality.method(), quality.numbers())
     }
 
     /// The presets' names, the cheapest of a method first.

@@ -104,8 +104,8 @@ impl Entry {
 pub struct Findings {
     pub quick: bool,
     pub frame: Frame,
-    /// Frames that are timed.
-    pub timed: Frame,
+    /// Pixels of the frames that are timed.
+    pub timed: [u32; 2],
     pub scenes: Vec<Setup>,
     pub runs: u32,
     /// One line for each backend that was measured.

@@ -9,7 +9,6 @@ use rayon::prelude::*;
 use welkin::frame::luts::MEDIUM_LABELS;
 use welkin::frame::tone_map::{srgb_encode, tone_map};
 use welkin::gpu::{Backend, Format, Pass, PassTime, TextureId};
-use welkin::probe::scenes::Frame;
 use welkin::reference::multiple::Orders;
 use welkin::reference::single::{Sun, Tolerance, single_scattering};
 use welkin::{PictureRenderer, PictureSettings, Scene, SkySettings, ToneMap};
@@ -50,15 +49,16 @@ pub struct Expected {
 }
 
 impl Expected {
-    /// Light that comes straight from the ground is left out: it is the scene's own to draw.
-    pub fn new(scene: &Scene, frame: &Frame, orders: &Orders) -> anyhow::Result<Self> {
+    /// Of every pixel of a scene's picture. Light that comes straight from the ground is left out: it is the
+    /// scene's own to draw.
+    pub fn new(scene: &Scene, size: [u32; 2], orders: &Orders) -> anyhow::Result<Self> {
         let view = scene.validate()?;
-        let both = |pixel: [u32; 2]| {
-            let ray = reference::pixel_ray(&view, pixel, frame.size);
+        let both = |i: u32| {
+            let ray = reference::pixel_ray(&view, [i % size[0], i / size[0]], size);
             let once = single_scattering(&scene.atmosphere, &ray, Sun::Point, Tolerance::TRUTH)?;
             Ok((once.per_irradiance, reference::inscatter(orders, &ray)?))
         };
-        let both = frame.pixels().into_par_iter().map(both).collect::<welkin::Result<Vec<_>>>()?;
+        let both = (0..size[0] * size[1]).into_par_iter().map(both).collect::<welkin::Result<Vec<_>>>()?;
         let (single, all_orders): (Vec<[f64; 3]>, Vec<[f64; 3]>) = both.into_iter().unzip();
         let mut luminance: Vec<f64> =
             all_orders.iter().map(|c: &[f64; 3]| 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]).collect();
@@ -185,39 +185,34 @@ fn sky_passes(
     backend: &mut dyn Backend,
     renderer: &mut PictureRenderer,
     scene: &Scene,
-    frame: &Frame,
+    size: [u32; 2],
     sky: SkySettings,
 ) -> welkin::Result<(Vec<Pass>, TextureId)> {
     let mut sky = sky;
     sky.look.sun_disk = false;
     let settings =
         PictureSettings { sky, terrain: None, radiance: Format::Rgba32Float, ..PictureSettings::default() };
-    let (passes, drawn) = renderer.passes(backend, scene, &settings, frame.size)?;
+    let (passes, drawn) = renderer.passes(backend, scene, &settings, size)?;
     Ok((passes.iter().copied().filter(|p| p.target.color != drawn.display).collect(), drawn.radiance))
 }
 
-/// Draws a frame: radiance of the compared pixels.
+/// Draws a picture: the radiance of every pixel.
 pub fn draw(
     backend: &mut dyn Backend,
     renderer: &mut PictureRenderer,
     scene: &Scene,
-    frame: &Frame,
+    size: [u32; 2],
     sky: SkySettings,
 ) -> anyhow::Result<Vec<[f64; 3]>> {
-    let (passes, radiance) = sky_passes(backend, renderer, scene, frame, sky)?;
+    let (passes, radiance) = sky_passes(backend, renderer, scene, size, sky)?;
     backend.run(&passes).context("draw")?;
     let pixels = backend.read(radiance).context("read the radiance back")?;
-    let width = frame.size[0];
-    frame
-        .pixels()
-        .into_iter()
-        .map(|[x, y]| {
-            let at = 4 * (y * width + x) as usize;
-            let texel = pixels.get(at..at + 3).context("the picture that came back is too small")?;
-            ensure!(texel.iter().all(|v| v.is_finite()), "pixel {x}, {y} is not finite");
-            Ok([texel[0], texel[1], texel[2]].map(f64::from))
-        })
-        .collect()
+    let drawn: Vec<_> = pixels.chunks_exact(4).map(|p| [p[0], p[1], p[2]].map(f64::from)).collect();
+    ensure!(drawn.len() == (size[0] * size[1]) as usize, "the picture that came back has another size");
+    for (i, radiance) in drawn.iter().enumerate() {
+        ensure!(radiance.iter().all(|v| v.is_finite()), "compared pixel {i} is not finite");
+    }
+    Ok(drawn)
 }
 
 /// Times a frame once, with a full-screen copy of its target in the same submission.
@@ -225,11 +220,11 @@ pub fn time(
     backend: &mut dyn Backend,
     renderer: &mut PictureRenderer,
     scene: &Scene,
-    frame: &Frame,
+    size: [u32; 2],
     sky: SkySettings,
     copy_to: TextureId,
 ) -> welkin::Result<Times> {
-    let (mut passes, radiance) = sky_passes(backend, renderer, scene, frame, sky)?;
+    let (mut passes, radiance) = sky_passes(backend, renderer, scene, size, sky)?;
     passes.push(timing::copy(backend, radiance, copy_to)?);
     let times = backend.times(&passes)?;
     let sum = |of: &dyn Fn(&PassTime) -> bool| {

@@ -119,7 +119,7 @@ fn investigate(
     let (frame, runs, settings) =
         if quick { (Frame::QUICK, 2, Settings::QUICK) } else { (Frame::WHOLE, 2, Settings::FINE) };
     // Errors need few pixels. Times need as many as people draw, or the LUTs would weigh too much in them.
-    let timed = Frame { size: if quick { [320, 180] } else { [480, 270] }, ..frame };
+    let timed = if quick { [128, 72] } else { [480, 270] };
     let scenes: Vec<_> = SETUPS.into_iter().filter(|s| s.quick || !quick).collect();
     let mut missing = Vec::new();
     let mut gpus = Vec::new();
@@ -148,9 +148,9 @@ fn investigate(
     let progress = steps.step("reference, pictures");
     let mut compared = Vec::new();
     for (i, setup) in scenes.iter().enumerate() {
-        let scene = setup.scene(frame.aspect())?;
-        let expected = Expected::new(&scene, &frame, &orders[setup.medium])?;
-        compared.push(Compared { setup: *setup, scene, expected });
+        let (whole, scene) = (setup.scene(frame.aspect())?, setup.compared(&frame)?);
+        let expected = Expected::new(&scene, frame.counts(), &orders[setup.medium])?;
+        compared.push(Compared { setup: *setup, whole, scene, expected });
         progress((i + 1) as f32 / scenes.len() as f32);
     }
     let (mut adapters, mut entries, mut front) = (Vec::new(), Vec::new(), ParetoFront::default());
@@ -158,7 +158,7 @@ fn investigate(
         adapters.push(gpu.describe());
         let Some(backend) = gpu.backend() else { continue };
         let mut renderers = Renderers::default();
-        let [width, height] = timed.size;
+        let [width, height] = timed;
         let copy_to =
             backend.create_texture(&TextureDesc::new(timing::COPY, width, height, Format::Rgba32Float))?;
         let first = entries.len();
@@ -169,7 +169,7 @@ fn investigate(
                 backend,
                 &mut renderers,
                 &compared,
-                [&frame, &timed],
+                [frame.counts(), timed],
                 candidate,
                 runs,
                 copy_to,
@@ -243,6 +243,9 @@ impl Renderers {
 /// A scene and what the reference makes of it.
 struct Compared {
     setup: Setup,
+    /// As people see it: what is timed.
+    whole: welkin::Scene,
+    /// The compared pixels alone.
     scene: welkin::Scene,
     expected: Expected,
 }
@@ -254,7 +257,7 @@ fn by_scene(
     backend: &mut dyn Backend,
     renderers: &mut Renderers,
     compared: &[Compared],
-    [frame, timed]: [&Frame; 2],
+    [counts, timed]: [[u32; 2]; 2],
     candidate: &Candidate,
     runs: u32,
     copy_to: TextureId,
@@ -263,7 +266,7 @@ fn by_scene(
     let sky = candidate.settings();
     let mut errors = Vec::new();
     for c in compared {
-        let drawn = measure::draw(backend, &mut renderers.compared[c.setup.medium], &c.scene, frame, sky)
+        let drawn = measure::draw(backend, &mut renderers.compared[c.setup.medium], &c.scene, counts, sky)
             .with_context(|| c.setup.name)?;
         errors.push(Against::BOTH.map(|against| c.expected.errors(&drawn, against)));
     }
@@ -272,7 +275,7 @@ fn by_scene(
     for run in 0..=runs {
         for (c, best) in compared.iter().zip(&mut times) {
             let took =
-                measure::time(backend, &mut renderers.timed[c.setup.medium], &c.scene, timed, sky, copy_to);
+                measure::time(backend, &mut renderers.timed[c.setup.medium], &c.whole, timed, sky, copy_to);
             let took = took.with_context(|| c.setup.name)?;
             // The first round makes pipelines and wakes the machine up; only what is made once counts in it.
             *best = best.best(if run == 0 { Times { once: took.once, ..Times::NEVER } } else { took });

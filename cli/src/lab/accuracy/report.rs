@@ -83,7 +83,7 @@ pub fn short(f: &Findings) -> Result<String, std::fmt::Error> {
 /// The whole report.
 pub fn markdown(f: &Findings) -> Result<String, std::fmt::Error> {
     let mut t = String::new();
-    let ([w, h], [tw, th]) = (f.frame.size, f.timed.size);
+    let ([w, h], [tw, th]) = (f.frame.size, f.timed);
     let command = if f.quick { "welkin-lab accuracy --quick" } else { "welkin-lab accuracy" };
     writeln!(t, "# Accuracy and time\n\nWritten by `{command}`, welkin {}.\n", env!("CARGO_PKG_VERSION"))?;
     writeln!(
@@ -103,7 +103,7 @@ pub fn markdown(f: &Findings) -> Result<String, std::fmt::Error> {
          and sun anew; those of the medium are made once and stand apart (`once_ms` in accuracy.csv).\n\n\
          ![Error against time](accuracy.svg)\n",
         f.scenes.len(),
-        f.frame.pixels().len(),
+        f.frame.counts().iter().product::<u32>(),
         f.runs
     )?;
     for (backend, adapter) in f.backends().into_iter().zip(&f.adapters) {
