@@ -9,6 +9,7 @@ import {
   BACKENDS,
   SIZE,
   artifacts,
+  canvas,
   decode,
   difference,
   launch,
@@ -21,6 +22,7 @@ import {
   waitForLine,
   web,
 } from './browser.mjs';
+import { parseHash } from '../state.js';
 
 let browser;
 before(async () => {
@@ -37,6 +39,25 @@ async function use(t, options, { complaints = false } = {}) {
     await page.context().close();
     if (!complaints) assert.deepEqual(page.problems, [], 'the page reported errors');
   });
+  return page;
+}
+
+const kept = new Map();
+
+/**
+ * The viewer in a page that tests share, with the settings of an address; it must not have complained. A page
+ * of one's own compiles all of its shaders anew, which takes seconds: `use` is for what needs one.
+ */
+async function share(t, backend, hash = '') {
+  if (!kept.has(backend)) kept.set(backend, await browser.open({ backend }));
+  const page = kept.get(backend);
+  page.lines.length = 0;
+  page.problems.length = 0;
+  t.after(() => assert.deepEqual(page.problems, [], 'the page reported errors'));
+  await page.evaluate(async (state) => {
+    Object.assign(welkin.state, state);
+    await welkin.redraw();
+  }, parseHash(hash).state);
   return page;
 }
 
@@ -111,7 +132,7 @@ for (const backend of BACKENDS) {
     });
 
     it('testSky draws the four scenarios', async (t) => {
-      const page = await use(t, { backend, hash: 'alt=2000&pitch=7' });
+      const page = await share(t, backend, 'alt=2000&pitch=7');
       const before = await pixels(page);
       const results = await page.evaluate(() => window.testSky());
       assert.deepEqual(
@@ -148,7 +169,7 @@ for (const backend of BACKENDS) {
     });
 
     it('toggleSky takes the sky away and brings it back', async (t) => {
-      const page = await use(t, { backend, hash: 'pitch=40' });
+      const page = await share(t, backend, 'pitch=40');
       const on = await pixels(page);
       const from = page.lines.length;
       assert.equal(await page.evaluate(() => window.toggleSky()), false);
@@ -162,7 +183,7 @@ for (const backend of BACKENDS) {
     });
 
     it('setSkyQuality changes the samples, and refuses nonsense by name', async (t) => {
-      const page = await use(t, { backend, hash: 'sunElevation=3&sunAzimuth=0&pitch=5' });
+      const page = await share(t, backend, 'sunElevation=3&sunAzimuth=0&pitch=5');
       const set = (n) =>
         page.evaluate(async (n) => {
           setSkyQuality(n);
@@ -194,7 +215,7 @@ for (const backend of BACKENDS) {
     });
 
     it('setSkyQuality takes the name of a preset, as the list on the page does', async (t) => {
-      const page = await use(t, { backend, hash: 'sunElevation=3&sunAzimuth=0&pitch=5&lightSamples=8' });
+      const page = await share(t, backend, 'sunElevation=3&sunAzimuth=0&pitch=5&lightSamples=8');
       const set = (q) =>
         page.evaluate(async (q) => {
           setSkyQuality(q);
@@ -254,7 +275,7 @@ for (const backend of BACKENDS) {
     });
 
     it('draws from tables by default, and says so', async (t) => {
-      const page = await use(t, { backend, hash: 'pitch=10' });
+      const page = await share(t, backend, 'pitch=10');
       assert.equal(await page.textContent('#read-sky'), 'lut, medium (lut 100 × 100 × 32)');
       assert.deepEqual(await page.evaluate(() => [welkin.state.mode, welkin.state.quality]), [
         'lut',
@@ -279,7 +300,7 @@ for (const backend of BACKENDS) {
     });
 
     it('setSkyMode takes the four modes, as the list on the page and the address do', async (t) => {
-      const page = await use(t, { backend, hash: 'pitch=10&sunElevation=20' });
+      const page = await share(t, backend, 'pitch=10&sunElevation=20');
       const modes = ['sky-dome', 'atmosphere-post', 'planet', 'lut'];
       assert.deepEqual(
         await page.evaluate(() => [...document.querySelectorAll('#mode option')].map((o) => o.value)),
@@ -340,7 +361,7 @@ for (const backend of BACKENDS) {
     });
 
     it('draws the sky behind the terrain', async (t) => {
-      const page = await use(t, { backend, hash: 'pitch=0&sunElevation=35' });
+      const page = await share(t, backend, 'pitch=0&sunElevation=35');
       const bare = await pixels(page, { terrain: false });
       const terrain = await pixels(page, { terrain: true });
       assert.ok(finite(terrain));
@@ -357,7 +378,7 @@ for (const backend of BACKENDS) {
     });
 
     it('shows on the page what it computed, the right way up', async (t) => {
-      const page = await use(t, { backend, hash: 'pitch=0&terrain=on' });
+      const page = await share(t, backend, 'pitch=0&terrain=on');
       const radiance = await pixels(page);
       const picture = await shown(page);
       assert.deepEqual([picture.width, picture.height], [SIZE.width, SIZE.height]);
@@ -376,7 +397,7 @@ for (const backend of BACKENDS) {
     });
 
     it('climbs with the wheel, within limits', async (t) => {
-      const page = await use(t, { backend });
+      const page = await share(t, backend);
       const altitude = () =>
         page.evaluate(async () => {
           await welkin.redraw();
@@ -403,7 +424,7 @@ for (const backend of BACKENDS) {
     });
 
     it('looks around by dragging and by keys', async (t) => {
-      const page = await use(t, { backend });
+      const page = await share(t, backend);
       const look = () => page.evaluate(() => [welkin.state.heading, welkin.state.pitch]);
       const [heading, pitch] = await look();
       await page.mouse.move(400, 300);
@@ -443,7 +464,7 @@ for (const backend of BACKENDS) {
     });
 
     it('switches planets, and back to the identical picture', async (t) => {
-      const page = await use(t, { backend, hash: 'pitch=20' });
+      const page = await share(t, backend, 'pitch=20');
       const earth = await pixels(page);
       for (const planet of ['mars', 'venus', 'earth-like']) {
         const other = await pixels(page, { planet });
@@ -454,7 +475,7 @@ for (const backend of BACKENDS) {
     });
 
     it('lists what the view calls for, and why', async (t) => {
-      const page = await use(t, { backend, hash: 'pitch=20&sunElevation=30' });
+      const page = await share(t, backend, 'pitch=20&sunElevation=30');
       await page.evaluate(() => {
         document.getElementById('effects').open = true;
       });
@@ -484,7 +505,7 @@ for (const backend of BACKENDS) {
     });
 
     it('darkens when the sun sets', async (t) => {
-      const page = await use(t, { backend, hash: 'pitch=60' });
+      const page = await share(t, backend, 'pitch=60');
       const levels = [];
       for (const sunElevation of [50, 5, -4, -18])
         levels.push(luminance(mean(await pixels(page, { sunElevation }))));
@@ -539,7 +560,7 @@ for (const backend of BACKENDS) {
     });
 
     it('says what is wrong with a value of a wrong type, whatever it is', async (t) => {
-      const page = await use(t, { backend });
+      const page = await share(t, backend);
       const before = await pixels(page);
       const messages = await page.evaluate(async () => {
         const { viewer } = welkin;
@@ -679,7 +700,7 @@ for (const backend of BACKENDS) {
 
 describe('both backends', () => {
   it('give the same pixels', async (t) => {
-    const [gl, gpu] = [await use(t, { backend: 'webgl2' }), await use(t, { backend: 'webgpu' })];
+    const [gl, gpu] = [await share(t, 'webgl2'), await share(t, 'webgpu')];
     const views = {
       'ground, noon': { pitch: 15, sunElevation: 50, terrain: false },
       'ground, sunset': { pitch: 3, sunElevation: 0.5, sunAzimuth: 0, terrain: false },
@@ -728,11 +749,10 @@ describe('the browser draws what the native program draws', () => {
   for (const backend of BACKENDS) {
     for (const { how, changes = {}, options } of draws)
       it(`on ${backend}, ${how}`, async (t) => {
-        const page = await use(t, { backend });
+        const page = await share(t, backend);
         for (const [name, view] of Object.entries(views)) {
           const fixed = { planet: 'earth', fov: 60, exposure: 1, toneMap: 'aces', terrain: true, ...changes };
-          await pixels(page, { ...fixed, ...view });
-          const here = await shown(page);
+          const here = await canvas(page, { ...fixed, ...view });
           const file = join(artifacts, `native-${backend}.png`);
           const { alt, pitch, heading, sunElevation, sunAzimuth } = view;
           execFileSync(
