@@ -33,7 +33,7 @@ pub struct Setup {
 pub struct Frame {
     /// Width and height in pixels.
     pub size: [u32; 2],
-    /// Every so many pixels, per side; the first in the middle of that many.
+    /// One pixel in so many is compared in a row and in a column, the middle one of them; 1 or more.
     pub stride: u32,
 }
 
@@ -49,10 +49,10 @@ impl Frame {
     }
 
     /// How many pixels are compared: in a row, and in a column.
-    pub const fn counts(&self) -> [u32; 2] {
+    pub fn counts(&self) -> [u32; 2] {
         let [width, height] = self.size;
         let first = self.stride / 2;
-        [(width - first).div_ceil(self.stride), (height - first).div_ceil(self.stride)]
+        [width, height].map(|n| n.saturating_sub(first).div_ceil(self.stride))
     }
 
     /// The camera in whose picture of [`Frame::counts`] pixels there are the compared pixels alone: their

@@ -71,7 +71,7 @@ fn what_is_chosen_by_error_is_that_exact() {
         let mut known = HashMap::new();
         let mut mean_error = |quality: Quality| {
             let draw = || mean_error(backend, quality, &frame, &truths);
-            *known.entry(quality.to_string()).or_insert_with(draw)
+            *known.entry(format!("{quality:?}")).or_insert_with(draw)
         };
         for (name, q) in Quality::PRESETS {
             let cost = front.on(on).unwrap().cost(q).unwrap();

@@ -198,7 +198,7 @@ export async function canvas(page, changes = {}) {
     paper.drawImage(canvas, 0, 0);
     return { text: asText_(paper.getImageData(0, 0, width, height).data), width, height };
   }, changes);
-  return { ...size, data: Array.from(Buffer.from(text, 'base64')) };
+  return { ...size, data: Buffer.from(text, 'base64') };
 }
 
 /** A PNG's pixels, decoded by the page: bytes r g b a, rows from the top. */
@@ -211,7 +211,7 @@ export async function decode(page, png) {
     paper.drawImage(image, 0, 0);
     return { text: asText_(paper.getImageData(0, 0, width, height).data), width, height };
   }, png.toString('base64'));
-  return { ...size, data: Array.from(Buffer.from(text, 'base64')) };
+  return { ...size, data: Buffer.from(text, 'base64') };
 }
 
 /** Mean r, g, b of the rows from fraction `top` to fraction `bottom` of a picture. */

@@ -49,7 +49,7 @@ them with the f64 reference. Writes accuracy.md (tables), accuracy.csv (every nu
     arg.help("Where to write; made if it is not there [default: accuracy]").value_name("FOLDER")
 }))]
 pub struct AccuracyArgs {
-    /// Fewer scenes, smaller pictures, a coarser reference: about a minute instead of many
+    /// Fewer scenes, smaller pictures, a coarser reference: a few minutes without a GPU
     #[arg(long)]
     quick: bool,
 
@@ -119,7 +119,7 @@ fn investigate(
     let (frame, runs, settings) =
         if quick { (Frame::QUICK, 2, Settings::QUICK) } else { (Frame::WHOLE, 2, Settings::FINE) };
     // Errors need few pixels. Times need as many as people draw, or the LUTs would weigh too much in them.
-    let timed = if quick { [128, 72] } else { [480, 270] };
+    let timed = if quick { [320, 180] } else { [480, 270] };
     let scenes: Vec<_> = SETUPS.into_iter().filter(|s| s.quick || !quick).collect();
     let mut missing = Vec::new();
     let mut gpus = Vec::new();

@@ -88,8 +88,8 @@ pub fn markdown(f: &Findings) -> Result<String, std::fmt::Error> {
     writeln!(t, "# Accuracy and time\n\nWritten by `{command}`, welkin {}.\n", env!("CARGO_PKG_VERSION"))?;
     writeln!(
         t,
-        "{} scenes, {w} × {h} pixels in 32-bit floats, {} pixels of each compared. An error is the \
-         difference from \
+        "{} scenes, in 32-bit floats. {} pixels of a picture of {w} × {h} are compared with the reference, \
+         and drawn alone. An error is the difference from \
          the reference over the reference's radiance, or over {FLOOR} of the picture's brightest where \
          that is \
          more. ΔE is CIEDE2000 after ACES tone mapping, exposed so that the 95th percentile of the \
