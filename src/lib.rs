@@ -50,6 +50,25 @@
 //! # Ok(()) }
 //! ```
 //!
+//! With the air before the scene, without which there is none at all in views from above 50 km:
+//!
+//! ```no_run
+//! # fn frame(backend: &mut dyn welkin::gpu::Backend, sky: &mut welkin::SkyRenderer, scene: &welkin::Scene,
+//! #          [color, depth, hazy]: [welkin::gpu::TextureId; 3]) -> welkin::Result<()> {
+//! use welkin::gpu::Target;
+//! use welkin::{AerialTargets, FrameTargets};
+//!
+//! // `color` and `depth` (`Format::Depth32Float`) are what your scene is drawn to; passes sample both.
+//! let cleared = Target { clear: Some([0.0, 0.0, 0.0, 1.0]), ..Target::color(color) };
+//! let air = AerialTargets { color: Some(color), depth, target: Target::color(hazy) };
+//! let frame = sky.frame(backend, scene, &FrameTargets::background(cleared).with_aerial(air))?;
+//! backend.run(frame.background)?;
+//! // Here draw your scene. Where it is not, its depth is `scene.depth.background()`.
+//! backend.run(frame.aerial)?;
+//! // `hazy` now has the frame, in linear light: multiply it by an exposure, and map it to your display.
+//! # Ok(()) }
+//! ```
+//!
 //! With WebGL2, in your context, whose state is put back:
 //!
 //! ```no_run
@@ -60,6 +79,7 @@
 //!
 //! let mut backend = WebGlBackend::new(gl)?;
 //! let mut sky = SkyRenderer::new(SkySettings::default())?;
+//! // Light comes out linear: into a texture of halves (Format::Rgba16Float) if you map tones yourself.
 //! let desc = TextureDesc::new("screen", 1280, 720, Format::Rgba8);
 //! let desc = TextureDesc { rows: RowOrder::BottomUp, ..desc };
 //! let target = backend.import_framebuffer(None, desc)?;

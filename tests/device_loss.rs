@@ -55,7 +55,7 @@ fn a_renderer_outlives_its_device() {
 
 /// After a device was lost the user has a new one, with textures of his own.
 #[test]
-fn tables_of_a_lost_device_are_forgotten() {
+fn luts_of_a_lost_device_are_forgotten() {
     let world = World::new();
     let scene = world.view.scene();
     let target_of = |b: &mut dyn Backend| texture(b, "user's", [10, 8], Format::Rgba32Float);
@@ -68,7 +68,7 @@ fn tables_of_a_lost_device_are_forgotten() {
         b.read(target).unwrap()
     };
     let settings = small();
-    // As many textures of the user's as there may be before the first table, so that the ids meet.
+    // As many textures of the user's as there may be before the first LUT, so that the ids meet.
     for own in [0, 1, 7] {
         let mut kept = SkyRenderer::new(settings).unwrap();
         let mut want = Vec::new();
@@ -84,10 +84,7 @@ fn tables_of_a_lost_device_are_forgotten() {
             let users: Vec<_> = (0..if seen == 0 { 0 } else { own }).map(|_| target_of(b)).collect();
             users.iter().for_each(|&id| b.write_texture(id, &[0.25; 320]).unwrap());
             let got = sky_over(b, &mut kept, target);
-            assert!(
-                got == want[seen],
-                "{own} textures: the new device's sky is not drawn from its own tables"
-            );
+            assert!(got == want[seen], "{own} textures: the new device's sky is not drawn from its own LUTs");
             for &id in &users {
                 let pixels = b.texture(id).map(|_| b.read(id).unwrap());
                 assert!(

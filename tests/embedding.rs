@@ -39,9 +39,9 @@ pub fn own(backend: &mut dyn Backend) -> Vec<f32> {
     pixels
 }
 
-/// A device that cannot filter 32-bit floats gets its sky tables in 16 bits.
+/// A device that cannot filter 32-bit floats gets its sky LUTs in 16 bits.
 #[test]
-fn tables_of_16_bits_hold_the_light() {
+fn luts_of_16_bits_hold_the_light() {
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
     let adapter = pollster::block_on(instance.request_adapter(&Default::default())).expect("a Vulkan driver");
     let (device, queue) = pollster::block_on(adapter.request_device(&Default::default())).unwrap();
@@ -64,8 +64,8 @@ fn tables_of_16_bits_hold_the_light() {
             }
         }
     }
-    println!("16-bit tables change light by {worst:.1e} at most");
-    // Roots of the fourth degree in half floats: 4 · 2^-11 in the sky's table and as much again in the air's.
+    println!("16-bit LUTs change light by {worst:.1e} at most");
+    // Roots of the fourth degree in half floats: 4 · 2^-11 in the sky's LUT and as much again in the air's.
     assert!(worst > 0.0 && worst < 4e-3, "{worst}");
 }
 
@@ -461,8 +461,8 @@ fn each_mode_draws_in_a_users_own_frame() {
             let out = user.texture(4, &[0.0; 4 * TEXELS]);
             let passes = background_passes(user.backend(), &mut sky, &scene, Target::color(color));
             let expected = [1, 0, 0, 1][mode as usize];
-            assert_eq!(passes.len() - tables_in(&passes), expected, "{}: background", mode.name());
-            assert_eq!(tables_in(&passes) > 0, mode == Mode::Lut);
+            assert_eq!(passes.len() - luts_in(&passes), expected, "{}: background", mode.name());
+            assert_eq!(luts_in(&passes) > 0, mode == Mode::Lut);
             user.frame(&passes);
             // Then the user draws the plane.
             let mut drawn = content(user, color);
@@ -472,7 +472,7 @@ fn each_mode_draws_in_a_users_own_frame() {
             let drawn_color = user.texture(4, &drawn);
             let passes = aerial_passes(user.backend(), &mut sky, &scene, [drawn_color, depth, out]);
             assert_eq!(
-                passes.len() - tables_in(&passes),
+                passes.len() - luts_in(&passes),
                 [0, 1, 0, 1][mode as usize],
                 "{}: aerial",
                 mode.name()
@@ -515,8 +515,8 @@ fn each_mode_draws_in_a_users_own_frame() {
     }
 }
 
-/// How many passes fill tables.
-fn tables_in(passes: &[Pass]) -> usize {
+/// How many passes fill LUTs.
+fn luts_in(passes: &[Pass]) -> usize {
     passes.iter().filter(|p| p.label.ends_with("LUT")).count()
 }
 

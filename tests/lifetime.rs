@@ -8,10 +8,10 @@ use welkin::{
 use crate::embedding::scene;
 use crate::harness::world::World;
 use crate::harness::{TINY, View, background_passes, everything, finish, march, on_both, over_black, target};
-use crate::plan::tables;
+use crate::plan::luts;
 
 #[test]
-fn tables_are_freed() {
+fn luts_are_freed() {
     on_both(|b| {
         let mut renderer = PictureRenderer::default();
         let mut world = World::new();
@@ -19,7 +19,7 @@ fn tables_are_freed() {
         let mut frame = |b: &mut dyn Backend, i: u32| {
             world.size = [1 + i % 12, 1 + i % 8];
             world.sky.render_scale = if i.is_multiple_of(3) { 0.5 } else { 1.0 };
-            // Now and then other tables, and another medium's.
+            // Now and then other LUTs, and another medium's.
             world.lut = LutSettings { sky_view: [8 + i % 100 / 50, 12], ..TINY };
             world.view.params =
                 if i % 50 < 25 { AtmosphereParams::earth() } else { AtmosphereParams::rayleigh() };
@@ -70,12 +70,12 @@ fn nothing_leaks_over_many_sizes_and_settings() {
     });
 }
 
-/// Tables that the plan has no use for are freed after a while, and made again when it has.
+/// LUTs that the plan has no use for are freed after a while, and made again when it has.
 #[test]
-fn tables_go_when_the_camera_stays_away() {
+fn luts_go_when_the_camera_stays_away() {
     on_both(|b| {
         let mut renderer =
-            SkyRenderer::new(SkySettings { quality: tables(), ..SkySettings::default() }).unwrap();
+            SkyRenderer::new(SkySettings { quality: luts(), ..SkySettings::default() }).unwrap();
         let color = target(b, [4, 4]);
         let before = b.live().textures;
         let day = View { pitch: 20.0, ..View::default() }.scene();
@@ -98,13 +98,13 @@ fn tables_go_when_the_camera_stays_away() {
     });
 }
 
-/// Night and day in turn make nothing anew but the tables of the camera; what night has no use for goes after
+/// Night and day in turn make nothing anew but the LUTs of the camera; what night has no use for goes after
 /// a while.
 #[test]
-fn a_night_keeps_the_tables_of_the_medium_for_a_while() {
+fn a_night_keeps_the_luts_of_the_medium_for_a_while() {
     on_both(|b| {
         let mut renderer =
-            SkyRenderer::new(SkySettings { quality: tables(), ..SkySettings::default() }).unwrap();
+            SkyRenderer::new(SkySettings { quality: luts(), ..SkySettings::default() }).unwrap();
         let color = target(b, [4, 4]);
         let scene =
             |sun_elevation| View { sun_elevation, pitch: 20.0, heading: 180.0, ..View::default() }.scene();
@@ -131,7 +131,7 @@ fn a_night_keeps_the_tables_of_the_medium_for_a_while() {
         assert_eq!(
             b.live().textures,
             with - 4,
-            "gathered radiance, two tables of moments, the aerosol's light"
+            "gathered radiance, two LUTs of moments, the aerosol's light"
         );
         assert!(labels(b, &day).contains(&"multi-scattering LUT"));
         renderer.destroy(b);

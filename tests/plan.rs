@@ -113,8 +113,8 @@ fn check(name: &str, cases: &[Case]) -> BTreeMap<String, usize> {
     seen
 }
 
-/// Small tables: how exact they are does not matter here.
-pub fn tables() -> Quality {
+/// Small LUTs: how exact they are does not matter here.
+pub fn luts() -> Quality {
     Quality::Luts(LutSettings {
         transmittance: [24, 12],
         multi_scattering: [12, 8],
@@ -146,7 +146,7 @@ fn flight(method: Quality) -> Vec<Case> {
 
 #[test]
 fn a_flight_changes_by_no_more_than_the_bound() {
-    for method in [march(32, 8), tables()] {
+    for method in [march(32, 8), luts()] {
         let seen = check(method.method(), &flight(method));
         assert!(seen.keys().any(|off| off.contains("sunlight")), "no night in {seen:?}");
         assert!(
@@ -196,7 +196,7 @@ fn random(count: usize) -> Vec<Case> {
                 sun_elevation: if i % 2 == 0 { uniform(-90.0, 0.0) } else { uniform(-20.0, 90.0) },
                 aspect: 4.0 / 3.0,
             };
-            let method = [march(32, 8), tables()][usize::from(uniform(0.0, 1.0) < 0.3)];
+            let method = [march(32, 8), luts()][usize::from(uniform(0.0, 1.0) < 0.3)];
             let composition =
                 [Composition::Full, Composition::SkyDome, Composition::AtmospherePost, Composition::Planet]
                     [i / 3 % 4];
@@ -307,7 +307,7 @@ fn night_begins_where_the_light_does_not_count() {
         (0..=1800).map(|i| f64::from(i) * 0.05).find(|&d| !lit(d))
     };
     let seen = Bound::eight_bit(1.0);
-    let from_ground = begins(1.7, sky(tables(), seen)).unwrap();
+    let from_ground = begins(1.7, sky(luts(), seen)).unwrap();
     assert!((16.0..19.0).contains(&from_ground), "{from_ground}");
     // Marching: where the shadow covers all air in sight, acos(6360 / 6460) twice, even if nothing may
     // change.
@@ -318,9 +318,9 @@ fn night_begins_where_the_light_does_not_count() {
     let high = begins(30e3, sky(march(32, 8), Bound::EXACT)).unwrap();
     assert!((high - covered - dip).abs() < 0.2, "{high} {covered} {dip}");
     // Later in a longer exposure, never in one without end, and never from far away.
-    assert!(begins(1.7, sky(tables(), Bound::eight_bit(1e4))).unwrap() > from_ground + 4.0);
-    assert_eq!(begins(1.7, sky(tables(), Bound::EXACT)), None);
-    assert_eq!(begins(3.8e8, sky(tables(), seen)), None);
+    assert!(begins(1.7, sky(luts(), Bound::eight_bit(1e4))).unwrap() > from_ground + 4.0);
+    assert_eq!(begins(1.7, sky(luts(), Bound::EXACT)), None);
+    assert_eq!(begins(3.8e8, sky(luts(), seen)), None);
 }
 
 /// What half an 8-bit step is worth: no radiance and no tone map turns a bound into more.
@@ -363,15 +363,15 @@ fn nothing_is_made_for_what_is_off() {
         }
     };
     let cases = [
-        ("day", ground.clone(), sky(tables())),
+        ("day", ground.clone(), sky(luts())),
         ("march", ground.clone(), sky(march(32, 8))),
         ("half", ground.clone(), SkySettings { render_scale: 0.5, ..sky(march(32, 8)) }),
-        ("night", View { sun_elevation: -60.0, ..ground.clone() }, sky(tables())),
+        ("night", View { sun_elevation: -60.0, ..ground.clone() }, sky(luts())),
         ("night, marched", View { sun_elevation: -60.0, ..ground.clone() }, sky(march(32, 8))),
-        ("away", View { altitude: 4e5, pitch: 60.0, ..ground.clone() }, sky(tables())),
-        ("down", View { altitude: 4e5, pitch: -90.0, ..ground.clone() }, sky(tables())),
-        ("thin", thin(1e-7), SkySettings { bound: Some(Bound::eight_bit(1.0)), ..sky(tables()) }),
-        ("thinner", thin(1e-4), SkySettings { bound: Some(Bound::eight_bit(0.1)), ..sky(tables()) }),
+        ("away", View { altitude: 4e5, pitch: 60.0, ..ground.clone() }, sky(luts())),
+        ("down", View { altitude: 4e5, pitch: -90.0, ..ground.clone() }, sky(luts())),
+        ("thin", thin(1e-7), SkySettings { bound: Some(Bound::eight_bit(1.0)), ..sky(luts()) }),
+        ("thinner", thin(1e-4), SkySettings { bound: Some(Bound::eight_bit(0.1)), ..sky(luts()) }),
     ];
     for (name, view, settings) in cases {
         on_both(|b| {
@@ -384,7 +384,7 @@ fn nothing_is_made_for_what_is_off() {
                 frame_passes(b, &mut renderer, &scene, Target::color(color), [color, depth, out]);
             b.run(&passes).unwrap();
             let live = b.live();
-            // The passes, and how often each; the order within the tables is the renderer's.
+            // The passes, and how often each; the order within the LUTs is the renderer's.
             let mut wanted: Vec<&str> = plan
                 .planned_passes()
                 .iter()
@@ -419,7 +419,7 @@ fn nothing_is_made_for_what_is_off() {
 /// A scene on a threshold does not switch in every frame, and either way it is within the bound.
 #[test]
 fn a_scene_on_a_threshold_switches_once() {
-    let sky = SkySettings { quality: tables(), bound: Some(Bound::eight_bit(1.0)), ..SkySettings::default() };
+    let sky = SkySettings { quality: luts(), bound: Some(Bound::eight_bit(1.0)), ..SkySettings::default() };
     let lit = |plan: &Frame| plan.effect("sunlight").unwrap().on;
     let at = |elevation: f64| View { sun_elevation: elevation, pitch: 10.0, ..View::default() }.scene();
     let fresh = |elevation: f64| lit(&Frame::new(&at(elevation), &sky, SIZE).unwrap());
@@ -452,7 +452,7 @@ fn a_scene_on_a_threshold_switches_once() {
 #[test]
 fn pipelines_are_made_ahead() {
     let terrain = [None, Some(welkin::TerrainStyle::earth())];
-    for (i, method) in [march(32, 8), tables()].into_iter().enumerate() {
+    for (i, method) in [march(32, 8), luts()].into_iter().enumerate() {
         on_both(|b| {
             let sky =
                 SkySettings { quality: method, bound: Some(Bound::eight_bit(1.0)), ..SkySettings::default() };

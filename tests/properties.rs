@@ -164,16 +164,13 @@ fn what_is_accepted_becomes_finite_blocks() {
         prop_assert!(view.sun.x >= -1e-9 && view.sun.y.abs() < 1e-8, "{view:?}");
         let block = FrameUniform::new(&scene, &view, size, RowOrder::TopDown, [1, 1], sky_weight);
         finite(bytemuck::bytes_of(&block), "frame")?;
-        let tables = LutsUniform::new(&scene.atmosphere, &LutSettings::default());
-        finite(bytemuck::bytes_of(&tables), "tables")?;
+        let luts = LutsUniform::new(&scene.atmosphere, &LutSettings::default());
+        finite(bytemuck::bytes_of(&luts), "luts")?;
         // Aerosol that is left over once the forward light is taken off neither shines nor amplifies.
-        prop_assert!(tables.mie_extinction.iter().all(|e| *e >= 0.0), "{tables:?}");
-        prop_assert!(tables.mie_moment0.iter().all(|m| (0.0..=1.000_001).contains(m)), "{tables:?}");
-        prop_assert!(tables.mie_asymmetry.iter().all(|g| (-1.0..=1.0).contains(g)), "{tables:?}");
-        prop_assert!(
-            tables.sun_span > 0.0 && tables.sun_width > 0.0 && tables.altitude_growth > 0.0,
-            "{tables:?}"
-        );
+        prop_assert!(luts.mie_extinction.iter().all(|e| *e >= 0.0), "{luts:?}");
+        prop_assert!(luts.mie_moment0.iter().all(|m| (0.0..=1.000_001).contains(m)), "{luts:?}");
+        prop_assert!(luts.mie_asymmetry.iter().all(|g| (-1.0..=1.0).contains(g)), "{luts:?}");
+        prop_assert!(luts.sun_span > 0.0 && luts.sun_width > 0.0 && luts.altitude_growth > 0.0, "{luts:?}");
         Ok(())
     };
     TestRunner::new(config).run(&inputs, blocks).unwrap();

@@ -5,14 +5,14 @@ use welkin::frame::background_weight;
 use welkin::gpu::{Backend, Format, Pass, RowOrder, Target, TextureDesc};
 use welkin::reference::single::{Sun, Tolerance, single_scattering, transmittance};
 use welkin::{
-    AtmosphereParams, Bound, Composition, Look, LutSettings, MiePhase, PictureRenderer, PictureSettings,
-    Quality, Scene, SkyRenderer, SkySettings,
+    AerialTargets, AtmosphereParams, Bound, Composition, FrameTargets, Look, LutSettings, MiePhase,
+    PictureRenderer, PictureSettings, Quality, Scene, SkyRenderer, SkySettings,
 };
 
 use crate::harness::{
-    View, aerial_passes, airless, assert_physical, background, background_by, background_passes, cleared,
-    composed, copy_pass, draw, draw_both, frame_textures, free, march, mean, on_both, over_black, picture,
-    picture_passes, query, rays, rgb, texture, with_disk, without_disk,
+    View, aerial_passes, airless, assert_physical, background, background_by, background_passes, clear_pass,
+    cleared, composed, copy_pass, draw, draw_both, frame_textures, free, march, mean, on_both, over_black,
+    picture, picture_passes, query, rays, rgb, texture, with_disk, without_disk,
 };
 
 const FINE: SkySettings = SkySettings {
@@ -371,6 +371,50 @@ fn extreme_viewports_are_drawn() {
             let p = whole_sky(b, &scene, SkySettings { quality: method, ..Default::default() }, size);
             assert_physical(&p, "viewport");
             assert!(mean(&p)[2] > 0.1, "{size:?} is dark");
+        }
+    });
+}
+
+/// What a user asked to be cleared is cleared also in frames in which no pass draws there: from orbit, with
+/// the air before the scene drawing all of it, and where the sky is switched off.
+#[test]
+fn what_nothing_draws_to_is_cleared_as_asked() {
+    let size = [8, 6];
+    let high = View { altitude: 4e5, pitch: -20.0, ..View::default() };
+    let off = SkySettings { look: Look { enabled: false, ..Look::default() }, ..SkySettings::default() };
+    on_both(|b| {
+        for (view, settings, with_aerial) in [
+            (&high, SkySettings::default(), false),
+            (&high, SkySettings::default(), true),
+            (&View::default(), off, false),
+            (&View::default(), off, true),
+        ] {
+            let scene = view.scene();
+            let textures @ [color, depth, out] = frame_textures(b, size);
+            for id in textures {
+                b.run(&[clear_pass(id, [7.0; 4])]).unwrap();
+            }
+            b.run(&[clear_pass(depth, [scene.depth.background() as f32; 4])]).unwrap();
+            let asked = |id, clear| Target { clear: Some(clear), ..Target::color(id) };
+            let mut targets = FrameTargets::background(asked(color, [0.0, 0.0, 0.0, 1.0]));
+            if with_aerial {
+                let target = asked(out, [1.0, 2.0, 3.0, 1.0]);
+                targets = targets.with_aerial(AerialTargets { color: Some(color), depth, target });
+            }
+            let mut sky = SkyRenderer::new(settings).unwrap();
+            let frame = sky.frame(b, &scene, &targets).unwrap();
+            let air = frame.frame.effect("aerial perspective").unwrap().on;
+            b.run(&[frame.background, frame.aerial].concat()).unwrap();
+            assert_eq!(b.read(color).unwrap(), [0.0, 0.0, 0.0, 1.0].repeat(48), "{view:?} {with_aerial}");
+            let stays = if !with_aerial { [7.0; 4] } else { [1.0, 2.0, 3.0, 1.0] };
+            if !air {
+                assert_eq!(b.read(out).unwrap(), stays.repeat(48), "{view:?} {with_aerial}");
+            }
+            // Nothing was asked for here.
+            let kept = FrameTargets::background(Target::color(color));
+            assert!(sky.frame(b, &scene, &kept).unwrap().background.iter().all(|p| p.target.color != color));
+            sky.destroy(b);
+            free(b, textures);
         }
     });
 }

@@ -8,7 +8,7 @@ use crate::harness::world::{World, changes, fresh_picture, whole_picture};
 use crate::harness::{assert_physical, on_both, over_black, picture_passes};
 
 #[test]
-fn no_table_is_ever_stale() {
+fn no_lut_is_ever_stale() {
     on_both(|b| {
         let base = World::new();
         let want = base.draw_fresh(b);
@@ -21,8 +21,8 @@ fn no_table_is_ever_stale() {
             assert_physical(&changed, &name);
             assert!(changed != want, "{name} changes nothing: not a test");
             // There and back.
-            assert!(world.draw(b, &mut renderer) == changed, "{name}: a table is stale");
-            assert!(base.draw(b, &mut renderer) == want, "{name}: a table is stale on the way back");
+            assert!(world.draw(b, &mut renderer) == changed, "{name}: a LUT is stale");
+            assert!(base.draw(b, &mut renderer) == want, "{name}: a LUT is stale on the way back");
         }
         // A day in fast motion.
         for i in 0..24 {
@@ -95,7 +95,7 @@ fn a_kept_renderer_draws_what_a_fresh_one_does() {
     });
 }
 
-/// Labels of the passes that fill tables, without repetitions.
+/// Labels of the passes that fill LUTs, without repetitions.
 fn filled(passes: &[Pass]) -> Vec<&'static str> {
     let mut labels: Vec<_> = passes.iter().map(|p| p.label).filter(|l| l.ends_with("LUT")).collect();
     labels.dedup();
@@ -103,7 +103,7 @@ fn filled(passes: &[Pass]) -> Vec<&'static str> {
 }
 
 #[test]
-fn only_stale_tables_are_made_again() {
+fn only_stale_luts_are_made_again() {
     const ALL: [&str; 4] = ["transmittance LUT", "multi-scattering LUT", "sky-view LUT", "aerial LUT"];
     on_both(|b| {
         let mut renderer = PictureRenderer::default();
@@ -123,10 +123,10 @@ fn only_stale_tables_are_made_again() {
         assert!(next(&world).is_empty(), "the camera has turned");
         world.view.params.sun_intensity *= 2.0;
         world.view.params.sun_angular_radius *= 2.0;
-        assert!(next(&world).is_empty(), "the tables know nothing of the sun's light and size");
+        assert!(next(&world).is_empty(), "the LUTs know nothing of the sun's light and size");
         world.sky.look.sun_disk = false;
         world.sky.render_scale = 0.5;
-        assert!(next(&world).is_empty(), "the same tables");
+        assert!(next(&world).is_empty(), "the same LUTs");
         world.view.sun_elevation += 1.0;
         assert_eq!(next(&world), ALL[2..], "the sun has moved");
         world.view.altitude += 1.0;
@@ -137,7 +137,7 @@ fn only_stale_tables_are_made_again() {
         assert_eq!(next(&world), ALL, "another ground");
         assert!(next(&world).is_empty());
         world.size = [20, 30];
-        assert!(next(&world).is_empty(), "tables do not depend on the picture's size");
+        assert!(next(&world).is_empty(), "LUTs do not depend on the picture's size");
         renderer.destroy(b);
     });
 }
@@ -173,7 +173,7 @@ fn the_number_of_orders_is_never_stale() {
     });
 }
 
-/// A table that somebody freed is made again, and with it what depends on it.
+/// A LUT that somebody freed is made again, and with it what depends on it.
 #[test]
 fn lost_textures_are_made_again() {
     on_both(|b| {

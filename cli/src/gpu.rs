@@ -162,12 +162,19 @@ pub fn check_samples(adapter: &AdapterInfo, method: &Quality) -> Result<(), Usag
     )))
 }
 
-/// All backends that can be had here, the preferred one first. Never empty: the CPU is always there.
-pub fn available() -> Vec<BackendChoice> {
-    let opens = |choice: &BackendChoice| match choice {
-        BackendChoice::WebGpu => Device::web_gpu().is_ok(),
-        BackendChoice::WebGl2 => Device::web_gl2().is_ok(),
-        BackendChoice::Auto | BackendChoice::Cpu => true,
-    };
-    BackendChoice::ALL.into_iter().filter(opens).collect()
+/// All backends that can be had here, the preferred one first: never empty, the CPU is always there. And the
+/// names of those that cannot, with reasons.
+pub fn available() -> (Vec<BackendChoice>, Vec<(&'static str, String)>) {
+    let (mut there, mut missing) = (Vec::new(), Vec::new());
+    for choice in BackendChoice::ALL {
+        match Gpu::open(choice) {
+            Ok(_) => there.push(choice),
+            Err(why) => {
+                let (name, why) = (choice.name(), format!("{why:#}"));
+                let why = why.strip_prefix(name).and_then(|w| w.strip_prefix(": ")).unwrap_or(&why);
+                missing.push((name, why.to_owned()));
+            }
+        }
+    }
+    (there, missing)
 }

@@ -9,6 +9,7 @@ use welkin::{Mode, Quality, SkySettings};
 use crate::args::quality::{QualityArg, march};
 use crate::args::usage::UsageError;
 use crate::gpu::Gpu;
+use crate::progress::Progress;
 
 /// The quality that is drawn with.
 #[derive(Clone, Debug)]
@@ -49,7 +50,10 @@ impl QualityChoice {
                     )
                     .into());
                 };
+                let steps = Progress::of("measuring", 1);
+                let _ = steps.step("every quality, for --within-budget");
                 let front = ParetoFront::measure(backend, &presets(), size)?;
+                drop(steps);
                 let quality = front.within_budget(budget).map_err(|e| refuse("--within-budget <TIME>", e))?;
                 let Some(cost) = front.cost(&quality) else { bail!("quality {quality} was not measured") };
                 (quality, Some(by_budget(&quality, budget, &cost, size)))
@@ -58,6 +62,7 @@ impl QualityChoice {
         Ok(Self { sky: SkySettings::from(quality), name: format!("quality {quality}"), why })
     }
 }
+
 /// Every preset.
 pub fn presets() -> Vec<Quality> {
     Quality::PRESETS.iter().map(|(_, quality)| *quality).collect()

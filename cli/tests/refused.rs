@@ -109,11 +109,29 @@ fn the_sun_is_placed_in_one_way() {
         &["--planet", "mars", "--place", "46.5,8", "--time", time],
         &["--planet", "'mars'", "earth", "--time"],
     );
-    for bad in
-        ["yesterday", "2024-06-20", "2024-06-20T20:51:00", "2024-02-30T00:00:00Z", "3000-01-01T00:00:00Z"]
-    {
-        rejected(&["--place", "46.5,8", "--time", bad], &["--time", bad, "RFC 3339", "2999"]);
+    for bad in ["yesterday", "2024-06-20", "2024-06-20T20:51:00", "2024-02-30T00:00:00Z"] {
+        rejected(&["--place", "46.5,8", "--time", bad], &["--time", bad, "RFC 3339"]);
     }
+    let late = "3000-01-01T00:00:00Z";
+    rejected(&["--place", "46.5,8", "--time", late], &["--time", late, "years 0000 to 2999"]);
+}
+
+/// What the CPU's reference, or a planet, does not have is not left out in silence.
+#[test]
+fn options_that_would_do_nothing_are_refused() {
+    for given in [
+        &["--quality", "high"][..],
+        &["--within-error", "0.1"],
+        &["--samples", "4"],
+        &["--light-samples", "4"],
+        &["--mode", "planet"],
+        &["--airglow"],
+        &["--all-effects"],
+    ] {
+        let cpu = ["--view", "noon", "--size", "8x4", "--backend", "cpu"];
+        rejected(&[&cpu, given].concat(), &[given[0], "--backend cpu", "scattered once"]);
+    }
+    rejected(&["--view", "mars-day", "--airglow"], &["--planet", "'mars'", "Earth", "--airglow"]);
 }
 
 #[test]

@@ -47,7 +47,7 @@ fn single_pictures_have_their_size_and_are_not_black() {
     for ending in ["png", "exr", "hdr"] {
         let file = format!("limb.{ending}");
         let args = ["render", "--view", "limb", "--backend", "cpu", "--size", "48x30", "-o", &file];
-        let out = welkin(&folder, &[&args[..], &["--samples", "4", "--light-samples", "2"]].concat());
+        let out = welkin(&folder, &args);
         assert!(out.status.success(), "{}", text(&out.stderr));
         let said = text(&out.stdout);
         assert!(said.contains(&file) && said.contains("48×30") && said.contains("cpu"), "{said}");
@@ -66,8 +66,7 @@ fn single_pictures_have_their_size_and_are_not_black() {
 fn place_and_time_put_the_sun_where_it_was() {
     let folder = folder("place");
     let draw = |args: &[&str], file: &str| {
-        let common =
-            ["render", "--backend", "cpu", "--size", "16x10", "--no-terrain", "--samples", "4", "-o", file];
+        let common = ["render", "--backend", "cpu", "--size", "16x10", "--no-terrain", "-o", file];
         let out = welkin(&folder, &[&common[..], args].concat());
         assert!(out.status.success(), "{}", text(&out.stderr));
         image::open(folder.join(file)).unwrap().into_rgb32f().iter().sum::<f32>()

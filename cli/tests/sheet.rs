@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::harness::{WELKIN, command, files, folder, printed};
+use crate::harness::{WELKIN, command, files, folder, printed, text};
 
 /// Draws a sheet as quickly as can be; the numbers of cells in its last row that have a picture, and what was
 /// printed.
@@ -10,7 +10,8 @@ use crate::harness::{WELKIN, command, files, folder, printed};
 fn sheet(folder: &Path, args: &[&str], lacks: &[(&str, &str)]) -> (Vec<u32>, String) {
     let quick = ["render", "--samples", "2", "--light-samples", "1", "--no-terrain"];
     let mut command = command(WELKIN, folder, &[&quick[..], args].concat());
-    let said = printed(&command.envs(lacks.iter().copied()).output().unwrap());
+    let out = command.envs(lacks.iter().copied()).output().unwrap();
+    let said = printed(&out) + &text(&out.stderr);
     assert_eq!(files(folder), ["welkin.png"]);
     let image = image::open(folder.join("welkin.png")).unwrap().into_rgb8();
     assert_eq!(image.dimensions(), (1600, 1000));
@@ -46,4 +47,14 @@ fn cells_that_cannot_be_drawn_are_left_out() {
     let (cells, said) = sheet(&folder("sheet-lacking"), &[], &[("VK_DRIVER_FILES", "/nonexistent")]);
     assert!(said.contains("drawn by webgl2") && said.contains("(not webgpu"), "{said}");
     assert_eq!(cells, [0, 1], "webgl2, cpu");
+    assert!(said.contains("left out of the contact sheet: webgpu: No "), "{said}");
+
+    // What stands in says what it takes no notice of.
+    let lacks = [("VK_DRIVER_FILES", "/nonexistent"), ("__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent")];
+    let args = ["render", "--view", "noon", "--size", "8x4", "--quality", "low"];
+    let out = command(WELKIN, &folder("lacking-both"), &args).envs(lacks).output().unwrap();
+    let said = printed(&out) + &text(&out.stderr);
+    for part in ["drawn by cpu", "(not webgpu", "(not webgl2", "drawn without --quality"] {
+        assert!(said.contains(part), "no {part}: {said}");
+    }
 }

@@ -306,7 +306,7 @@ impl Bindings {
         }
     }
 
-    fn target(&self, resource: Resource) -> Option<Target> {
+    pub(crate) fn target(&self, resource: Resource) -> Option<Target> {
         match resource {
             Resource::Background => self.background,
             Resource::Aerial => self.aerial,

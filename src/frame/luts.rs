@@ -56,7 +56,7 @@ block! {
 }
 
 block! {
-    /// `struct Uniforms` of the passes whose tables depend on the medium alone.
+    /// `struct Uniforms` of the passes whose LUTs depend on the medium alone.
     #[allow(missing_docs)]
     MediumLuts {
         medium: MediumUniform,
@@ -138,7 +138,7 @@ fn forward_fractions(p: &AtmosphereParams) -> [f64; 3] {
 
 impl LutsUniform {
     /// For a medium that [`AtmosphereParams::validate`] accepts; a pass fills in the size and the steps of
-    /// its table.
+    /// its LUT.
     pub fn new(p: &AtmosphereParams, settings: &LutSettings) -> Self {
         let moments: [[f64; 4]; 3] = std::array::from_fn(|c| phase_moments(p.mie_phase, p.mie_asymmetry[c]));
         // The fraction that counts as not scattered at all.
@@ -300,12 +300,9 @@ impl Effect for MultiScattering {
 const LOG_OF_DARKNESS: f32 = -100.0;
 
 fn medium_block(frame: &Frame, size: [u32; 2], steps: u32) -> Uniform {
-    let tables = LutsUniform { size, steps, ..frame.luts_block };
+    let luts = LutsUniform { size, steps, ..frame.luts_block };
     // LUTs hold light per unit of irradiance.
-    Uniform::new(&MediumLuts {
-        medium: MediumUniform { irradiance: [0.0; 3], ..frame.uniform.medium },
-        luts: tables,
-    })
+    Uniform::new(&MediumLuts { medium: MediumUniform { irradiance: [0.0; 3], ..frame.uniform.medium }, luts })
 }
 
 /// How much of the air a ray passes, for every altitude and direction: read by everything that has LUTs.
@@ -362,8 +359,8 @@ impl Effect for SkyViewLut {
 
     fn push_nodes(&self, frame: &Frame, nodes: &mut Vec<Node>) {
         let Some(luts) = frame.luts() else { return };
-        let tables = LutsUniform { size: luts.sky_view, steps: luts.sky_view_steps, ..frame.luts_block };
-        let block = Uniform::new(&FrameLuts { frame: frame.uniform.of_view_luts(), luts: tables });
+        let of_sky = LutsUniform { size: luts.sky_view, steps: luts.sky_view_steps, ..frame.luts_block };
+        let block = Uniform::new(&FrameLuts { frame: frame.uniform.of_view_luts(), luts: of_sky });
         let extent = Extent { size: luts.sky_view, texel: Texel::Filtered };
         let mut fill = |writes, mie_single: bool, light: Option<Resource>| {
             let constants = [("MIE_SINGLE", mie_single), ("MULTI_SCATTERING", light.is_some())];
@@ -416,7 +413,7 @@ impl Effect for AerialLut {
         };
         let extent = Extent { size, texel: Texel::Filtered };
         let frame_block = frame.uniform.of_view_luts();
-        let block = |tables| Uniform::new(&FrameLuts { frame: frame_block, luts: tables });
+        let block = |luts| Uniform::new(&FrameLuts { frame: frame_block, luts });
         let light = frame.multi_scattering();
         let air = frame.omission.air;
         let slices =

@@ -142,13 +142,13 @@ impl<'a> LightBounds<'a> {
     /// Scattered once, there is none where the planet's shadow covers all air in sight. Of all orders: the
     /// lowest lit point that a horizontal ray meets is at `z = R (1 / cos(d / 2) - 1)` for a sun `d` below
     /// the horizon, and the light falls with the scale heights `x` that this is up. The exponential lies
-    /// above the all-orders tables of every preset from `x = 4` on, by 1.6 (Mars) and more; tests hold it to
+    /// above the all-orders LUTs of every preset from `x = 4` on, by 1.6 (Mars) and more; tests hold it to
     /// that.
-    pub fn night(&self, visibility: &Visibility, tables: bool) -> f64 {
+    pub fn night(&self, visibility: &Visibility, luts: bool) -> f64 {
         let depression =
             -visibility.sun_elevation - (visibility.planet_radius / visibility.camera_radius).acos();
         let dip = (visibility.planet_radius / visibility.top).acos();
-        if !tables && depression > 2.0 * dip + MARGIN {
+        if !luts && depression > 2.0 * dip + MARGIN {
             return 0.0;
         }
         let p = self.p;

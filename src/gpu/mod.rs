@@ -298,7 +298,7 @@ pub struct AdapterInfo {
     pub timer: TimerKind,
     /// Largest texture side, texels.
     pub max_texture_size: u32,
-    /// Whether it interpolates between texels of 32-bit floats. Where it does not, the sky tables have 16
+    /// Whether it interpolates between texels of 32-bit floats. Where it does not, the sky LUTs have 16
     /// bits.
     pub filters_f32: bool,
     /// How precisely its fragment shaders compute.

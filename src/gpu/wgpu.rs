@@ -161,6 +161,10 @@ impl WgpuBackend {
 
     /// On a user's own device. Handlers for lost devices and errors stay the user's.
     /// `name` is what [`AdapterInfo::adapter`] shall say.
+    ///
+    /// No feature is needed. With [`wgpu::Features::FLOAT32_FILTERABLE`] the sky's LUTs have 32 bits instead
+    /// of 16 ([`AdapterInfo::filters_f32`]); with [`wgpu::Features::TIMESTAMP_QUERY`] passes are timed by the
+    /// GPU instead of a clock that waits for it ([`AdapterInfo::timer`]).
     pub fn from_device(device: wgpu::Device, queue: wgpu::Queue, name: &str) -> Result<Self> {
         let limits = device.limits();
         let timer = if device.features().contains(wgpu::Features::TIMESTAMP_QUERY) {
@@ -172,7 +176,7 @@ impl WgpuBackend {
         };
         let filters_f32 = device.features().contains(wgpu::Features::FLOAT32_FILTERABLE);
         let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
-            label: Some("welkin tables"),
+            label: Some("welkin LUTs"),
             mag_filter: wgpu::FilterMode::Linear,
             min_filter: wgpu::FilterMode::Linear,
             ..Default::default()
@@ -237,8 +241,26 @@ impl WgpuBackend {
 
     /// Makes a user's view known as a texture; release it with [`Backend::destroy_texture`].
     /// The view must match `desc`; what it may be used for is the user's choice of usages.
+    ///
+    /// # Errors
+    /// [`crate::ErrorKind::Invalid`] for a `desc` that is out of range, or larger or of another format than
+    /// the view's texture. Of a mip level its whole size is to be given, and a view of an sRGB texture has to
+    /// be one of the format without.
     pub fn import_view(&mut self, view: wgpu::TextureView, desc: TextureDesc) -> Result<TextureId> {
         desc.validate(self.info.max_texture_size)?;
+        let texture = view.texture();
+        if format(desc.format) != texture.format().remove_srgb_suffix() {
+            let allowed = format_args!("that of the view's texture, {:?}", texture.format());
+            return Err(Error::invalid("format", format_args!("{:?}", desc.format), allowed));
+        }
+        for (name, asked, most) in
+            [("width", desc.width, texture.width()), ("height", desc.height, texture.height())]
+        {
+            if asked > most {
+                let allowed = format_args!("at most the {most} of the view's texture");
+                return Err(Error::invalid(name, asked, allowed));
+            }
+        }
         Ok(self.textures.insert(Texture { desc, content: 0, view, texture: None }))
     }
 

@@ -4,6 +4,10 @@ use crate::error::{Result, in_range};
 
 /// A layer that emits light alike in all directions; its density is a tent. It lies above nearly all air:
 /// what stands between it and the camera is the air of the sky's passes, never the layer's own.
+///
+/// It is some 1e9 times fainter than the sky by day: it shows in exposures of 1e5 and more. Into a target of
+/// halves draw with a multiple of [`AtmosphereParams::sun_intensity`](crate::AtmosphereParams), which it
+/// follows, up to 1e6, and leave the rest of the exposure to your tone mapping.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Airglow {
     /// Radiance of the layer seen from straight below, as a fraction of the sun's irradiance above the air,

@@ -338,7 +338,7 @@ fn build(p: &AtmosphereParams, h: f64, sun_number: usize, direction: usize, rng:
         node: rng.u8(0..128).into(),
         ..Case::default()
     }
-    .with_tables(p)
+    .with_luts(p)
 }
 
 /// A case's inputs in words, one a line.
@@ -351,7 +351,7 @@ pub fn describe(case: &Case) -> String {
          absorber {:?} 1/km, centre {} km, half width {} km\n\
          altitude {} km, direction {:?}, sun {:?}, share of the ray {}\n\
          path from r²-R² {} km² with rμ {} km over {} km; {} steps, {} towards the sun; 1 - cos {}\n\
-         place in a table {:?}, {}; direction {} of a node",
+         place in a LUT {:?}, {}; direction {} of a node",
         m.radius,
         m.thickness,
         m.rayleigh,

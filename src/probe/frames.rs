@@ -1,5 +1,5 @@
 //! Whole pictures of random scenes over everything that [`Scene::validate`] accepts: whether all of their
-//! light is finite and possible. Small ones, but by the passes, tables and textures that large ones are drawn
+//! light is finite and possible. Small ones, but by the passes, LUTs and textures that large ones are drawn
 //! with.
 
 use std::f64::consts::{FRAC_PI_2, PI};

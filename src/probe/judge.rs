@@ -61,14 +61,14 @@ quantities! {
     SunTransmittance "transmittance to the sun" "",
     Transmittance "transmittance of a ray" "",
     Radiance "single scattering" "1/sr",
-    TablePlace "place of a ray in the sky tables" "",
-    TableDirection "direction of that place" "",
-    TableReturn "place of that place's ray" "",
-    TableStart "its distance to the air" "km",
-    TableLength "its length in the air" "km",
-    TableB "its r cos(zenith) at the entry" "km",
-    TableClosest "its closest approach" "km",
-    TableSun "its r cos(sun) at the entry" "km",
+    LutPlace "place of a ray in the sky LUTs" "",
+    LutDirection "direction of that place" "",
+    LutReturn "place of that place's ray" "",
+    LutStart "its distance to the air" "km",
+    LutLength "its length in the air" "km",
+    LutB "its r cos(zenith) at the entry" "km",
+    LutClosest "its closest approach" "km",
+    LutSun "its r cos(sun) at the entry" "km",
     RowAltitude "row of an altitude" "",
     RowSun "column of a sun's angle" "",
     AltitudeRow "altitude of a row" "km",
@@ -282,7 +282,7 @@ fn checks(probe: Probe, case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut
         Probe::Medium => medium(case, answers, note),
         Probe::Path => path(case, answers, note),
         Probe::Scatter(kind) => scatter(case, answers, kind == MiePhase::CornetteShanks, note),
-        Probe::Tables => tables(case, answers, note),
+        Probe::Luts => luts(case, answers, note),
         Probe::Eclipse => {}
     }
 }
@@ -440,15 +440,15 @@ fn path(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
     }
 }
 
-/// Maps into the precomputed tables and back. What they are is no promise, but that each place stands for a
+/// Maps into the precomputed LUTs and back. What they are is no promise, but that each place stands for a
 /// ray of the kind that it says, and that a way there and back ends where it began: within a hundredth of a
-/// texel of the largest table, or within what f32 can tell from each other.
-fn tables(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
+/// texel of the largest LUT, or within what f32 can tell from each other.
+fn luts(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
     use std::iter::once;
     // Of 1024 texels.
     let texel = Promise { relative: 0.0, absolute: 1e-5 };
     let share = |quantity, got: f32, want: f64, promise: Promise| {
-        // A way back may end a rounding error beyond the table's end, where it is clamped to it.
+        // A way back may end a rounding error beyond the LUT's end, where it is clamped to it.
         Check { least: -1e-5, most: 1.000_01, ..among(quantity, got, promise, once(want)) }
     };
     let place = |quantity, got: f32| share(quantity, got, got.clamp(0.0, 1.0).into(), texel);
@@ -473,9 +473,9 @@ fn tables(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
 
     let [azimuth, row, length, _] = answers[0];
     if length > 0.0 {
-        note(place(Quantity::TablePlace, azimuth));
-        note(place(Quantity::TablePlace, row));
-        // The table holds half a turn.
+        note(place(Quantity::LutPlace, azimuth));
+        note(place(Quantity::LutPlace, row));
+        // The LUT holds half a turn.
         let mut dir = case.direction;
         dir[1] = dir[1].abs();
         // Just below the top of the air rays that go up share few rows, next to nothing being above them, and
@@ -494,7 +494,7 @@ fn tables(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
             (false, false) => horizon * (rounded / (1.0 - bend + 2.0 * bend * v)).min(rounded.sqrt()),
         };
         let angle = Promise { absolute: angle.absolute + crowded, ..angle };
-        note(nothing(apart(&dir, &answers[1]), angle, Quantity::TableDirection));
+        note(nothing(apart(&dir, &answers[1]), angle, Quantity::LutDirection));
     }
 
     let ground = case.to_ground > 0.5;
@@ -509,12 +509,12 @@ fn tables(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
     for (got, want) in [(azimuth, case.uv[0]), (row, case.uv[1])] {
         let want = f64::from(want);
         let back = if same_ray && finite { want } else { got.into() };
-        let check = share(Quantity::TableReturn, back as f32, want, texel);
+        let check = share(Quantity::LutReturn, back as f32, want, texel);
         note(if finite { check } else { Check { got: f32::NAN, ..check } });
-        note(place(Quantity::TablePlace, got));
+        note(place(Quantity::LutPlace, got));
     }
     let input = Input { direction: wide(dir).normalize(), ..Input::of(case) };
-    // A table's direction is computed, not given: as many roundings.
+    // A LUT's direction is computed, not given: as many roundings.
     let tilted = [-4.0, -2.0, 2.0, 4.0].map(|e| input.tilted(e * RESOLUTION));
     // Up to the one between those that end differently, which touches the planet or the top.
     let edge = input.edge(&tilted).into_iter().flatten();
@@ -523,22 +523,22 @@ fn tables(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
     let length = answers[2][3];
     if all.is_empty() {
         // Not a ray of that kind, nor next to one: only right if it has no length.
-        note(Check { least: 0.0, ..among(Quantity::TableLength, length, geometry, once(0.0)) });
+        note(Check { least: 0.0, ..among(Quantity::LutLength, length, geometry, once(0.0)) });
     } else {
         let of = |f: &dyn Fn(&Air) -> f64| all.iter().map(f).collect::<Vec<_>>().into_iter();
-        note(Check { least: 0.0, ..among(Quantity::TableStart, start, geometry, of(&|a| a.start)) });
-        note(Check { least: 0.0, ..among(Quantity::TableLength, length, geometry, of(&|a| a.length)) });
-        note(among(Quantity::TableB, b, geometry, of(&|a| a.s0)));
+        note(Check { least: 0.0, ..among(Quantity::LutStart, start, geometry, of(&|a| a.start)) });
+        note(Check { least: 0.0, ..among(Quantity::LutLength, length, geometry, of(&|a| a.length)) });
+        note(among(Quantity::LutB, b, geometry, of(&|a| a.s0)));
         let altitude = |x: f32| f64::from(x) / (radius + (radius * radius + f64::from(x)).max(0.0).sqrt());
         if f64::from(x_closest) > -0.01 * radius * radius {
             note(among(
-                Quantity::TableClosest,
+                Quantity::LutClosest,
                 altitude(x_closest) as f32,
                 geometry,
                 of(&|a| a.chord.perigee_altitude),
             ));
         }
-        note(among(Quantity::TableSun, sun_b, geometry, of(&|a| a.sun_b)));
+        note(among(Quantity::LutSun, sun_b, geometry, of(&|a| a.sun_b)));
         note(among(Quantity::EntryAltitude, altitude(x) as f32, geometry, of(&|a| a.altitude)));
     }
 
@@ -556,7 +556,7 @@ fn tables(case: &Case, answers: &[[f32; 4]], note: &mut impl FnMut(Check)) {
         let cosine = Promise { relative: 1e-5, absolute: 2e-6 };
         note(among(Quantity::SunRow, mu, cosine, once(case.sun[2].into())));
     } else {
-        // Deeper than the table goes: the first column, which is night.
+        // Deeper than the LUT goes: the first column, which is night.
         note(Check { got: if column.is_nan() { f32::NAN } else { 0.0 }, ..place(Quantity::RowSun, 0.0) });
     }
 

@@ -47,9 +47,9 @@ pub enum Probe {
     Scatter(MiePhase),
     /// Which share of the sun a moon leaves; judged by a test of its own, on cases of its own.
     Eclipse,
-    /// Where in the precomputed tables a ray, an altitude or a sun's angle is, and what a place in them
+    /// Where in the precomputed LUTs a ray, an altitude or a sun's angle is, and what a place in them
     /// stands for.
-    Tables,
+    Luts,
 }
 
 impl Probe {
@@ -58,7 +58,7 @@ impl Probe {
         Self::Geometry,
         Self::Medium,
         Self::Path,
-        Self::Tables,
+        Self::Luts,
         Self::Scatter(MiePhase::HenyeyGreenstein),
         Self::Scatter(MiePhase::CornetteShanks),
     ];
@@ -67,7 +67,7 @@ impl Probe {
     pub fn of_batch(number: u64) -> [Self; 5] {
         let phase =
             if number.is_multiple_of(2) { MiePhase::HenyeyGreenstein } else { MiePhase::CornetteShanks };
-        [Self::Geometry, Self::Medium, Self::Path, Self::Tables, Self::Scatter(phase)]
+        [Self::Geometry, Self::Medium, Self::Path, Self::Luts, Self::Scatter(phase)]
     }
 
     /// Name in lower case.
@@ -77,7 +77,7 @@ impl Probe {
             Self::Medium => "medium",
             Self::Path => "path",
             Self::Eclipse => "eclipse",
-            Self::Tables => "tables",
+            Self::Luts => "luts",
             Self::Scatter(MiePhase::HenyeyGreenstein) => "scatter_hg",
             Self::Scatter(MiePhase::CornetteShanks) => "scatter_cs",
         }
@@ -90,7 +90,7 @@ impl Probe {
             Self::Medium => &generated::probe_medium::INFO,
             Self::Path => &generated::probe_path::INFO,
             Self::Eclipse => &generated::probe_eclipse::INFO,
-            Self::Tables => &generated::probe_luts::INFO,
+            Self::Luts => &generated::probe_luts::INFO,
             Self::Scatter(_) => &generated::probe_scatter::INFO,
         };
         let off = match self {
@@ -108,7 +108,7 @@ impl Probe {
             Self::Path => generated::probe_path::numbers::ANSWERS,
             Self::Scatter(_) => generated::probe_scatter::numbers::ANSWERS,
             Self::Eclipse => generated::probe_eclipse::numbers::ANSWERS,
-            Self::Tables => generated::probe_luts::numbers::ANSWERS,
+            Self::Luts => generated::probe_luts::numbers::ANSWERS,
         };
         answers as usize
     }
@@ -158,8 +158,8 @@ pub struct Case {
 }
 
 impl Case {
-    /// The tables' numbers for this medium.
-    fn with_tables(self, params: &AtmosphereParams) -> Self {
+    /// The LUTs' numbers for this medium.
+    fn with_luts(self, params: &AtmosphereParams) -> Self {
         let t = LutsUniform::new(params, &LutSettings::default());
         let scales = [t.altitude_steepness, t.altitude_growth, t.sun_middle, t.sun_width];
         let sky_view_mapping = FrameUniform::sky_view_mapping(f64::from(self.altitude) * 1000.0, params);

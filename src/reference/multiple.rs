@@ -702,6 +702,10 @@ impl Orders {
             // Per sun angle: the logarithm of the mean radiance, and per cos(m φ) and channel the source.
             let mut log_mean = vec![0.0; suns];
             let mut bands_at = vec![0.0; suns * bands * 3];
+            // Sums over the four rows and columns of an interpolation, channel by channel.
+            let mut ratio = vec![0.0; n * 3];
+            let mut wave = vec![0.0; bands * 3];
+            let mut turned = vec![0.0; n * 3];
             let cos_sun: Vec<f64> = self.grid.sun_angles.iter().map(|a| a.cos()).collect();
             let nu: Vec<f64> = self
                 .grid
@@ -731,22 +735,33 @@ impl Orders {
                     while used > 2 && (0..3).all(|c| factors[used][c] < 1e-5 * factors[0][c]) {
                         used -= 1;
                     }
-                    for (i, wi) in row_weights.iter().enumerate() {
-                        for k in 0..suns {
-                            let entry = (row + i) * suns + k;
-                            log_mean[k] += wi * last.log_mean[entry];
-                            let ratios = &last.ratio[entry * n * 3..(entry + 1) * n * 3];
-                            for m in 0..=used {
-                                let at = harmonics::index(self.degree, m, m);
-                                let band = &mut bands_at[(k * bands + m) * 3..(k * bands + m) * 3 + 3];
-                                for l in m..=used {
-                                    let y = wi * legendre[at + l - m];
-                                    let ratio = &ratios[(at + l - m) * 3..(at + l - m) * 3 + 3];
-                                    for c in 0..3 {
-                                        band[c] += y * ratio[c] * factors[l][c];
-                                    }
+                    for m in 0..=used {
+                        let at = harmonics::index(self.degree, m, m);
+                        let of_band = turned[at * 3..(at + used - m + 1) * 3].chunks_exact_mut(3);
+                        for ((out, y), factor) in of_band.zip(&legendre[at..]).zip(&factors[m..]) {
+                            out.copy_from_slice(&factor.map(|f| f * y));
+                        }
+                    }
+                    for k in 0..suns {
+                        let entry = |i: usize| (row + i) * suns + k;
+                        log_mean[k] = (0..4).map(|i| row_weights[i] * last.log_mean[entry(i)]).sum();
+                        let of = |i| &last.ratio[entry(i) * n * 3..(entry(i) + 1) * n * 3];
+                        weighted_sum(row_weights, [of(0), of(1), of(2), of(3)], &mut ratio);
+                        for m in 0..=used {
+                            let at = harmonics::index(self.degree, m, m);
+                            let all = at * 3..(at + used - m + 1) * 3;
+                            let mut band = [0.0; 3];
+                            for (ratio, turned) in ratio[all.clone()]
+                                .as_chunks::<3>()
+                                .0
+                                .iter()
+                                .zip(turned[all].as_chunks::<3>().0)
+                            {
+                                for c in 0..3 {
+                                    band[c] += ratio[c] * turned[c];
                                 }
                             }
+                            bands_at[(k * bands + m) * 3..(k * bands + m) * 3 + 3].copy_from_slice(&band);
                         }
                     }
                     let t = s - chord.origin;
@@ -759,19 +774,20 @@ impl Orders {
                                 continue;
                             }
                             let cos = azimuth_cosine(mu_sun, mu_there, nu);
-                            let mut log = 0.0;
-                            let mut sum = [0.0; 3];
-                            for (j, wj) in weights.iter().enumerate() {
-                                log += wj * log_mean[column + j];
+                            let log: f64 = (0..4).map(|j| weights[j] * log_mean[column + j]).sum();
+                            let of = |j| {
                                 let at = (column + j) * bands * 3;
-                                let (mut previous, mut current) = (cos, 1.0);
-                                for band in bands_at[at..at + (used + 1) * 3].chunks_exact(3) {
-                                    let y = wj * current;
-                                    for c in 0..3 {
-                                        sum[c] += y * band[c];
-                                    }
-                                    (previous, current) = (current, 2.0 * cos * current - previous);
+                                &bands_at[at..at + (used + 1) * 3]
+                            };
+                            let wave = &mut wave[..(used + 1) * 3];
+                            weighted_sum(weights, [of(0), of(1), of(2), of(3)], wave);
+                            let mut sum = [0.0; 3];
+                            let (mut previous, mut current) = (cos, 1.0);
+                            for band in wave.as_chunks::<3>().0 {
+                                for c in 0..3 {
+                                    sum[c] += current * band[c];
                                 }
+                                (previous, current) = (current, 2.0 * cos * current - previous);
                             }
                             let mean = log.exp();
                             let out = &mut out[k * angles.len() + f];
@@ -806,6 +822,8 @@ impl Orders {
         let suns = self.grid.sun_angles.len();
         let azimuths = self.settings.azimuths as usize;
         let angles: Vec<f64> = (0..azimuths).map(|f| PI * (f as f64 + 0.5) / azimuths as f64).collect();
+        let cosines: Vec<f64> =
+            (0..=self.degree).flat_map(|m| angles.iter().map(move |a| (m as f64 * a).cos())).collect();
         let rows = parallel::map(self.grid.altitudes.len(), |row| {
             let altitude = self.grid.altitudes[row];
             let mut moments = vec![0.0; suns * n * 3];
@@ -818,17 +836,19 @@ impl Orders {
                 for k in 0..suns {
                     for m in 0..=self.degree {
                         let mut wave = [0.0; 3];
-                        for (f, azimuth) in angles.iter().enumerate() {
-                            let w = weight * 2.0 * PI / azimuths as f64 * (m as f64 * azimuth).cos();
+                        let light = &light[k * azimuths..(k + 1) * azimuths];
+                        for (cosine, light) in cosines[m * azimuths..].iter().zip(light) {
+                            let w = weight * 2.0 * PI / azimuths as f64 * cosine;
                             for c in 0..3 {
-                                wave[c] += w * light[k * azimuths + f][c];
+                                wave[c] += w * light[c];
                             }
                         }
                         let at = harmonics::index(self.degree, m, m);
-                        for l in m..=self.degree {
-                            let y = legendre[at + l - m];
+                        let count = self.degree - m + 1;
+                        let moments = &mut moments[(k * n + at) * 3..(k * n + at + count) * 3];
+                        for (moment, y) in moments.as_chunks_mut::<3>().0.iter_mut().zip(&legendre[at..]) {
                             for c in 0..3 {
-                                moments[(k * n + at + l - m) * 3 + c] += y * wave[c];
+                                moment[c] += y * wave[c];
                             }
                         }
                         if m == 0 && mu > 0.0 {
@@ -988,6 +1008,13 @@ fn solve_symmetric(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
         b[i] = (b[i] - known) / a[i][i];
     }
     if b.iter().all(|v| v.is_finite()) { b } else { vec![0.0; n] }
+}
+
+/// The sum of four lists of numbers, each times its weight; `out` and they are equally long.
+fn weighted_sum(weights: [f64; 4], [a, b, c, d]: [&[f64]; 4], out: &mut [f64]) {
+    for ((((out, a), b), c), d) in out.iter_mut().zip(a).zip(b).zip(c).zip(d) {
+        *out = weights[0] * a + weights[1] * b + weights[2] * c + weights[3] * d;
+    }
 }
 
 /// Cosine of the azimuth between view and sun, from the cosines of their zenith angles and between them.

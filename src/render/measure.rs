@@ -10,9 +10,9 @@ use crate::frame::luts::MEDIUM_LABELS;
 use crate::gpu::{Backend, Inputs, Pass, Program, Target, TextureDesc, TextureId};
 use crate::model::atmosphere::AtmosphereParams;
 use crate::model::scene::{Camera, DepthConvention, Pose, Scene};
-use crate::settings::SkySettings;
 use crate::settings::front::{MeanError, Measured, ParetoFront, Point};
 use crate::settings::quality::Quality;
+use crate::settings::{LutSettings, SkySettings};
 use crate::shaders::copy;
 
 /// Rounds of timing of which the best counts; one more before them does not.
@@ -58,9 +58,9 @@ impl ParetoFront {
         copy_to.validate(backend.info().max_texture_size)?;
         let scenes = scenes(f64::from(size[0]) / f64::from(size[1]))?;
         let copy_to = backend.create_texture(&copy_to)?;
-        let mut renderer = PictureRenderer::default();
-        let timed = time(backend, &mut renderer, &scenes, &mut points, size, copy_to);
-        renderer.destroy(backend);
+        let mut renderers = Renderers::default();
+        let timed = time(backend, &mut renderers, &scenes, &mut points, size, copy_to);
+        renderers.0.iter_mut().for_each(|(_, r)| r.destroy(backend));
         backend.destroy_texture(copy_to);
         let copy = timed?;
         let info = backend.info();
@@ -101,10 +101,28 @@ fn scenes(aspect: f64) -> Result<Vec<Scene>> {
     SCENES.into_iter().map(scene).collect()
 }
 
+/// A renderer for each set of LUTs, so that none is filled anew in every round, and one for what has none.
+#[derive(Default)]
+struct Renderers(Vec<(Option<LutSettings>, PictureRenderer)>);
+
+impl Renderers {
+    fn of(&mut self, quality: Quality) -> &mut PictureRenderer {
+        let lut = match quality {
+            Quality::Luts(lut) => Some(lut),
+            Quality::March { .. } => None,
+        };
+        let at = self.0.iter().position(|(of, _)| *of == lut).unwrap_or_else(|| {
+            self.0.push((lut, PictureRenderer::default()));
+            self.0.len() - 1
+        });
+        &mut self.0[at].1
+    }
+}
+
 /// Fills in the times of `points`; answers the best of the copy.
 fn time(
     backend: &mut dyn Backend,
-    renderer: &mut PictureRenderer,
+    renderers: &mut Renderers,
     scenes: &[Scene],
     points: &mut [Point],
     size: [u32; 2],
@@ -119,7 +137,7 @@ fn time(
         for ((quality, scene), best) in each.zip(&mut best) {
             let settings =
                 PictureSettings { sky: quality.into(), terrain: None, ..PictureSettings::default() };
-            let (passes, drawn) = renderer.passes(backend, scene, &settings, size)?;
+            let (passes, drawn) = renderers.of(quality).passes(backend, scene, &settings, size)?;
             let mut passes: Vec<Pass> =
                 passes.iter().copied().filter(|p| p.target.color != drawn.display).collect();
             let inputs = Inputs::new([("source", Some(drawn.radiance))]);

@@ -101,8 +101,9 @@ fn empty_depth(background: f32) -> u64 {
     0x656d_7074_7900_0000_u64 ^ u64::from(background.to_bits()) | 1
 }
 
-/// Draws pictures of a planet; used by the command line and by the page. Its source is the shortest
-/// complete example of a frame.
+/// Draws pictures of a planet with a ground of its own; used by the command line and by the page.
+///
+/// In a frame of your own use [`SkyRenderer`].
 #[derive(Debug, Default)]
 pub struct PictureRenderer {
     sky: SkyRenderer,

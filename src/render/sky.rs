@@ -2,7 +2,7 @@
 
 use crate::error::{Error, Result};
 use crate::frame::Frame;
-use crate::frame::graph::{Bindings, Graph, Stage, StageEnds};
+use crate::frame::graph::{Bindings, Graph, Node, Resource, Stage, StageEnds};
 use crate::gpu::{Backend, Pass, Target, TextureDesc, TextureId, TexturePool, known};
 use crate::model::scene::Scene;
 use crate::render::sky_light::SkyLightRead;
@@ -16,7 +16,8 @@ pub struct AerialTargets {
     pub color: Option<TextureId>,
     /// The scene's depth, which the pass reads as [`Scene::depth`] says; not the target's own depth buffer.
     pub depth: TextureId,
-    /// Where the air before the scene is drawn.
+    /// Where the air before the scene is drawn; cleared as it says also where no pass draws to it, which then
+    /// holds no copy of [`Self::color`] either.
     pub target: Target,
 }
 
@@ -25,8 +26,9 @@ pub struct AerialTargets {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FrameTargets {
     /// Where the sky behind the scene is drawn, before the scene: depth ALWAYS, no depth write. The colour is
-    /// laid over what is there (stars, say), which the air dims by its grey mean. The first pass clears as
-    /// the target says; opaque black is fastest, as the sky is then just written.
+    /// laid over what is there (stars, say), which the air dims by its grey mean. The first pass that draws
+    /// here clears as the target says, and where none does, one that does nothing else; opaque black is
+    /// fastest, as the sky is then just written.
     pub background: Option<Target>,
     /// What the air before the scene reads and draws to, after the scene.
     pub aerial: Option<AerialTargets>,
@@ -45,8 +47,7 @@ impl FrameTargets {
 }
 
 /// The passes of one frame; empty lists where the scene calls for nothing. Run [`Self::background`], draw
-/// your scene, run
-/// [`Self::aerial`].
+/// your scene, run [`Self::aerial`].
 #[derive(Clone, Copy, Debug)]
 pub struct SkyFrame<'a> {
     /// LUTs that are not up to date, then the sky behind the scene.
@@ -138,6 +139,15 @@ impl SkyRenderer {
             ..Bindings::default()
         };
         self.graph.list(frame, |target| bindings.has(target), None);
+        for (stage, resource) in
+            [(Stage::Background, Resource::Background), (Stage::Aerial, Resource::Aerial)]
+        {
+            let clears =
+                bindings.target(resource).is_some_and(|t| t.clear.is_some() || t.clear_depth.is_some());
+            if clears && !self.graph.nodes.iter().any(|n| n.writes == resource) {
+                self.graph.insert(Node::clear("clear", stage, resource));
+            }
+        }
         self.passes.clear();
         self.ends = self.graph.passes(backend, &mut self.pool, frame, &bindings, &mut self.passes)?;
         Ok(SkyFrame {

@@ -86,7 +86,7 @@ impl SkyHarmonics {
 pub struct SkyLightRead {
     read: ReadId,
     params: AtmosphereParams,
-    tables: LutsUniform,
+    luts: LutsUniform,
     nodes: [u32; 2],
 }
 
@@ -97,7 +97,7 @@ impl SkyLightRead {
             return Err(Error::invalid("quality", frame.settings().quality, "one with LUTs"));
         };
         let read = backend.begin_read(lut)?;
-        Ok(Self { read, params: frame.scene().atmosphere.clone(), tables: frame.luts_block, nodes })
+        Ok(Self { read, params: frame.scene().atmosphere.clone(), luts: frame.luts_block, nodes })
     }
 
     /// The light once it is there; `None` until then. In a browser nothing waits for it; natively this call
@@ -110,7 +110,7 @@ impl SkyLightRead {
         let texels = backend.poll_read(self.read)?;
         Ok(texels.map(|texels| SkyLight {
             params: self.params.clone(),
-            tables: self.tables,
+            luts: self.luts,
             nodes: self.nodes.map(|n| n as usize),
             texels,
         }))
@@ -122,19 +122,19 @@ impl SkyLightRead {
 #[derive(Clone, Debug)]
 pub struct SkyLight {
     params: AtmosphereParams,
-    tables: LutsUniform,
+    luts: LutsUniform,
     nodes: [usize; 2],
     texels: Vec<f32>,
 }
 
-/// Rows per altitude in the table of moments.
+/// Rows per altitude in the LUT of moments.
 const ROWS: usize = crate::shaders::multi_scattering_lut::numbers::MOMENTS as usize;
 
 impl SkyLight {
     /// Where altitude and sun are among the nodes: `altitude_to_v` and `mu_sun_to_u` of
     /// `lib/multi_scattering_lut.wgsl`, in f64.
     fn at(&self, altitude: f64, sun_sine: f64) -> [(usize, f64); 2] {
-        let t = &self.tables;
+        let t = &self.luts;
         let h = (altitude / self.params.thickness()).clamp(0.0, 1.0);
         let row = ((h * f64::from(t.altitude_growth)).ln_1p() / f64::from(t.altitude_steepness)).sqrt();
         let y = (sun_sine - f64::from(t.sun_middle)) / f64::from(t.sun_width);
@@ -167,10 +167,10 @@ impl SkyLight {
         }))
     }
 
-    /// Sunlight with what the aerosol turns by small angles only, which the tables count as not scattered.
+    /// Sunlight with what the aerosol turns by small angles only, which the LUTs count as not scattered.
     fn forward(&self, altitude: f64, sun_sine: f64) -> Result<[f64; 3]> {
         let mut straight = self.params.clone();
-        let kept: [f64; 3] = std::array::from_fn(|c| f64::from(self.tables.mie_extinction[c]) / 1e3);
+        let kept: [f64; 3] = std::array::from_fn(|c| f64::from(self.luts.mie_extinction[c]) / 1e3);
         straight.mie_absorption = [0.0; 3];
         straight.mie_scattering = kept;
         sunlight(&straight, altitude, sun_sine)
@@ -192,7 +192,7 @@ impl SkyLight {
                 if index == 0 { mean } else { mix(index, c) * mean }
             })
         };
-        // The table has those that are even about the sun's plane: (0,0), (1,0), (1,1), (2,0), (2,1), (2,2).
+        // The LUT has those that are even about the sun's plane: (0,0), (1,0), (1,1), (2,0), (2,1), (2,2).
         let none = [0.0; 3];
         let [zero, up, along, up2, up_along, along2] = [0, 1, 2, 3, 4, 5].map(moment);
         SkyHarmonics([zero, none, up, along, none, none, up2, up_along, along2])

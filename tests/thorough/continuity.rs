@@ -84,7 +84,7 @@ fn flying_up_is_the_references_and_without_a_step() {
         );
         assert!(worst.0 < 0.02 && largest.0 < 0.05 && step.0 < 0.05, "{worst:?} {largest:?} {step:?}");
         // Where something begins or ends, a metre changes next to nothing. From above the top, rows of the
-        // tables stand for other rays than from below: there the method's own error shows.
+        // LUTs stand for other rays than from below: there the method's own error shows.
         for (altitude, bound) in [(15e3, 1e-3), (50e3, 1e-3), (100e3, 0.04)] {
             let [below, above] = [-0.5, 0.5].map(|d| {
                 let view = View { altitude: altitude + d, pitch: -3.0, fov: 30.0, ..View::default() };
@@ -254,9 +254,9 @@ fn through() -> Vec<(&'static str, Vec<View>)> {
 
 /// What second differences may differ by from the reference's, of the logarithm of light; and steps between
 /// neighbours, in 255ths of what a screen shows, at an exposure that makes the line's brightest 0.8 and at
-/// 1e5. Single scattering by 256 × 64 samples, then the tables of [`Quality::MEDIUM`].
+/// 1e5. Single scattering by 256 × 64 samples, then the LUTs of [`Quality::MEDIUM`].
 ///
-/// A rounded 255th is a step of 1 or 2. What the tables have more than that is their own error, which is not
+/// A rounded 255th is a step of 1 or 2. What the LUTs have more than that is their own error, which is not
 /// the same on both sides: at dusk a long ray along the horizon is 26 % too dark from 30 km, and one that
 /// just meets the ground 3 %.
 const BOUNDS: [(&str, [f64; 2], [f64; 2]); 12] = [
@@ -341,7 +341,7 @@ fn single_scattering_is_continuous_along_lines() {
 }
 
 #[test]
-fn tables_are_continuous_along_lines() {
+fn luts_are_continuous_along_lines() {
     continuous(Quality::MEDIUM, |line| BOUNDS.iter().find(|b| b.0 == line).unwrap().2);
 }
 
@@ -534,7 +534,7 @@ fn mountains(b: &mut dyn Backend) -> Vec<Edge> {
 }
 
 /// Bounds as in [`BOUNDS`], then the largest error of light over the light, or over a thousandth of the
-/// line's brightest where it has less, and the largest of transmittance. Single scattering, then tables.
+/// line's brightest where it has less, and the largest of transmittance. Single scattering, then LUTs.
 const EDGE_BOUNDS: [(&str, [f64; 4], [f64; 4]); 7] = [
     ("posts", [2e-3, 2.0, 2e-3, 1e-4], [0.2, 8.0, 0.2, 0.045]),
     ("posts from orbit", [2e-3, 2.0, 2e-3, 1e-4], [0.06, 3.0, 0.05, 0.08]),
@@ -607,6 +607,6 @@ fn single_scattering_is_continuous_across_edges() {
 }
 
 #[test]
-fn tables_are_continuous_across_edges() {
+fn luts_are_continuous_across_edges() {
     continuous_across_edges(Quality::MEDIUM, |line| EDGE_BOUNDS.iter().find(|b| b.0 == line).unwrap().2);
 }

@@ -4,7 +4,7 @@ use welkin::probe;
 
 use crate::harness::{asked_for, on_both};
 
-const FRAMES: usize = 100;
+const FRAMES: usize = 50;
 
 #[test]
 fn random_frames_are_finite_and_possible() {

@@ -6,6 +6,9 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use welkin::{Airglow, Bound, Look, Mode, SkySettings, ToneMap};
 
+use crate::args::usage::UsageError;
+use crate::views::View;
+
 /// Options of what is drawn.
 #[derive(Args, Debug)]
 pub struct LookArgs {
@@ -15,7 +18,7 @@ pub struct LookArgs {
 
     /// Draw the night sky's own light: a layer at 90 km that shines as brightly as a natural night sky
     ///
-    /// It shows in exposures of some 1e5 and more, brightest at the limb as seen from orbit.
+    /// The Earth's alone. It shows in exposures of some 1e5 and more, brightest at the limb from orbit.
     #[arg(long)]
     airglow: bool,
 
@@ -45,6 +48,14 @@ pub struct LookArgs {
     all_effects: bool,
 }
 
+/// The option that forces every effect on, as errors name it.
+const ALL: &str = "--all-effects";
+
+/// Whether a planet's preset is one of the Earth's.
+fn on_earth(planet: &str) -> bool {
+    planet.starts_with("earth")
+}
+
 fn mode() -> impl TypedValueParser<Value = Mode> {
     PossibleValuesParser::new(Mode::ALL.map(Mode::name)).try_map(|name: String| Mode::from_name(&name))
 }
@@ -55,13 +66,34 @@ impl LookArgs {
         self.mode
     }
 
-    /// The settings of a sky that is drawn as well as `quality` says and looks as these options say; `moon`
-    /// says whether the scene has a moon, `output` where the picture is written.
-    pub fn sky(&self, quality: SkySettings, moon: bool, exposure: f32, output: &Path) -> SkySettings {
+    /// Refuses what a planet does not have.
+    ///
+    /// # Errors
+    /// A [`UsageError`] for airglow anywhere but on Earth.
+    pub fn check(&self, planet: &str) -> Result<(), UsageError> {
+        if self.airglow && !on_earth(planet) {
+            let allowed = "an Earth: of other planets' airglow nothing is known here";
+            return Err(UsageError::value("--planet <NAME>", planet, format_args!("{allowed} (--airglow)")));
+        }
+        Ok(())
+    }
+
+    /// The options given of which the CPU's reference takes no notice, as errors name them.
+    pub fn unheeded_by_cpu(&self) -> impl Iterator<Item = &'static str> {
+        let given =
+            [("--airglow", self.airglow), ("--mode <MODE>", self.mode != Mode::Lut), (ALL, self.all_effects)];
+        given.into_iter().filter_map(|(name, given)| given.then_some(name))
+    }
+
+    /// The settings of a sky that is drawn as well as `quality` says and looks as these options say, for a
+    /// view; `moon` says whether the scene has a moon, `output` where the picture is written. A planet that
+    /// has no airglow gets none.
+    pub fn sky(&self, quality: SkySettings, view: &View, moon: bool, output: &Path) -> SkySettings {
+        let exposure = view.exposure;
         let look = Look {
             composition: self.mode.composition(),
             limb_darkening: self.limb_darkening || moon,
-            airglow: self.airglow.then_some(Airglow::EARTH),
+            airglow: (self.airglow && on_earth(view.planet)).then_some(Airglow::EARTH),
             ..quality.look
         };
         SkySettings { look, bound: self.bound(exposure, output), ..quality }

@@ -115,6 +115,17 @@ pub struct QualityArgs {
 }
 
 impl QualityArgs {
+    /// The option that asked for a quality, as errors name it.
+    pub fn option(&self) -> Option<&'static str> {
+        match self.asked() {
+            QualityArg::Default => None,
+            QualityArg::Named(_) => Some("--quality <NAME>"),
+            QualityArg::WithinError(_) => Some("--within-error <ERROR>"),
+            QualityArg::WithinBudget(_) => Some("--within-budget <TIME>"),
+            QualityArg::Samples(_) => Some("--samples <N> and --light-samples <N>"),
+        }
+    }
+
     /// How the quality was asked for.
     pub fn asked(&self) -> QualityArg {
         let named = self.preset.named().map(QualityArg::Named);

@@ -119,7 +119,7 @@ pub struct SceneArgs {
     #[arg(long, help_heading = SUN, requires_all = ["place", "time"])]
     moon: bool,
 
-    /// Pixels, as in 1920x1080; each side 1 to 8192 [default: 1280x720]
+    /// Pixels, as in 1920x1080; each side 1 to 8192, at most 33,554,432 in all [default: 1280x720]
     #[arg(
         long, value_name = "WxH", help_heading = PICTURE, allow_hyphen_values = true,
         value_parser = values::size

@@ -65,12 +65,11 @@ pub fn place(text: &str) -> Result<Place, String> {
 
 /// A date, a time and an offset in RFC 3339.
 pub fn time(text: &str) -> Result<jiff::Timestamp, String> {
-    let allowed =
-        "must be a date, a time and an offset in RFC 3339, years 0000 to 2999, as in 2024-06-20T20:51:00Z";
+    let allowed = "must be a date, a time and an offset in RFC 3339, as in 2024-06-20T20:51:00Z";
     let time: jiff::Timestamp = text.trim().parse().map_err(|_| allowed)?;
     // Four digits and no sign, as RFC 3339 has it; ΔT is known for all of them.
     let year = time.to_zoned(jiff::tz::TimeZone::UTC).year();
-    if (0..=2999).contains(&year) { Ok(time) } else { Err(allowed.to_owned()) }
+    if (0..=2999).contains(&year) { Ok(time) } else { Err("must be in the years 0000 to 2999".to_owned()) }
 }
 
 /// The width and the height of a picture in pixels.

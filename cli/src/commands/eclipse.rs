@@ -14,14 +14,17 @@ use crate::ephemeris::{self, Bodies, Eclipse, horizontal};
 use crate::views::Place;
 
 const ECLIPSE_DETAILS: &str = "\
-elevation, azimuth  of the disks' middles, without refraction; 0° is north, 90° east
-magnitude           fraction of the sun's diameter that is covered; where one disk lies within the other,
-                    the ratio of their diameters
+elevation, azimuth  of the disks' middles, without refraction; 0° is north,
+                    90° east
+magnitude           fraction of the sun's diameter that is covered; where one
+                    disk lies within the other, the ratio of their diameters
 obscuration         fraction of the sun's disk that is covered
-sunlight            what is left of the sun's light, its edge being darker than its middle
-Contacts are for a moon without mountains: k = 0.2725076 for partial, 0.272281 for total and annular phases.
-Places are heights above the ellipsoid WGS 84. Times are good to a second or two from 1972 to the next leap
-second, beyond by as much as the Earth's turning was guessed wrong.
+sunlight            what is left of the sun's light, its edge being darker
+                    than its middle
+Contacts are for a moon without mountains: k = 0.2725076 for partial, 0.272281
+for total and annular phases. Places are heights above the ellipsoid WGS 84.
+Times are good to a second or two from 1972 to the next leap second, beyond by
+as much as the Earth's turning was guessed wrong.
 
 Examples:
   welkin eclipse --place 25.29,-104.14 --time 2024-04-08T18:17:16Z
@@ -30,6 +33,9 @@ Examples:
       The ring over Albuquerque, found from the morning on, for a program to read
 
 Exit status: 0 printed; 1 printing failed; 2 the request was not accepted.";
+
+/// Heights of a place, metres.
+const HEIGHTS: std::ops::RangeInclusive<f64> = -1e3..=1e6;
 
 /// Options of `welkin eclipse`.
 #[derive(Args, Debug)]
@@ -45,7 +51,7 @@ pub struct EclipseArgs {
     #[arg(long, value_name = "TIME", allow_hyphen_values = true, value_parser = values::time)]
     time: Timestamp,
 
-    /// Height above sea level: metres, or as in 2km
+    /// Height above the ellipsoid WGS 84: metres, or as in 2km; -1 km to 1000 km
     #[arg(
         long, value_name = "LENGTH", default_value = "0m", allow_hyphen_values = true,
         value_parser = values::length
@@ -60,6 +66,10 @@ pub struct EclipseArgs {
 /// Computes and prints.
 pub fn run(args: &EclipseArgs) -> anyhow::Result<()> {
     let (time, place, height) = (args.time, args.place, args.height.metres);
+    if !HEIGHTS.contains(&height) {
+        let allowed = "from -1 km to 1000 km";
+        return Err(UsageError::value("--height <LENGTH>", &args.height.text, allowed).into());
+    }
     let bodies = ephemeris::bodies(time, place, height)
         .map_err(|_| UsageError::value("--time <TIME>", time, "in the years 1900 to 2099"))?;
     let eclipse = ephemeris::eclipse(time, place, height)?;

@@ -8,7 +8,7 @@ use crate::gpu::{self, Gpu};
 /// Opens every backend in turn and says what it is, or why it cannot be had.
 pub fn run() -> anyhow::Result<()> {
     let mut lines = vec![format!("welkin {}", env!("CARGO_PKG_VERSION"))];
-    let preferred = gpu::available().first().copied();
+    let preferred = gpu::available().0.first().copied();
     for choice in BackendChoice::ALL {
         let mark = if Some(choice) == preferred { '*' } else { ' ' };
         lines.push(match Gpu::open(choice) {

@@ -35,6 +35,10 @@ Exit status: 0 printed; 1 failed; 2 the request was not accepted.";
 #[command(about = "Say which effects a picture calls for, why, and the passes that draw them")]
 #[command(long_about = PLAN_ABOUT, after_long_help = PLAN_DETAILS)]
 #[command(after_help = "Examples and more words: welkin plan --help")]
+#[command(mut_arg("output", |arg| arg.help(
+    "Where 'welkin render' would write, and nothing is written here: .exr and .hdr leave out less, as they \
+     hold more than 8 bits"
+)))]
 pub struct PlanArgs {
     #[command(flatten)]
     render: RenderArgs,
@@ -47,7 +51,9 @@ pub struct PlanArgs {
 /// Prints the plan of the picture that `welkin render` would draw.
 pub fn run(args: &PlanArgs) -> anyhow::Result<()> {
     let render = &args.render;
+    render.backend.gpu("the CPU's reference draws no passes")?;
     let framed = render.scene_or_default()?;
+    render.look.check(framed.view.planet)?;
     // Only a budget makes anything draw.
     let budget = matches!(render.quality.asked(), QualityArg::WithinBudget(_));
     let mut gpu = Gpu::open(if budget { render.backend.backend } else { BackendChoice::Cpu })?;

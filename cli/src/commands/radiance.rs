@@ -38,7 +38,8 @@ nothing is refracted or polarised. R, G, B are the medium's three channels (eart
 const RADIANCE_DETAILS: &str = "\
 The table of cases is CSV with a header. Columns, found by name, in any order:
   medium                earth, rayleigh, mars, venus or earth-like
-  albedo                fraction of light that the ground reflects (Lambertian), 0 to 1
+  albedo                fraction of light that the ground reflects
+                        (Lambertian), 0 to 1
   altitude_m            of the observer above the ground, 0 to 1e12
   sun_zenith_deg        angle of the sun from the zenith, 0 to 180
   view_zenith_deg       angle of the view from the zenith, 0 to 180
@@ -46,23 +47,27 @@ The table of cases is CSV with a header. Columns, found by name, in any order:
 Other columns are copied. The output adds the columns R, G and B.
 
 What is included:
-  lut               light of all orders of scattering from LUTs, by a GPU backend, as the default of
-                    'welkin render'. A ray that meets the ground sees it black, but the air is lit by
-                    its albedo.
-  single            light scattered once by the air, by a GPU backend, through the passes that draw
-                    pictures, in 32-bit floats. A ray that meets the ground ends there and sees it
-                    black; the albedo has no influence.
+  lut               light of all orders of scattering from LUTs, by a GPU
+                    backend, as the default of 'welkin render'. A ray that
+                    meets the ground sees it black, but the air is lit by its
+                    albedo.
+  single            light scattered once by the air, by a GPU backend, through
+                    the passes that draw pictures, in 32-bit floats. A ray
+                    that meets the ground ends there and sees it black; the
+                    albedo has no influence.
   reference-single  the same light in f64 on the CPU, relative error 1e-6.
-  reference         light of all orders of scattering in f64 on the CPU, with the light that the ground
-                    reflects: into the air, and to the eye where a ray meets the ground. About 0.2 % by
-                    day, 0.5 % in twilight. Solves once for each medium and albedo, up to some minutes each,
-                    and keeps the solution: up to 11 MB each.
+  reference         light of all orders of scattering in f64 on the CPU, with
+                    the light that the ground reflects: into the air, and to
+                    the eye where a ray meets the ground. About 0.2 % by day,
+                    0.5 % in twilight. Solves once for each medium and albedo,
+                    up to some minutes each, and keeps the solution: up to 11
+                    MB each.
 
 Example:
   welkin radiance --cases sky.csv --method single --samples 256 --light-samples 64 -o radiance.csv
 
-Exit status: 0 written; 1 computing or writing failed; 2 the request or a row was not accepted, and
-nothing was written.";
+Exit status: 0 written; 1 computing or writing failed; 2 the request or a row
+was not accepted, and nothing was written.";
 
 /// Options of `welkin radiance`.
 #[derive(Args, Debug)]

@@ -25,8 +25,8 @@ use crate::views::{self, Place, View};
 const RENDER_ABOUT: &str = "\
 Draw a sky: a contact sheet of many views, or one picture
 
-Without an option under \"View\", \"Sun\" or \"Picture\" this draws the contact sheet: the sky from the \
-ground to far orbit on Earth and Mars, and one view by every backend side by side with their largest \
+Without an option that says what is seen (the groups \"View\", \"Sun\" and \"Picture\" below) this draws \
+the contact sheet: the sky from the ground to far orbit on Earth and Mars, and one view by every backend side by side with their largest \
 difference. Each of those options asks for a single picture instead.";
 
 const RENDER_EXAMPLES: &str = "\
@@ -46,6 +46,9 @@ Examples:
 
 Exit status: 0 drawn and written; 1 drawing or writing failed; 2 the request was not accepted, and
 nothing was written.";
+
+/// What the CPU draws.
+const CPU_METHOD: &str = "light scattered once, by the f64 reference";
 
 /// The heading of the options that say how it is drawn.
 pub const QUALITY_AND_OUTPUT: &str = "Quality and output";
@@ -87,10 +90,38 @@ impl RenderArgs {
         self.scene.as_ref().unwrap_or(&default).scene(self.look.terrain())
     }
 
+    /// The options given of which the CPU's reference takes no notice, as errors name them.
+    fn unheeded_by_cpu(&self) -> Vec<&'static str> {
+        self.quality.option().into_iter().chain(self.look.unheeded_by_cpu()).collect()
+    }
+
+    /// Refuses what the CPU, where it was asked for, would take no notice of.
+    fn check_cpu(&self) -> Result<(), UsageError> {
+        match (self.backend.backend, self.unheeded_by_cpu().first()) {
+            // That error says more: what draws here.
+            (BackendChoice::Cpu, Some(option)) if !option.starts_with("--within-budget") => {
+                Err(UsageError::new(format!(
+                    "'{option}' is not for '--backend cpu', which draws {CPU_METHOD}, nothing else"
+                )))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Says so where the CPU stood in and took no notice of an option.
+    fn note_cpu(&self, gpu: &mut Gpu) {
+        let unheeded = self.unheeded_by_cpu();
+        if gpu.backend().is_none() && !unheeded.is_empty() {
+            let options = unheeded.join(", ");
+            let note = format!("note: drawn without {options}: the CPU draws {CPU_METHOD}, nothing else");
+            let _ = writeln!(std::io::stderr(), "{note}");
+        }
+    }
+
     /// A scene to be drawn as these options say, with a sky of this quality.
     pub fn request(&self, framed: FramedScene, quality: SkySettings) -> RenderRequest {
         let moon = framed.scene.moon.is_some();
-        let sky = self.look.sky(quality, moon, framed.view.exposure, self.output());
+        let sky = self.look.sky(quality, &framed.view, moon, self.output());
         RenderRequest::new(framed, &self.look, sky)
     }
 }
@@ -104,6 +135,8 @@ pub fn run(args: &RenderArgs) -> anyhow::Result<()> {
 }
 
 fn single(args: &RenderArgs, framed: FramedScene) -> anyhow::Result<()> {
+    args.look.check(framed.view.planet)?;
+    args.check_cpu()?;
     let output = Output::new(args.output(), false)?;
     let start = Instant::now();
     let (name, size) = (framed.view.name, framed.size);
@@ -114,6 +147,7 @@ fn single(args: &RenderArgs, framed: FramedScene) -> anyhow::Result<()> {
     let picture = draw_one(&mut gpu, &request, &steps, name)?;
     drop(steps);
     output.write(&picture)?;
+    args.note_cpu(&mut gpu);
     report(args, &choice, size, &gpu, start.elapsed())
 }
 
@@ -122,7 +156,7 @@ fn contact_sheet(args: &RenderArgs) -> anyhow::Result<()> {
     let [panels @ .., compared] = &views::VIEWS;
     let start = Instant::now();
     // Before one is kept open: NVIDIA's EGL does not survive that others come and go meanwhile.
-    let backends = gpu::available();
+    let (backends, missing) = gpu::available();
     let mut gpu = Gpu::open(args.backend.backend)?;
     let size = [sheet::PANEL_WIDTH, sheet::PANEL_HEIGHT];
     let choice = QualityChoice::new(args.quality.asked(), args.look.mode(), &mut gpu, size)?;
@@ -139,7 +173,8 @@ fn contact_sheet(args: &RenderArgs) -> anyhow::Result<()> {
         Ok(Panel { title: view.title.to_owned(), caption: view.caption(), picture })
     });
     let panels = panels.collect::<anyhow::Result<Vec<_>>>()?;
-    let comparison = Comparison::draw(&backends, &request(compared)?, &steps);
+    let mut comparison = Comparison::draw(&backends, &request(compared)?, &steps);
+    comparison.failed.extend(missing);
     drop(steps);
 
     let sheet = Sheet {
@@ -150,16 +185,17 @@ fn contact_sheet(args: &RenderArgs) -> anyhow::Result<()> {
         comparison: comparison.panels,
         foot: format!(
             "altitude · sun elevation · vertical field of view; {} · tone map {}",
-            choice.name,
+            if gpu.backend().is_some() { &choice.name } else { CPU_METHOD },
             args.look.tone_map_title()
         ),
     };
     let (width, height, pixels) = sheet.compose();
     output.write_png(width, height, &pixels)?;
-    report(args, &choice, [width, height], &gpu, start.elapsed())?;
-    for failed in &comparison.failed {
-        let _ = writeln!(std::io::stderr(), "note: left out of the contact sheet: {failed}");
+    args.note_cpu(&mut gpu);
+    for (name, why) in &comparison.failed {
+        let _ = writeln!(std::io::stderr(), "note: left out of the contact sheet: {name}: {why}");
     }
+    report(args, &choice, [width, height], &gpu, start.elapsed())?;
     Ok(())
 }
 
@@ -186,7 +222,7 @@ struct Comparison {
     /// How many of the panels are a backend's picture.
     drawn: usize,
     /// Which backends failed, and why.
-    failed: Vec<String>,
+    failed: Vec<(&'static str, String)>,
 }
 
 impl Comparison {
@@ -200,7 +236,7 @@ impl Comparison {
             let picture =
                 match Gpu::open(*choice).and_then(|mut gpu| draw_one(&mut gpu, request, steps, name)) {
                     Err(error) => {
-                        failed.push(format!("{name}: {error:#}"));
+                        failed.push((name, format!("{error:#}")));
                         continue;
                     }
                     Ok(picture) => picture,
@@ -209,7 +245,12 @@ impl Comparison {
                 None if backends.len() == 1 => "the only one that can draw here".to_owned(),
                 None => "what the others are compared with".to_owned(),
                 Some((first, p)) => {
-                    format!("largest difference from {first}: {}/255", sheet::largest_difference(p, &picture))
+                    let most = sheet::largest_difference(p, &picture);
+                    match choice {
+                        // No fault of a backend.
+                        BackendChoice::Cpu => format!("light scattered once: {most}/255 from {first}"),
+                        _ => format!("largest difference from {first}: {most}/255"),
+                    }
                 }
             };
             panels.push(Panel { title: name.to_owned(), caption, picture: picture.clone() });
@@ -229,7 +270,10 @@ impl Comparison {
 
     fn title(&self, view: &View) -> String {
         let by = if self.drawn > 1 { "One view by every backend" } else { "One more view" };
-        format!("{by}: {}, {}", view.title, view.caption())
+        let failed: Vec<_> = self.failed.iter().map(|(name, _)| *name).collect();
+        let but =
+            if failed.is_empty() { String::new() } else { format!(" (not here: {})", failed.join(", ")) };
+        format!("{by}{but}: {}, {}", view.title, view.caption())
     }
 }
 

@@ -95,7 +95,7 @@ pub fn run(args: &CompareArgs) -> anyhow::Result<()> {
             UsageError::value("--keep <DIR>", dir.display(), format_args!("a folder that can be made: {e}"))
         })?;
     }
-    let mut choices = gpu::available();
+    let mut choices = gpu::available().0;
     choices.retain(|c| args.cpu || *c != BackendChoice::Cpu);
     ensure!(!choices.is_empty(), "{}; --cpu draws without one", device::NONE);
     let mut gpus = Vec::new();

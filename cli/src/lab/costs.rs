@@ -5,11 +5,12 @@ use std::io::Write;
 
 use anyhow::{Context, ensure};
 use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use welkin::frame::graph::Runs;
 use welkin::gpu::{Format, Target, TextureDesc};
 use welkin::model::moon::{MOON_RADIUS, Moon};
 use welkin::{
-    AerialTargets, Airglow, AtmosphereParams, Bound, Composition, FrameTargets, Look, Quality, Scene,
+    AerialTargets, Airglow, AtmosphereParams, Bound, Composition, Frame, FrameTargets, Look, Quality, Scene,
     SkyRenderer, SkySettings,
 };
 
@@ -46,11 +47,20 @@ pub struct CostsArgs {
     )]
     repeat: u32,
 
+    /// Of this effect alone, as in 'sun disk'; may be given several times [default: every effect]
+    #[arg(long = "effect", value_name = "NAME", value_parser = effect())]
+    effects: Vec<&'static str>,
+
     #[command(flatten)]
     preset: PresetArgs,
 
     #[command(flatten)]
     backend: BackendArgs,
+}
+
+fn effect() -> impl TypedValueParser<Value = &'static str> {
+    let named = |name: String| Frame::effect_names().into_iter().find(|n| *n == name).ok_or("not an effect");
+    PossibleValuesParser::new(Frame::effect_names()).try_map(named)
 }
 
 /// A picture that calls for an effect, or does not.
@@ -92,7 +102,10 @@ struct Found {
 /// Draws every pair and prints the table.
 pub fn run(args: &CostsArgs) -> anyhow::Result<()> {
     let quality = args.preset.quality();
-    let rows = rows(quality);
+    let mut rows = rows(quality);
+    if !args.effects.is_empty() {
+        rows.retain(|row| args.effects.contains(&row.effect));
+    }
     let mut gpu = Gpu::open(args.backend.gpu("what is timed are a GPU's passes")?)?;
     let describe = gpu.describe();
     let steps = Progress::of("measuring", 2 * rows.len());
@@ -247,7 +260,9 @@ fn measure(gpu: &mut Gpu, case: &Case, effect: &str, args: &CostsArgs) -> anyhow
         let often = named.iter().any(|n| n.label == pass.label && n.runs != Runs::PerMedium);
         times[usize::from(often)] += 1e-6 * time.nanoseconds;
     }
-    let strangers = passes.iter().filter(|p| !named.iter().any(|n| n.label == p.label)).count();
+    // Without a program it clears a target, as its owner says, which nothing is drawn to.
+    let drawn = passes.iter().filter(|p| p.program.is_some());
+    let strangers = drawn.filter(|p| !named.iter().any(|n| n.label == p.label)).count();
     let programs: HashSet<_> = passes.iter().filter_map(|p| p.program).collect();
     let mut textures: HashSet<_> = passes.iter().map(|p| p.target.color).collect();
     textures.extend(passes.iter().flat_map(|p| p.inputs.iter().filter_map(|(_, id)| id)));
@@ -271,4 +286,18 @@ fn measure(gpu: &mut Gpu, case: &Case, effect: &str, args: &CostsArgs) -> anyhow
     programs.into_iter().for_each(|id| backend.destroy_program(id));
     [color, depth, out].into_iter().for_each(|id| backend.destroy_texture(id));
     Ok(found)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_effect_has_its_pictures() {
+        let rows = rows(Quality::LOW);
+        for effect in Frame::effect_names() {
+            assert_eq!(rows.iter().filter(|row| row.effect == effect).count(), 1, "{effect}");
+        }
+        assert_eq!(rows.len(), Frame::effect_names().len());
+    }
 }

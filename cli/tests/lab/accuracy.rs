@@ -16,6 +16,8 @@ fn the_quick_report_is_whole_and_makes_sense() {
         &[
             "accuracy",
             "--quick",
+            "--timed-size",
+            "96x54",
             "--output",
             "report/new",
             "--write-front",

@@ -56,6 +56,11 @@ pub struct AccuracyArgs {
     #[command(flatten)]
     output: OutputArgs,
 
+    /// Pixels of the frames that are timed; at small ones LUTs weigh more than they do where people draw
+    /// [default: 480x270, with --quick 320x180]
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = values::size)]
+    timed_size: Option<[u32; 2]>,
+
     /// Also write error and time of every preset, as the library keeps them in src/settings/front.txt
     #[arg(long, value_name = "FILE")]
     write_front: Option<PathBuf>,
@@ -87,7 +92,9 @@ pub fn run(args: &AccuracyArgs) -> anyhow::Result<()> {
     let front_file = args.write_front.as_deref().map(|path| Destination::new(path, "--write-front <FILE>"));
     let front_file = front_file.transpose()?;
     let mut cache = Cache::new(&args.cache);
-    let found = investigate(args.quick, front_file.is_some().then_some(args.front_size), &mut cache);
+    // Times need as many pixels as people draw, or the LUTs would weigh too much in them.
+    let timed = args.timed_size.unwrap_or(if args.quick { [320, 180] } else { [480, 270] });
+    let found = investigate(args.quick, timed, front_file.is_some().then_some(args.front_size), &mut cache);
     cache.print_notes();
     let (findings, front) = found?;
     let svg = plot::svg(&findings)?;
@@ -112,14 +119,13 @@ pub fn run(args: &AccuracyArgs) -> anyhow::Result<()> {
 /// All findings; and if a size is given, the front of every preset, timed at it.
 fn investigate(
     quick: bool,
+    timed: [u32; 2],
     front_size: Option<[u32; 2]>,
     cache: &mut Cache,
 ) -> anyhow::Result<(Findings, ParetoFront)> {
     let start = Instant::now();
     let (frame, runs, settings) =
         if quick { (Frame::QUICK, 2, Settings::QUICK) } else { (Frame::WHOLE, 2, Settings::FINE) };
-    // Errors need few pixels. Times need as many as people draw, or the LUTs would weigh too much in them.
-    let timed = if quick { [320, 180] } else { [480, 270] };
     let scenes: Vec<_> = SETUPS.into_iter().filter(|s| s.quick || !quick).collect();
     let mut missing = Vec::new();
     let mut gpus = Vec::new();
@@ -187,7 +193,7 @@ fn investigate(
             front.measured.extend(timed.with_context(|| format!("{name}: the front"))?.measured);
         }
         backend.destroy_texture(copy_to);
-        renderers.destroy(backend);
+        renderers.iter_mut().for_each(|r| r.destroy(backend));
         let of_backend: &mut [Entry] = &mut entries[first..];
         let copy = of_backend.iter().map(|e| e.times.copy).fold(f64::INFINITY, f64::min);
         of_backend.iter_mut().for_each(|e| e.times.copy = copy);
@@ -228,17 +234,7 @@ fn front_of(
 }
 
 /// One for each medium, so that what is made once for it is made once.
-#[derive(Default)]
-struct Renderers {
-    compared: [PictureRenderer; MEDIA.len()],
-    timed: [PictureRenderer; MEDIA.len()],
-}
-
-impl Renderers {
-    fn destroy(&mut self, backend: &mut dyn Backend) {
-        self.compared.iter_mut().chain(&mut self.timed).for_each(|r| r.destroy(backend));
-    }
-}
+type Renderers = [PictureRenderer; MEDIA.len()];
 
 /// A scene and what the reference makes of it.
 struct Compared {
@@ -264,23 +260,23 @@ fn by_scene(
     progress: &dyn Fn(f32),
 ) -> anyhow::Result<Vec<Entry>> {
     let sky = candidate.settings();
-    let mut errors = Vec::new();
-    for c in compared {
-        let drawn = measure::draw(backend, &mut renderers.compared[c.setup.medium], &c.scene, counts, sky)
-            .with_context(|| c.setup.name)?;
-        errors.push(Against::BOTH.map(|against| c.expected.errors(&drawn, against)));
-    }
     let mut times = vec![Times::NEVER; compared.len()];
     // Round after round, so that a disturbance of a moment does not hit every run of a scene.
     for run in 0..=runs {
         for (c, best) in compared.iter().zip(&mut times) {
-            let took =
-                measure::time(backend, &mut renderers.timed[c.setup.medium], &c.whole, timed, sky, copy_to);
+            let took = measure::time(backend, &mut renderers[c.setup.medium], &c.whole, timed, sky, copy_to);
             let took = took.with_context(|| c.setup.name)?;
             // The first round makes pipelines and wakes the machine up; only what is made once counts in it.
             *best = best.best(if run == 0 { Times { once: took.once, ..Times::NEVER } } else { took });
         }
         progress((run + 1) as f32 / (runs + 1) as f32);
+    }
+    // Last: what is made once for a medium is timed where it is made.
+    let mut errors = Vec::new();
+    for c in compared {
+        let drawn = measure::draw(backend, &mut renderers[c.setup.medium], &c.scene, counts, sky)
+            .with_context(|| c.setup.name)?;
+        errors.push(Against::BOTH.map(|against| c.expected.errors(&drawn, against)));
     }
     let entry = |over, errors: &[Errors; 2], times| Entry {
         backend: name,

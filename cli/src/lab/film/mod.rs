@@ -200,7 +200,7 @@ pub fn run(args: &FilmArgs) -> anyhow::Result<()> {
     let output = Output::new(args.output(), true)?;
     let csv = args.csv.as_deref().map(|path| Destination::new(path, "--csv <FILE>")).transpose()?;
     let mut choices = match args.backend.gpu("what is measured are a GPU's frames")? {
-        BackendChoice::Auto => gpu::available(),
+        BackendChoice::Auto => gpu::available().0,
         choice => vec![choice],
     };
     choices.retain(|c| *c != BackendChoice::Cpu);
