@@ -25,9 +25,10 @@ use crate::views::{self, Place, View};
 const RENDER_ABOUT: &str = "\
 Draw a sky: a contact sheet of many views, or one picture
 
-Without an option that says what is seen (the groups \"View\", \"Sun\" and \"Picture\" below) this draws \
-the contact sheet: the sky from the ground to far orbit on Earth and Mars, and one view by every backend side by side with their largest \
-difference. Each of those options asks for a single picture instead.";
+Without an option that says what is seen (the groups \"View\", \"Sun\" and \"Picture\" below) this \
+draws the contact sheet: the sky from the ground to far orbit on Earth and Mars, and one view by every \
+backend side by side with their largest difference. Each of those options asks for a single picture \
+instead.";
 
 const RENDER_EXAMPLES: &str = "\
 Examples:
