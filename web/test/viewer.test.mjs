@@ -44,9 +44,10 @@ async function use(t, options, { complaints = false } = {}) {
 
 const kept = new Map();
 
-// The quickest: a medium's LUTs take the software renderer seconds otherwise. It is for tests that would find
-// the same by any quality.
+// For tests that would find the same by any quality: with the quickest LUTs, and without any, whose programs
+// alone take the software renderer seconds.
 const LOW = 'quality=low';
+const MARCH = 'samples=4&lightSamples=2';
 
 /**
  * The viewer in a page that tests share, with the settings of an address; it must not have complained. A page
@@ -100,7 +101,7 @@ for (const backend of BACKENDS) {
     });
 
     it('fills the window and follows its size', async (t) => {
-      const page = await use(t, { backend, hash: LOW, query: { width: '', height: '', scale: '0.25' } });
+      const page = await use(t, { backend, hash: MARCH, query: { width: '', height: '', scale: '0.25' } });
       const size = () =>
         page.evaluate(() => {
           const c = document.querySelector('#stage canvas');
@@ -114,7 +115,7 @@ for (const backend of BACKENDS) {
     });
 
     it('draws only when something changed', async (t) => {
-      const page = await use(t, { backend, hash: LOW });
+      const page = await use(t, { backend, hash: MARCH });
       await page.evaluate(async () => {
         await welkin.redraw();
         const { viewer } = welkin;
@@ -457,7 +458,7 @@ for (const backend of BACKENDS) {
     });
 
     it('pinches to change altitude on a touch screen', async (t) => {
-      const page = await use(t, { backend, hash: LOW, context: { hasTouch: true } });
+      const page = await use(t, { backend, hash: MARCH, context: { hasTouch: true } });
       const touch = await page.context().newCDPSession(page);
       const send = (type, ...points) =>
         touch.send('Input.dispatchTouchEvent', {
@@ -526,7 +527,7 @@ for (const backend of BACKENDS) {
     });
 
     it('says what is wrong with bad input and keeps the last good value', async (t) => {
-      const page = await use(t, { backend, hash: `planet=pluto&alt=nowhere&toneMap=sepia&${LOW}` });
+      const page = await use(t, { backend, hash: `planet=pluto&alt=nowhere&toneMap=sepia&${MARCH}` });
       const messages = await page.locator('.message span').allTextContents();
       assert.ok(
         messages.some((m) => m.includes('alt = nowhere is not allowed: must be a number')),
@@ -689,18 +690,18 @@ for (const backend of BACKENDS) {
     });
 
     it('keeps the view in the address', async (t) => {
-      const page = await use(t, { backend, hash: LOW });
+      const page = await use(t, { backend, hash: MARCH });
       await page.evaluate(async () => {
         Object.assign(welkin.state, { alt: 42000, planet: 'mars' });
         await welkin.redraw();
       });
-      await page.waitForFunction(() => location.hash === '#planet=mars&alt=42000&quality=low');
+      await page.waitForFunction(() => location.hash === '#planet=mars&alt=42000&samples=4&lightSamples=2');
       const picture = await pixels(page);
       await page.reload();
       await page.waitForFunction(() => window.welkin?.viewer);
       assert.equal(difference(picture, await pixels(page)).max, 0);
       await page.evaluate(() => {
-        location.hash = '#pitch=-20&quality=low';
+        location.hash = '#pitch=-20&samples=4&lightSamples=2';
       });
       await page.waitForFunction(() => welkin.state.pitch === -20 && welkin.state.planet === 'earth');
     });
@@ -815,14 +816,14 @@ describe('the browser draws what the native program draws', () => {
 
 describe('choosing a backend', () => {
   it('takes the best one and says so', async (t) => {
-    const page = await use(t, { hash: LOW });
+    const page = await use(t, { hash: MARCH });
     assert.equal(await page.textContent('#read-backend'), 'webgpu');
     assert.equal(await page.textContent('#why'), 'Backend webgpu: the best that works here');
   });
 
   it('says why when it takes the second best', async (t) => {
     const page = await use(t, {
-      hash: LOW,
+      hash: MARCH,
       prepare: () => {
         Object.defineProperty(Navigator.prototype, 'gpu', { value: undefined });
       },
@@ -885,7 +886,7 @@ describe('choosing a backend', () => {
 
 describe('controls', () => {
   it('every control has a name and moves the state', async (t) => {
-    const page = await use(t, { hash: LOW });
+    const page = await use(t, { hash: MARCH });
     const nameless = await page.evaluate(() =>
       [...document.querySelectorAll('#controls input, #controls select')]
         .filter((c) => c.labels.length === 0)
