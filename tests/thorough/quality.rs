@@ -109,8 +109,10 @@ fn a_front_is_measured_on_any_backend_and_answers_for_it() {
         assert_eq!(m.points.iter().map(|p| p.quality).collect::<Vec<_>>(), some);
         let [low, ultra] = some.map(|q| front.cost(&q).unwrap());
         println!("{front}");
-        // Eight times the samples.
-        assert!(ultra.time > 2 * low.time && low.copies > 1.0 && m.copy > Duration::ZERO, "{front}");
+        // How long it takes is the machine's business.
+        assert!(m.copy > Duration::ZERO && [&low, &ultra].iter().all(|c| c.time > Duration::ZERO), "{front}");
+        let copies = low.time.as_secs_f64() / m.copy.as_secs_f64();
+        assert!((low.copies / copies - 1.0).abs() < 1e-3, "{} {copies}", low.copies);
         assert!(front.cost(&Quality::SINGLE_HIGH).is_none());
         let committed = ParetoFront::committed().on(&m.backend).unwrap();
         assert_eq!(
@@ -119,7 +121,9 @@ fn a_front_is_measured_on_any_backend_and_answers_for_it() {
             "errors are the device's own business"
         );
         assert_eq!(front.within_error(low.error.max(ultra.error)), Ok(Quality::SINGLE_LOW));
-        assert_eq!(front.within_budget(low.time), Ok(Quality::SINGLE_LOW));
+        let quickest = low.time.min(ultra.time);
+        let in_time = if ultra.time <= quickest { Quality::SINGLE_ULTRA } else { Quality::SINGLE_LOW };
+        assert_eq!(front.within_budget(quickest), Ok(in_time));
         assert_eq!(front.within_budget(Duration::MAX), Ok(Quality::SINGLE_ULTRA));
         let message = front.within_budget(Duration::from_nanos(1)).unwrap_err().to_string();
         assert!(message.contains("160×90") && message.contains(&m.adapter), "{message}");

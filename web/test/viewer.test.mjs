@@ -67,8 +67,8 @@ async function share(t, backend, hash = LOW) {
 }
 
 /**
- * The viewer as it opens, with nothing set, in a page that tests share which only look at it; the last of them
- * closes it.
+ * The viewer as it opens, with nothing set, in a page that tests share which only look at it; the last of
+ * them closes it.
  */
 async function untouched(t, backend, { last = false } = {}) {
   const key = `${backend}, untouched`;
