@@ -126,8 +126,18 @@ fn check_range(field: &dyn fmt::Display, value: f64, lo: f64, hi: f64, unit: &st
     if value.is_finite() && (lo..=hi).contains(&value) {
         return Ok(());
     }
-    let (lo, hi, space) = (short(lo), short(hi), if unit.is_empty() { "" } else { " " });
+    let (lo, hi, space) = (short(round(lo)), short(round(hi)), if unit.is_empty() { "" } else { " " });
     Err(Error::invalid_dyn(field, &short(value), &format_args!("from {lo} to {hi}{space}{unit}")))
+}
+
+/// A limit without the last digits that a product leaves: 1001 for 1000.9999999999999.
+fn round(v: f64) -> f64 {
+    let scaled = v * 1e6;
+    if scaled.abs() < 1e15 && (scaled - scaled.round()).abs() < 1e-9 * scaled.abs() {
+        scaled.round() / 1e6
+    } else {
+        v
+    }
 }
 
 /// A number as people write it: 0.3, 6360000, 1e15.
@@ -219,7 +229,7 @@ mod text {
 
     /// A number's digits with an exponent of ten: `1e15`.
     pub fn exponential(v: f64) -> String {
-        number(v).exponential().replace('+', "")
+        number(v).exponential().chars().filter(|c| *c != '+').collect()
     }
 }
 
@@ -258,6 +268,11 @@ mod tests {
         }
         for (v, text) in [(0.3, "0.3"), (6_360_000.0, "6360000"), (1e15, "1e15"), (-1.5e-7, "-1.5e-7")] {
             assert_eq!(short(v), text);
+        }
+        for (v, rounded) in
+            [(1000.0 * 1.001, 1001.0), (1e-4, 1e-4), (1e-9, 1e-9), (1e300, 1e300), (2.0 / 3.0, 2.0 / 3.0)]
+        {
+            assert_eq!(round(v), rounded);
         }
         for text in ["mars", "", "a \"b\" \\ c", "tab\tline\n", "Größe", "火星"] {
             assert_eq!(Quoted(text).to_string(), format!("{text:?}"));

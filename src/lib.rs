@@ -27,7 +27,14 @@
 //! # Ok::<(), welkin::Error>(())
 //! ```
 //!
-//! # In your own frame
+//! # Around a scene of your own
+//!
+//! `WgpuSky` (feature `wgpu`) and `WebGlSky` (feature `webgl`) make a whole frame in one call: they clear,
+//! draw the sky, have you draw, lay the air before what you drew and map tones, in your encoder or context.
+//! They have the examples; [`Camera::projection`] and [`Camera::from_matrices`] go between matrices and
+//! cameras.
+//!
+//! # In textures of your own
 //!
 //! [`SkyRenderer::frame`] gives the passes of a frame as data. Run its background first (depth ALWAYS, no
 //! depth write), then draw your scene with its depth, then run its aerial passes, which read both and write
@@ -44,6 +51,7 @@
 //!
 //! let mut backend = WgpuBackend::from_device(device, queue, "my adapter")?;
 //! let mut sky = SkyRenderer::new(SkySettings::default())?;
+//! // One of a texture that allows it; `import_texture` takes a whole texture, with its size and format.
 //! let target = backend.import_view(view, TextureDesc::new("hdr", 1280, 720, Format::Rgba16Float))?;
 //! let frame = sky.frame(&mut backend, &scene, &FrameTargets::background(Target::color(target)))?;
 //! backend.encode(&mut encoder, frame.background)?;
@@ -66,6 +74,7 @@
 //! // Here draw your scene. Where it is not, its depth is `scene.depth.background()`.
 //! backend.run(frame.aerial)?;
 //! // `hazy` now has the frame, in linear light: multiply it by an exposure, and map it to your display.
+//! // Where no air was drawn (from space looking away, say) it is `color` that has it; `frame.color` tells.
 //! # Ok(()) }
 //! ```
 //!
@@ -123,7 +132,11 @@ pub use model::moon::Moon;
 pub use model::rays::{ray_sphere_intersect, ray_sphere_intersect_f32};
 pub use model::scene::{Camera, DepthConvention, Pose, Scene};
 pub use reference::{clip_segment, compute_single_scatter};
-pub use render::picture::{PictureRenderer, PictureSettings};
+#[cfg(feature = "webgl")]
+pub use render::in_webgl::{WebGlFrame, WebGlSky};
+#[cfg(feature = "wgpu")]
+pub use render::in_wgpu::{WgpuFrame, WgpuSky};
+pub use render::picture::{Around, PictureRenderer, PictureSettings};
 pub use render::sky::{AerialTargets, FrameTargets, SkyFrame, SkyRenderer};
 pub use render::sky_light::{LightingContextUniform, SkyLight};
 pub use render::warm_up::{TargetFormats, WarmUp};

@@ -139,7 +139,7 @@ fn sky_light(b: &mut dyn Backend, params: &AtmosphereParams, lut: LutSettings) -
     let passes = background_passes(b, &mut sky, &scene, Target::color(target));
     b.run(&passes).unwrap();
     let read = sky.begin_sky_light(b).unwrap().unwrap();
-    let light = read.poll(b).unwrap().unwrap();
+    let light = read.wait(b).unwrap();
     sky.destroy(b);
     b.destroy_texture(target);
     light

@@ -256,7 +256,10 @@ fn scenes_call_for_what_they_should() {
     ] {
         assert!(on(&day).contains(&name), "{name}: {}", why(&day, name));
     }
-    assert_eq!(why(&day, "planet shell"), "below 15 km the background is all of the sky; camera at 0.1 km");
+    assert_eq!(
+        why(&day, "planet shell"),
+        "below the hand-over the background is all of the sky; camera at 0.1 km"
+    );
     assert_eq!(why(&day, "sun disk"), "outside the picture");
     // No air, and no sun in sight: nothing at all.
     let none = plan(View { params: airless(ground.params.clone()), ..ground.clone() }, sky);

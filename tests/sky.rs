@@ -1,7 +1,7 @@
 //! What is drawn: the same bodies on both backends, judged by physics and by the f64 reference.
 
 use glam::{DQuat, DVec2, DVec3};
-use welkin::frame::background_weight;
+use welkin::frame::{HAND_OVER, background_weight, hand_over};
 use welkin::gpu::{Backend, Format, Pass, RowOrder, Target, TextureDesc};
 use welkin::reference::single::{Sun, Tolerance, single_scattering, transmittance};
 use welkin::{
@@ -298,9 +298,12 @@ fn air_dims_the_scene_and_adds_light_as_the_reference_does() {
 #[test]
 fn hand_over_keeps_the_sum() {
     assert_eq!(
-        (background_weight(-5.0), background_weight(15e3), background_weight(50e3), background_weight(1e9)),
-        (1.0, 1.0, 0.0, 0.0)
+        [-5.0, 15e3, 50e3, 1e9].map(|altitude| background_weight(altitude, 1e5)),
+        [1.0, 1.0, 0.0, 0.0]
     );
+    // Venus' air is deeper, that of a planet of 5 km 125 m deep.
+    assert_eq!(hand_over(250e3), HAND_OVER);
+    assert_eq!(hand_over(125.0), (18.75, 62.5));
     on_each(|b, settings| {
         let (mut whole, mut behind) = (PictureRenderer::default(), SkyRenderer::new(settings).unwrap());
         let mut last: Option<[f64; 3]> = None;
@@ -309,7 +312,7 @@ fn hand_over_keeps_the_sum() {
             let total = mean(&draw(b, &mut whole, &scene, &over_black(settings), [8, 8]));
             // The two passes alone: their weights add up to one.
             let first = mean(&background_by(b, &mut behind, &scene, [8, 8], [0.0; 4]));
-            let weight = background_weight(altitude);
+            let weight = background_weight(altitude, 1e5);
             assert!(
                 (first[1] - weight * total[1]).abs() < 2e-3 * total[1],
                 "{altitude}: {first:?} {total:?}"

@@ -55,7 +55,7 @@ impl Effect for PlanetShell {
             Reason::number("its share of the sky is", weight, "")
         } else {
             let altitude = frame.view.altitude / 1e3;
-            Reason::number("below 15 km the background is all of the sky; camera at", altitude, " km")
+            Reason::number("below the hand-over the background is all of the sky; camera at", altitude, " km")
         };
         (draws_sky(frame), reason)
     }

@@ -11,13 +11,27 @@ use crate::gpu::{Program, Uniform};
 use crate::settings::Composition;
 use crate::shaders::{sky_march, sky_march_eclipse, sky_view, upsample};
 
-/// Altitudes over which the background pass hands the sky over to the aerial pass, metres.
+/// Altitudes over which the background pass hands the sky over to the aerial pass, metres, where the air is
+/// 100 km deep or more; see [`hand_over`].
 pub const HAND_OVER: (f64, f64) = (15_000.0, 50_000.0);
 
-/// Fraction of the sky's light that the background pass draws at a camera altitude (metres): 1 below 15 km, 0
-/// above 50 km, `1 - smoothstep` between. The aerial pass draws the rest, so their sum does not change.
-pub fn background_weight(altitude: f64) -> f64 {
-    let t = ((altitude - HAND_OVER.0) / (HAND_OVER.1 - HAND_OVER.0)).clamp(0.0, 1.0);
+/// Depth of the air from which on [`HAND_OVER`] holds, metres: the Earth's.
+const DEEP: f64 = 100_000.0;
+
+/// Altitudes over which the background pass hands the sky over to the aerial pass, metres, for air so deep
+/// (metres): [`HAND_OVER`], and in proportion less in air that is less than 100 km deep, as small planets
+/// have it.
+pub fn hand_over(thickness: f64) -> (f64, f64) {
+    let part = (thickness / DEEP).min(1.0);
+    (HAND_OVER.0 * part, HAND_OVER.1 * part)
+}
+
+/// Fraction of the sky's light that the background pass draws at a camera altitude above a planet with air so
+/// deep (metres): 1 below the [`hand_over`], 0 above it, `1 - smoothstep` between. The aerial pass draws the
+/// rest, so their sum does not change.
+pub fn background_weight(altitude: f64, thickness: f64) -> f64 {
+    let (from, to) = hand_over(thickness);
+    let t = ((altitude - from) / (to - from)).clamp(0.0, 1.0);
     1.0 - t * t * (3.0 - 2.0 * t)
 }
 
@@ -49,11 +63,15 @@ impl Effect for BackgroundSky {
         let reason = if !sees_sky(frame) {
             Reason::of("the planet fills the picture")
         } else if drawn && full {
-            Reason::number("below 50 km the sky is drawn first; camera at", altitude, " km")
+            Reason::number("below the hand-over's end the sky is drawn first; camera at", altitude, " km")
         } else if drawn {
             Reason::of("the composition draws all of the sky first")
         } else if full {
-            Reason::number("above 50 km the depth-aware pass draws the sky; camera at", altitude, " km")
+            Reason::number(
+                "above the hand-over the depth-aware pass draws the sky; camera at",
+                altitude,
+                " km",
+            )
         } else {
             Reason::of("the composition draws the sky over the scene")
         };

@@ -160,7 +160,8 @@ impl MoonShadow {
         // At the planet's middle: over the planet the cones change by a percent.
         let middle = -(p.planet_radius + view.altitude) * view.sun.z;
         Self {
-            behind: (along - middle).max(moon.radius),
+            // To the nearest 32-bit float, some metres: the same for two eyes.
+            behind: f64::from((along - middle).max(moon.radius) as f32),
             moon_radius: moon.radius,
             sun_angular_radius: p.sun_angular_radius,
             length: AROUND * p.rayleigh_scale_height,

@@ -11,7 +11,7 @@ use crate::count;
 use crate::error::Result;
 use crate::gpu::{
     Backend, DepthUse, Format, Inputs, Pass, PoolKey, Program, TEXTURES_MAX, Target, TextureDesc, TextureId,
-    TexturePool, Uniform,
+    TexturePool, Uniform, fold_contents,
 };
 
 /// How often a node's content changes.
@@ -355,6 +355,8 @@ pub(crate) struct Graph {
     pub nodes: Vec<Node>,
     /// Content of each node's target once it has run.
     keys: Vec<u64>,
+    /// What each node's inputs hold when it leaves that, folded; 0 for nodes that write to a user's target.
+    inputs: Vec<u64>,
     runs: Vec<bool>,
     /// The latest content of each texture of the pool, while the keys are made.
     latest: Vec<(Resource, u64)>,
@@ -405,7 +407,8 @@ impl Graph {
         self.nodes.insert(at, node);
     }
 
-    /// A texture of the pool, if the passes that make what the last list of nodes leaves in it have run.
+    /// A texture of the pool, if the passes that make what the last list of nodes leaves in it have run, and
+    /// are not only recorded.
     pub fn finished(
         &self,
         backend: &dyn Backend,
@@ -416,7 +419,7 @@ impl Graph {
         let at = self.nodes.iter().rposition(|n| n.writes == resource)?;
         pool.begin(backend);
         let id = pool.find(backend, key)?;
-        (self.keys.get(at) == Some(&backend.content(id))).then_some(id)
+        (self.keys.get(at) == Some(&backend.content(id)) && backend.has_run(id)).then_some(id)
     }
 
     /// The passes of the nodes whose content is not there yet, appended to `passes`; answers where each stage
@@ -467,13 +470,15 @@ impl Graph {
                         target
                     }
                 };
-                if let Work::Upload(texels) = node.work {
-                    backend.write_texture(target.color, &texels(frame))?;
-                    backend.set_content(target.color, self.keys[i]);
-                } else {
-                    let pass = pass(backend, pool, &node, target, bindings, self.keys[i])?;
-                    passes.push(pass);
+                let mut pass = pass(backend, pool, &node, target, bindings)?;
+                if let Resource::Pool(_) = node.writes {
+                    (pass.content, pass.inputs_content) = (self.keys[i], self.inputs[i]);
                 }
+                if let Work::Upload(texels) = node.work {
+                    // The node's block is what the texels depend on; nobody reads it.
+                    (pass.texels, pass.uniform) = (Some(texels(frame).into()), Uniform::NONE);
+                }
+                passes.push(pass);
             }
             ends.0[node.stage as usize] = passes.len();
         }
@@ -493,12 +498,14 @@ impl Graph {
     fn make_keys(&mut self, backend: &dyn Backend) {
         self.latest.clear();
         self.keys.clear();
+        self.inputs.clear();
         let filters = backend.info().filters_f32;
         for node in &self.nodes {
             let content = |latest: &[(Resource, u64)], r: Resource| {
                 latest.iter().rev().find(|(name, _)| *name == r).map_or(0, |(_, key)| *key)
             };
             let mut key = ContentKey::START;
+            let mut inputs = 0;
             if let Resource::Pool(_) = node.writes {
                 key.bytes(node.label.as_bytes());
                 if let Some(program) = node.work.program() {
@@ -513,13 +520,15 @@ impl Graph {
                 for v in node.clear.into_iter().flatten() {
                     key.word(u64::from(v.to_bits()));
                 }
-                node.textures().for_each(|r| key.word(content(&self.latest, r)));
+                inputs = fold_contents(node.textures().map(|r| content(&self.latest, r)));
+                key.word(inputs);
                 if node.adds() {
                     key.word(content(&self.latest, node.writes));
                 }
                 self.latest.push((node.writes, key.finish()));
             }
             self.keys.push(key.finish());
+            self.inputs.push(inputs);
         }
     }
 
@@ -579,7 +588,6 @@ fn pass(
     node: &Node,
     target: Target,
     bindings: &Bindings,
-    content: u64,
 ) -> Result<Pass> {
     let mut inputs = Inputs::NONE;
     for (name, resource) in node.reads.iter().flatten() {
@@ -591,15 +599,6 @@ fn pass(
         inputs.push(name, id)?;
     }
     let program = node.work.program().map(|p| backend.create_program(p)).transpose()?;
-    let content = if matches!(node.writes, Resource::Pool(_)) { content } else { 0 };
-    Ok(Pass {
-        label: node.label,
-        program,
-        inputs,
-        uniform: node.uniform,
-        target,
-        depth: node.depth,
-        content,
-        depth_content: 0,
-    })
+    let (uniform, depth) = (node.uniform, node.depth);
+    Ok(Pass { program, inputs, uniform, depth, ..Pass::clear(node.label, target) })
 }

@@ -360,7 +360,7 @@ impl Effect for SkyViewLut {
     fn push_nodes(&self, frame: &Frame, nodes: &mut Vec<Node>) {
         let Some(luts) = frame.luts() else { return };
         let of_sky = LutsUniform { size: luts.sky_view, steps: luts.sky_view_steps, ..frame.luts_block };
-        let block = Uniform::new(&FrameLuts { frame: frame.uniform.of_view_luts(), luts: of_sky });
+        let block = Uniform::new(&FrameLuts { frame: frame.view_luts, luts: of_sky });
         let extent = Extent { size: luts.sky_view, texel: Texel::Filtered };
         let mut fill = |writes, mie_single: bool, light: Option<Resource>| {
             let constants = [("MIE_SINGLE", mie_single), ("MULTI_SCATTERING", light.is_some())];
@@ -412,7 +412,7 @@ impl Effect for AerialLut {
             ..frame.luts_block
         };
         let extent = Extent { size, texel: Texel::Filtered };
-        let frame_block = frame.uniform.of_view_luts();
+        let frame_block = frame.view_luts;
         let block = |luts| Uniform::new(&FrameLuts { frame: frame_block, luts });
         let light = frame.multi_scattering();
         let air = frame.omission.air;

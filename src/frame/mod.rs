@@ -55,7 +55,7 @@ use crate::gpu::{Program, RowOrder};
 use crate::model::scene::{Scene, ZenithView};
 use crate::settings::{Composition, Quality, SkySettings};
 
-pub use background::{HAND_OVER, background_weight};
+pub use background::{HAND_OVER, background_weight, hand_over};
 pub use effect::{EffectReport, Reason};
 pub use medium::Air;
 
@@ -85,6 +85,9 @@ pub struct Frame {
     pub(crate) background_weight: f64,
     /// The block of every pass of the atmosphere, for the whole picture.
     pub(crate) uniform: FrameUniform,
+    /// What of it the LUTs of the view are made of: the previous frame's, where the difference cannot be
+    /// seen.
+    pub(crate) view_luts: FrameUniform,
     /// The LUTs' part of the blocks that have one; zeros where the light is marched.
     pub(crate) luts_block: LutsUniform,
     effects: [EffectReport; EFFECT_COUNT],
@@ -143,7 +146,7 @@ impl Frame {
             }
         }
         let background_weight = match settings.look.composition {
-            Composition::Full => background_weight(view.altitude),
+            Composition::Full => background_weight(view.altitude, scene.atmosphere.thickness()),
             Composition::SkyDome => 1.0,
             Composition::AtmospherePost | Composition::Planet => 0.0,
         };
@@ -151,10 +154,13 @@ impl Frame {
             Quality::March { view_samples, light_samples } => [view_samples, light_samples],
             Quality::Luts(_) => [0; 2],
         };
+        let uniform = FrameUniform::new(scene, &view, size, rows, samples, background_weight);
+        let view_luts = uniform.of_view_luts(previous.map(|p| &p.view_luts));
         let off = EffectReport { name: "", on: false, reason: Reason::of("no air to see") };
         let mut frame = Self {
             visibility: Visibility::new(&scene.atmosphere, &view),
-            uniform: FrameUniform::new(scene, &view, size, rows, samples, background_weight),
+            uniform,
+            view_luts,
             luts_block: match &settings.quality {
                 Quality::Luts(luts) => LutsUniform::new(&scene.atmosphere, luts),
                 Quality::March { .. } => LutsUniform::default(),

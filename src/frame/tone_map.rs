@@ -65,7 +65,9 @@ pub fn tone_pass(
     to: TextureId,
 ) -> Result<Pass> {
     in_range("exposure", exposure, 0.0, 1e9, "")?;
-    let [source, target] = [crate::gpu::known(backend, from)?, crate::gpu::known(backend, to)?];
+    let [source, target] =
+        [("radiance", from), ("display", to)].map(|(what, id)| crate::gpu::known(backend, what, id));
+    let (source, target) = (source?, target?);
     if (source.width, source.height) != (target.width, target.height) {
         return Err(Error::invalid(
             "tone mapping target",

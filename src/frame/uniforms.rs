@@ -6,6 +6,14 @@ use crate::gpu::RowOrder;
 use crate::model::atmosphere::AtmosphereParams;
 use crate::model::scene::{Scene, ZenithView};
 
+/// How much a coordinate of the unit vector to the sun may change, and the camera's altitude (in proportion,
+/// or in km), before a view's LUTs are made again. Sunlight at the horizon changes by a factor e over 0.01
+/// radians, so by 1e-4 over this; a millimetre at the ground lowers the horizon from there by 1e-4 of a
+/// pixel.
+const SUN_TURNED: f32 = 1e-6;
+const CLIMBED: f32 = 1e-6;
+const CLIMBED_KM: f32 = 1e-6;
+
 /// Per-metre to per-kilometre, and metres to kilometres by division.
 const KM: f64 = 1000.0;
 
@@ -174,14 +182,25 @@ impl FrameUniform {
 
     /// What of the block the LUTs of a view depend on: medium, altitude and sun; the rest is 0, so that
     /// turning the camera leaves its bytes as they are. LUTs hold light per unit of irradiance.
-    pub(crate) fn of_view_luts(&self) -> Self {
-        Self {
+    ///
+    /// `kept`: the same of another frame, which is taken where it differs by less than can be seen. Two eyes
+    /// 65 mm apart see the sun 1e-8 radians apart, which would make the LUTs twice in each frame.
+    pub(crate) fn of_view_luts(&self, kept: Option<&Self>) -> Self {
+        let fresh = Self {
             medium: MediumUniform { irradiance: [0.0; 3], ..self.medium },
             altitude: self.altitude,
             sun: self.sun,
             sky_view_mapping: self.sky_view_mapping,
             ..Self::default()
-        }
+        };
+        let serves = |kept: &&Self| {
+            let turned = fresh.sun.iter().zip(kept.sun).fold(0.0_f32, |most, (a, b)| most.max((a - b).abs()));
+            let climbed = (fresh.altitude - kept.altitude).abs();
+            bytemuck::bytes_of(&kept.medium) == bytemuck::bytes_of(&fresh.medium)
+                && turned <= SUN_TURNED
+                && climbed <= (CLIMBED * fresh.altitude).max(CLIMBED_KM)
+        };
+        kept.filter(serves).copied().unwrap_or(fresh)
     }
 }
 

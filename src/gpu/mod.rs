@@ -4,6 +4,7 @@
 //! Passes are full-screen triangles (or, for the demonstration's terrain, one strip made in the vertex
 //! shader). [`wgpu::WgpuBackend`] and [`webgl::WebGlBackend`] run the same passes with the same result.
 
+pub mod arena;
 #[cfg(feature = "egl")]
 pub mod egl;
 #[cfg(any(feature = "wgpu", feature = "webgl"))]
@@ -15,8 +16,8 @@ pub mod webgl;
 #[cfg(feature = "wgpu")]
 pub mod wgpu;
 
-#[cfg(any(feature = "wgpu", feature = "webgl"))]
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, Ordering};
 
 use crate::error::{Error, Result};
 pub use pool::{PoolKey, TexturePool};
@@ -26,15 +27,36 @@ pub use program::Glsl;
 pub(crate) use program::SAMPLER_BINDING;
 pub use program::{Inputs, Program, ProgramInfo, TEXTURES_MAX, TextureSlot, Vertices};
 
-slotmap::new_key_type! {
+arena::ids! {
     /// A texture of a backend.
-    pub struct TextureId;
+    TextureId, "texture";
     /// A program of a backend.
-    pub struct ProgramId;
+    ProgramId, "program";
     /// A read-back that was begun.
-    pub struct ReadId;
+    ReadId, "read-back";
     /// A list of passes that is being timed.
-    pub struct TimerId;
+    TimerId, "timer";
+}
+
+/// Something that was asked of the GPU and is not there yet. Dropped, it is given up, and the backend frees
+/// what it kept for it.
+#[derive(Debug)]
+pub struct Ticket<I> {
+    pub(crate) id: I,
+    _held: Arc<()>,
+}
+
+impl<I: Copy> Ticket<I> {
+    /// A backend's ticket, which shares `held` with it: the backend is the last to hold it once the ticket
+    /// was dropped.
+    pub fn new(held: &Arc<()>, id: I) -> Self {
+        Self { id, _held: held.clone() }
+    }
+
+    /// What it is for.
+    pub fn id(&self) -> I {
+        self.id
+    }
 }
 
 /// What a texel holds.
@@ -193,12 +215,15 @@ impl Uniform {
 }
 
 /// One draw, as data.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Pass {
     /// For debuggers and timings.
     pub label: &'static str,
     /// What to run; `None` only clears the target.
     pub program: Option<ProgramId>,
+    /// Values to write to all of the colour target instead of drawing, as for [`Backend::write_texture`].
+    /// They are written when the pass runs, between the passes around it.
+    pub texels: Option<Arc<[f32]>>,
     /// The textures that the program reads, by name.
     pub inputs: Inputs,
     /// The block at binding 0.
@@ -210,8 +235,19 @@ pub struct Pass {
     /// Names what the colour target holds once the pass has run; 0 for nothing that anybody asks for. See
     /// [`Backend::content`].
     pub content: u64,
+    /// Names what its inputs hold when its target comes to hold [`Self::content`], by [`fold_contents`]; 0
+    /// where that does not matter. A pass may run later than it was made for, and find others there.
+    pub inputs_content: u64,
     /// Names what the depth target holds once a pass that clears or writes it has run.
     pub depth_content: u64,
+}
+
+/// One number for what several textures hold.
+pub fn fold_contents(contents: impl IntoIterator<Item = u64>) -> u64 {
+    // FNV-1a on whole words: contents are hashes already.
+    contents.into_iter().fold(0xcbf2_9ce4_8422_2325, |folded, content| {
+        (folded ^ content).wrapping_mul(0x0100_0000_01b3).rotate_left(29)
+    })
 }
 
 impl Pass {
@@ -220,21 +256,28 @@ impl Pass {
         Self {
             label,
             program: None,
+            texels: None,
             inputs: Inputs::NONE,
             uniform: Uniform::NONE,
             target,
             depth: DepthUse::Always,
             content: 0,
+            inputs_content: 0,
             depth_content: 0,
         }
     }
 
-    /// Which textures hold something else once it has run, and what.
-    #[cfg(any(feature = "wgpu", feature = "webgl"))]
-    pub(crate) fn contents(&self) -> impl Iterator<Item = (TextureId, u64)> {
+    /// Which textures hold something else once it has run, and what, by what they hold before: for
+    /// [`Backend::run`] to tell [`Backend::set_content`].
+    pub fn contents(&self, content: impl Fn(TextureId) -> u64) -> [Option<(TextureId, u64)>; 2] {
+        let as_expected = self.content != 0
+            && (self.inputs_content == 0
+                || self.inputs_content
+                    == fold_contents(self.inputs.iter().filter_map(|(_, id)| id).map(content)));
+        let made = if as_expected { self.content } else { 0 };
         let writes_depth = self.target.clear_depth.is_some() || self.depth != DepthUse::Always;
         let depth = self.target.depth.filter(|_| writes_depth).map(|id| (id, self.depth_content));
-        std::iter::once((self.target.color, self.content)).chain(depth)
+        [Some((self.target.color, made)), depth]
     }
 }
 
@@ -332,6 +375,8 @@ pub struct Live {
     pub framebuffers: usize,
     pub pipelines: usize,
     pub bind_groups: usize,
+    /// Read-backs that were begun and not answered; one that was given up goes when the next one begins.
+    pub reads: usize,
 }
 
 /// A machine that runs passes.
@@ -349,12 +394,20 @@ pub trait Backend {
     /// What a texture was made with.
     fn texture(&self, id: TextureId) -> Option<TextureDesc>;
 
-    /// A number that no other backend of this process has. Ids mean nothing on a backend of another epoch.
-    fn epoch(&self) -> u64;
+    /// A number that no other backend of this process has. Ids mean nothing on a backend of another epoch,
+    /// and are refused there.
+    fn epoch(&self) -> u32;
 
     /// The name of what a texture holds: [`Pass::content`] of the last pass that was run or recorded with it
-    /// as its target, or what [`Self::set_content`] said since. 0 if that is unknown.
+    /// as its target, or what [`Self::set_content`] said since. 0 if that is unknown: also once an encoder
+    /// was dropped that it was recorded in.
     fn content(&self, id: TextureId) -> u64;
+
+    /// Whether what gave a texture its [`Self::content`] has run, and was not only recorded in an encoder of
+    /// the user's that waits to be submitted or done.
+    fn has_run(&self, id: TextureId) -> bool {
+        self.texture(id).is_some()
+    }
 
     /// Names what a texture holds, after it was written by other means than a pass.
     fn set_content(&mut self, id: TextureId, content: u64);
@@ -376,17 +429,23 @@ pub trait Backend {
     fn run(&mut self, passes: &[Pass]) -> Result<()>;
 
     /// Asks for a texture's content; see [`Self::poll_read`].
-    fn begin_read(&mut self, id: TextureId) -> Result<ReadId>;
+    fn begin_read(&mut self, id: TextureId) -> Result<Ticket<ReadId>>;
 
-    /// The content once it is there: [`Format::channels`] values per texel, rows in memory order. Natively
-    /// this waits; in a browser it answers `None` until the page has been left to itself for a while.
-    fn poll_read(&mut self, id: ReadId) -> Result<Option<Vec<f32>>>;
+    /// The content once it is there: [`Format::channels`] values per texel, rows in memory order. Does not
+    /// wait: `None` until then.
+    fn poll_read(&mut self, ticket: &Ticket<ReadId>) -> Result<Option<Vec<f32>>>;
 
     /// Runs passes and measures each; see [`Self::poll_times`].
-    fn begin_times(&mut self, passes: &[Pass]) -> Result<TimerId>;
+    fn begin_times(&mut self, passes: &[Pass]) -> Result<Ticket<TimerId>>;
 
-    /// The times once they are there; waits natively, as [`Self::poll_read`].
-    fn poll_times(&mut self, id: TimerId) -> Result<Option<Vec<PassTime>>>;
+    /// The times once they are there. Does not wait: `None` until then.
+    fn poll_times(&mut self, ticket: &Ticket<TimerId>) -> Result<Option<Vec<PassTime>>>;
+
+    /// Waits until the GPU has done all that was asked of it, so that what was begun is there.
+    ///
+    /// # Errors
+    /// [`crate::ErrorKind::Unavailable`] in a browser, where nothing can wait: poll now and then instead.
+    fn wait(&mut self) -> Result<()>;
 
     /// Why the device is gone, if it is.
     fn lost(&self) -> Option<String>;
@@ -394,38 +453,73 @@ pub trait Backend {
     /// What exists now.
     fn live(&self) -> Live;
 
-    /// [`Self::begin_read`] and [`Self::poll_read`] in one, where waiting is possible.
+    /// [`Self::begin_read`], [`Self::wait`] and [`Self::poll_read`] in one.
+    ///
+    /// # Errors
+    /// Those of the three.
     fn read(&mut self, id: TextureId) -> Result<Vec<f32>> {
-        let read = self.begin_read(id)?;
-        self.poll_read(read)?.ok_or_else(|| cannot_wait(self.info().backend))
+        let ticket = self.begin_read(id)?;
+        self.wait()?;
+        self.poll_read(&ticket)?.ok_or_else(|| cannot_wait(self.info().backend))
     }
 
-    /// [`Self::begin_times`] and [`Self::poll_times`] in one, where waiting is possible.
+    /// [`Self::begin_times`], [`Self::wait`] and [`Self::poll_times`] in one.
+    ///
+    /// # Errors
+    /// Those of the three.
     fn times(&mut self, passes: &[Pass]) -> Result<Vec<PassTime>> {
-        let timer = self.begin_times(passes)?;
-        self.poll_times(timer)?.ok_or_else(|| cannot_wait(self.info().backend))
+        let ticket = self.begin_times(passes)?;
+        self.wait()?;
+        self.poll_times(&ticket)?.ok_or_else(|| cannot_wait(self.info().backend))
     }
 }
 
-fn cannot_wait(backend: &'static str) -> Error {
+/// The error for waiting where nothing can wait.
+pub(crate) fn cannot_wait(backend: &'static str) -> Error {
     Error::unavailable(backend, "this platform cannot wait for the GPU: poll instead")
 }
 
-/// An epoch for a new backend.
-#[cfg(any(feature = "wgpu", feature = "webgl"))]
-pub(crate) fn next_epoch() -> u64 {
-    static EPOCH: AtomicU64 = AtomicU64::new(1);
+/// An epoch for a new backend: see [`Backend::epoch`].
+pub fn next_epoch() -> u32 {
+    static EPOCH: AtomicU32 = AtomicU32::new(1);
     EPOCH.fetch_add(1, Ordering::Relaxed)
 }
 
-/// What a texture was made with, or an error.
-pub(crate) fn known(backend: &dyn Backend, id: TextureId) -> Result<TextureDesc> {
-    backend.texture(id).ok_or_else(|| unknown(backend.info().backend, "texture"))
+/// What a texture was made with, or an error that names what it was meant for.
+pub(crate) fn known(backend: &dyn Backend, what: &str, id: TextureId) -> Result<TextureDesc> {
+    backend.texture(id).ok_or_else(|| {
+        let reason = if arena::Id::parts(id).0 == backend.epoch() {
+            "a texture that was destroyed"
+        } else {
+            "a texture of another backend"
+        };
+        Error::invalid(what, reason, format_args!("a texture of this backend ({})", backend.info().backend))
+    })
 }
 
-/// The error for an id that this backend does not (or no longer) know.
-pub(crate) fn unknown(backend: &'static str, what: &str) -> Error {
-    Error::driver(backend, what, "no such object: it was destroyed or belongs to another backend")
+/// Checks the number of values for a texture.
+#[cfg(any(feature = "wgpu", feature = "webgl"))]
+pub(crate) fn check_texels(desc: &TextureDesc, texels: &[f32]) -> Result<()> {
+    let want = desc.texels() * desc.format.channels();
+    if texels.len() != want || desc.format == Format::Depth32Float {
+        return Err(Error::invalid(
+            format_args!("texels for {}", desc.label),
+            texels.len(),
+            format_args!("{want} values, and not for a depth buffer"),
+        ));
+    }
+    Ok(())
+}
+
+/// The error for a texture whose format or size does not suit what a pass does with it.
+#[cfg(any(feature = "wgpu", feature = "webgl"))]
+pub(crate) fn unsuitable(pass: &Pass, what: &str, desc: TextureDesc, allowed: &str) -> Error {
+    let TextureDesc { label, width, height, format, .. } = desc;
+    Error::invalid(
+        format_args!("pass {}: {what}", pass.label),
+        format_args!("{label} ({format:?}, {width} × {height})"),
+        allowed,
+    )
 }
 
 /// Checks that a pass gives its program what it reads; answers the textures in the order of the program's
@@ -451,34 +545,37 @@ pub(crate) fn check_pass(backend: &'static str, pass: &Pass, program: Program) -
 }
 
 /// Reads texels of a format into f32.
-#[cfg(any(feature = "wgpu", feature = "webgl"))]
+#[cfg(feature = "wgpu")]
 pub(crate) fn decode_texels(format: Format, bytes: &[u8], out: &mut Vec<f32>) {
-    match format {
-        Format::Rgba8 => out.extend(bytes.iter().map(|&b| f32::from(b) / 255.0)),
-        Format::Bgra8 => {
-            out.extend(
-                bytes.chunks_exact(4).flat_map(|t| [t[2], t[1], t[0], t[3]]).map(|b| f32::from(b) / 255.0),
-            );
-        }
-        Format::Rgba16Float => {
-            out.extend(bytes.chunks_exact(2).map(|b| half::f16::from_le_bytes([b[0], b[1]]).to_f32()));
-        }
-        Format::Rgba32Float | Format::R32Float | Format::Depth32Float => {
-            out.extend(bytes.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])));
-        }
+    let from = out.len();
+    // One loop for all formats: less code, and nobody waits for it.
+    for value in bytes.chunks_exact(format.bytes() / format.channels()) {
+        out.push(match *value {
+            [a] => f32::from(a) / 255.0,
+            [a, b] => half::f16::from_le_bytes([a, b]).to_f32(),
+            [a, b, c, d] => f32::from_le_bytes([a, b, c, d]),
+            _ => 0.0,
+        });
+    }
+    if format == Format::Bgra8 {
+        out[from..].chunks_exact_mut(4).for_each(|texel| texel.swap(0, 2));
     }
 }
 
 /// Writes f32 values as texels of a format.
 #[cfg(any(feature = "wgpu", feature = "webgl"))]
 pub(crate) fn encode_texels(format: Format, values: &[f32]) -> Vec<u8> {
-    let byte = |v: f32| (v.clamp(0.0, 1.0) * 255.0).round() as u8;
-    match format {
-        Format::Rgba8 => values.iter().map(|&v| byte(v)).collect(),
-        Format::Bgra8 => values.chunks_exact(4).flat_map(|t| [t[2], t[1], t[0], t[3]]).map(byte).collect(),
-        Format::Rgba16Float => values.iter().flat_map(|&v| half::f16::from_f32(v).to_le_bytes()).collect(),
-        Format::Rgba32Float | Format::R32Float | Format::Depth32Float => {
-            values.iter().flat_map(|v| v.to_le_bytes()).collect()
+    let size = format.bytes() / format.channels();
+    let mut out = Vec::with_capacity(values.len() * size);
+    for &v in values {
+        match size {
+            1 => out.push((v.clamp(0.0, 1.0) * 255.0).round() as u8),
+            2 => out.extend_from_slice(&half::f16::from_f32(v).to_le_bytes()),
+            _ => out.extend_from_slice(&v.to_le_bytes()),
         }
     }
+    if format == Format::Bgra8 {
+        out.chunks_exact_mut(4).for_each(|texel| texel.swap(0, 2));
+    }
+    out
 }

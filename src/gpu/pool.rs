@@ -32,7 +32,7 @@ struct Entry {
 #[derive(Debug, Default)]
 pub struct TexturePool {
     /// [`Backend::epoch`] of the backend that the textures are on.
-    epoch: u64,
+    epoch: u32,
     entries: Vec<Entry>,
 }
 

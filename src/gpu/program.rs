@@ -161,11 +161,20 @@ impl Program {
     }
 
     /// Rewrites the lines of the constants that are off.
+    #[inline(never)]
     #[cfg(any(feature = "wgpu", feature = "translate", feature = "webgl"))]
     fn choose(&self, mut text: String, [before, on, off]: [&str; 3]) -> String {
         for (i, constant) in self.info.constants.iter().enumerate() {
             if self.constants & (1 << i) == 0 {
-                text = text.replace(&[before, constant, on].concat(), &[before, constant, off].concat());
+                let head = [before, constant].concat();
+                let line = [&head, on].concat();
+                // A search by hand: the standard library's is kilobytes of a browser's module.
+                let at = |text: &str| text.as_bytes().windows(line.len()).position(|w| w == line.as_bytes());
+                while let Some(start) = at(&text) {
+                    let rest = text.split_off(start + head.len());
+                    text += off;
+                    text += rest.get(on.len()..).unwrap_or_default();
+                }
             }
         }
         text

@@ -8,19 +8,21 @@
 //! Needed: OpenGL ES 3.0 or WebGL2 with `EXT_color_buffer_float`.
 #![allow(unsafe_code)] // Every OpenGL call is a foreign function; see the reason at each block.
 
+mod import;
 mod precision;
 mod state;
 
 use std::rc::Rc;
+use std::sync::Arc;
 
 use glow::HasContext as _;
-use slotmap::SlotMap;
 
+use super::arena::Arena;
 use super::map::Map;
 use super::{
     AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, Precision, Program, ProgramId, ReadId,
-    TEXTURES_MAX, TextureDesc, TextureId, TimerId, TimerKind, UNIFORM_MAX, Vertices, check_pass,
-    decode_texels, encode_texels, unknown,
+    TEXTURES_MAX, TextureDesc, TextureId, Ticket, TimerId, TimerKind, UNIFORM_MAX, Vertices, check_pass,
+    check_texels, encode_texels, unsuitable,
 };
 use crate::error::{Error, Result};
 use state::{PLAIN_PIXELS, SWITCHES, Saved, store_pixels};
@@ -33,8 +35,16 @@ const GPU_DISJOINT: u32 = 0x8FBB;
 /// Uniform blocks in flight; the buffer is a ring.
 const RING: u32 = 64;
 
-/// Takes a context's state, and gives it back.
-type Save = (fn(&glow::Context, bool) -> Saved, fn(&Saved, &glow::Context, bool));
+/// What a user's context needs and one of the backend's own does not.
+#[derive(Clone, Copy)]
+struct Users {
+    /// Takes the context's state.
+    take: fn(&glow::Context, bool) -> Saved,
+    /// Gives it back.
+    restore: fn(&Saved, &glow::Context, bool),
+    /// Compares what is bound with what the user says of it.
+    compare: fn(&glow::Context, u32, &TextureDesc) -> Result<()>,
+}
 
 #[derive(Clone, Copy)]
 enum Source {
@@ -56,23 +66,34 @@ struct Compiled {
     handle: glow::Program,
 }
 
+/// A read-back on its way: the GPU copies to a buffer of its own, and a fence tells when it has.
+struct Read {
+    held: Arc<()>,
+    desc: TextureDesc,
+    /// What the buffer holds: four values a texel.
+    wire: Format,
+    buffer: glow::Buffer,
+    fence: glow::Fence,
+}
+
 struct Timer {
+    held: Arc<()>,
     passes: Vec<(&'static str, Option<glow::Query>, f64)>,
 }
 
 /// See the [module](self).
 pub struct WebGlBackend {
-    epoch: u64,
+    epoch: u32,
     gl: Rc<glow::Context>,
     info: AdapterInfo,
-    /// On a user's context: how its state is kept. A program without such a context has no code for it.
-    save: Option<Save>,
+    /// On a user's context. A program without such a context has no code for it.
+    users: Option<Users>,
     web: bool,
-    textures: SlotMap<TextureId, Texture>,
-    programs: SlotMap<ProgramId, Compiled>,
+    textures: Arena<TextureId, Texture>,
+    programs: Arena<ProgramId, Compiled>,
     framebuffers: Map<(TextureId, Option<TextureId>), glow::Framebuffer>,
-    reads: SlotMap<ReadId, Vec<f32>>,
-    timers: SlotMap<TimerId, Timer>,
+    reads: Arena<ReadId, Read>,
+    timers: Arena<TimerId, Timer>,
     vertex_array: glow::VertexArray,
     nearest: glow::Sampler,
     linear: glow::Sampler,
@@ -97,6 +118,29 @@ fn format(format: Format) -> Option<(u32, u32, u32)> {
     })
 }
 
+/// The error for a format that WebGL2 lacks.
+fn lacks_format(desc: &TextureDesc) -> Error {
+    Error::invalid(
+        format_args!("{}.format", desc.label),
+        format_args!("{:?}", desc.format),
+        "a format that WebGL2 has",
+    )
+}
+
+impl Texture {
+    /// What is read and written; not a framebuffer.
+    fn handle(&self) -> Result<glow::Texture> {
+        match self.source {
+            Source::Own(handle) | Source::User(handle) => Ok(handle),
+            Source::Framebuffer(_) => Err(Error::invalid(
+                self.desc.label,
+                "a framebuffer",
+                "a texture: a framebuffer is only drawn to and read back",
+            )),
+        }
+    }
+}
+
 fn driver(what: impl ToString, reason: impl ToString) -> Error {
     Error::driver(NAME, what.to_string(), reason.to_string())
 }
@@ -109,7 +153,8 @@ impl WebGlBackend {
     /// [`crate::ErrorKind::Unavailable`] if the context cannot draw to float textures, or if it computes
     /// fragment shaders with fewer than 32 bits: one pixel is drawn to find out.
     pub fn new(gl: Rc<glow::Context>) -> Result<Self> {
-        Self::make(gl, Some((Saved::take, Saved::restore)))
+        let users = Users { take: Saved::take, restore: Saved::restore, compare: import::compare };
+        Self::make(gl, Some(users))
     }
 
     /// As [`Self::new`], on a context that nobody else uses: its state is not saved and put back.
@@ -117,7 +162,7 @@ impl WebGlBackend {
         Self::make(gl, None)
     }
 
-    fn make(gl: Rc<glow::Context>, save: Option<Save>) -> Result<Self> {
+    fn make(gl: Rc<glow::Context>, users: Option<Users>) -> Result<Self> {
         let web = cfg!(target_arch = "wasm32");
         let extensions = gl.supported_extensions();
         // Natively the names begin with GL_.
@@ -132,7 +177,7 @@ impl WebGlBackend {
         } else {
             TimerKind::Clock
         };
-        let saved = save.map(|(take, restore)| (take(&gl, web), restore));
+        let saved = users.map(|users| ((users.take)(&gl, web), users.restore));
         let failed = |e: String| driver("create", e);
         // SAFETY: the caller's context is current; only objects made here are touched.
         let mut made = unsafe {
@@ -157,8 +202,9 @@ impl WebGlBackend {
                 Ok::<_, Error>(sampler)
             };
             let (nearest, linear) = (sampler(glow::NEAREST)?, sampler(glow::LINEAR)?);
+            let epoch = super::next_epoch();
             Self {
-                epoch: super::next_epoch(),
+                epoch,
                 info: AdapterInfo {
                     backend: NAME,
                     adapter: gl.get_parameter_string(glow::RENDERER),
@@ -168,13 +214,13 @@ impl WebGlBackend {
                     filters_f32: extensions.iter().any(|e| e.ends_with("OES_texture_float_linear")),
                     precision: Precision::Full,
                 },
-                save,
+                users,
                 web,
-                textures: SlotMap::with_key(),
-                programs: SlotMap::with_key(),
+                textures: Arena::new(NAME, epoch),
+                programs: Arena::new(NAME, epoch),
                 framebuffers: Map::new(),
-                reads: SlotMap::with_key(),
-                timers: SlotMap::with_key(),
+                reads: Arena::new(NAME, epoch),
+                timers: Arena::new(NAME, epoch),
                 vertex_array: gl.create_vertex_array().map_err(failed)?,
                 nearest,
                 linear,
@@ -200,23 +246,6 @@ impl WebGlBackend {
         &self.gl
     }
 
-    /// Makes a user's texture known, to be read by passes or drawn to; it stays the user's.
-    pub fn import_texture(&mut self, texture: glow::Texture, desc: TextureDesc) -> Result<TextureId> {
-        desc.validate(self.info.max_texture_size)?;
-        Ok(self.textures.insert(Texture { desc, content: 0, source: Source::User(texture) }))
-    }
-
-    /// Makes a user's framebuffer known as a target (`None`: the default one). Its rows are usually
-    /// [`super::RowOrder::BottomUp`]. Its own depth attachment is used; pass no depth target with it.
-    pub fn import_framebuffer(
-        &mut self,
-        framebuffer: Option<glow::Framebuffer>,
-        desc: TextureDesc,
-    ) -> Result<TextureId> {
-        desc.validate(self.info.max_texture_size)?;
-        Ok(self.textures.insert(Texture { desc, content: 0, source: Source::Framebuffer(framebuffer) }))
-    }
-
     /// Gives [`AdapterInfo::adapter`] a better name than the context's own, which browsers keep vague.
     pub fn set_adapter_name(&mut self, name: &str) {
         name.clone_into(&mut self.info.adapter);
@@ -232,7 +261,7 @@ impl WebGlBackend {
         if let Some(reason) = &self.lost {
             return Err(Error::lost(NAME, reason.as_str()));
         }
-        let saved = self.save.map(|(take, restore)| (take(&self.gl, self.web), restore));
+        let saved = self.users.map(|users| ((users.take)(&self.gl, self.web), users.restore));
         let result = f(self);
         if let Some((saved, restore)) = saved {
             restore(&saved, &self.gl, self.web);
@@ -265,15 +294,31 @@ impl WebGlBackend {
         }
     }
 
+    /// Checks what a pass draws to; answers what its colour target is.
+    fn check_targets(&self, pass: &Pass) -> Result<TextureDesc> {
+        let color = self.textures.find(pass.target.color)?.desc;
+        if color.format == Format::Depth32Float && pass.texels.is_none() {
+            return Err(unsuitable(pass, "color target", color, "a format of colors"));
+        }
+        if let Some(depth) = pass.target.depth {
+            let depth = self.textures.find(depth)?.desc;
+            if depth.format != Format::Depth32Float
+                || (depth.width, depth.height) != (color.width, color.height)
+            {
+                let allowed = "Depth32Float and as large as the color target";
+                return Err(unsuitable(pass, "depth target", depth, allowed));
+            }
+        }
+        Ok(color)
+    }
+
     /// The framebuffer that draws to these textures; made at the first use.
     fn framebuffer(
         &mut self,
         color: TextureId,
         depth: Option<TextureId>,
     ) -> Result<Option<glow::Framebuffer>> {
-        let handle = |this: &Self, id: TextureId| -> Result<Source> {
-            Ok(this.textures.get(id).ok_or_else(|| unknown(NAME, "target"))?.source)
-        };
+        let handle = |this: &Self, id: TextureId| -> Result<Source> { Ok(this.textures.find(id)?.source) };
         let color_texture = match handle(self, color)? {
             Source::Framebuffer(framebuffer) => return Ok(framebuffer),
             Source::Own(t) | Source::User(t) => t,
@@ -312,32 +357,38 @@ impl WebGlBackend {
     }
 
     fn draw(&mut self, pass: &Pass) -> Result<()> {
+        let contents = pass.contents(|id| self.content(id));
         self.draw_only(pass)?;
-        for (id, content) in pass.contents() {
+        for (id, content) in contents.into_iter().flatten() {
             self.set_content(id, content);
         }
         Ok(())
     }
 
     fn draw_only(&mut self, pass: &Pass) -> Result<()> {
+        let desc = self.check_targets(pass)?;
+        if let Some(texels) = &pass.texels {
+            return self.upload(pass.target.color, texels);
+        }
         let mut bound = [None; TEXTURES_MAX];
         let program = match pass.program {
             Some(id) => {
-                let compiled = self.programs.get(id).ok_or_else(|| unknown(NAME, "program"))?;
+                let compiled = self.programs.find(id)?;
                 bound = check_pass(NAME, pass, compiled.program)?;
                 Some((compiled.program, compiled.handle))
             }
             None => None,
         };
-        let desc = self.texture(pass.target.color).ok_or_else(|| unknown(NAME, "target"))?;
         let mut read = [None; TEXTURES_MAX];
-        for (slot, id) in read.iter_mut().zip(bound) {
+        let slots = program.map_or(&[][..], |(program, _)| program.info().textures);
+        for ((handle, id), slot) in read.iter_mut().zip(bound).zip(slots) {
             // Nothing is bound where the program's constants leave a texture unread.
             let Some(id) = id else { continue };
-            *slot = match self.textures.get(id).ok_or_else(|| unknown(NAME, "texture"))?.source {
-                Source::Own(t) | Source::User(t) => Some(t),
-                Source::Framebuffer(_) => return Err(unknown(NAME, "a framebuffer, which cannot be read")),
-            };
+            let texture = self.textures.find(id)?;
+            if slot.filtered && texture.desc.format == Format::Depth32Float {
+                return Err(unsuitable(pass, slot.name, texture.desc, "a format of colors"));
+            }
+            *handle = Some(texture.handle()?);
         }
         let framebuffer = self.framebuffer(pass.target.color, pass.target.depth)?;
         let gl = &self.gl;
@@ -453,6 +504,28 @@ impl WebGlBackend {
         }
     }
 
+    /// Fills a texture with values.
+    fn upload(&self, id: TextureId, texels: &[f32]) -> Result<()> {
+        let texture = self.textures.find(id)?;
+        let desc = texture.desc;
+        check_texels(&desc, texels)?;
+        let handle = texture.handle()?;
+        let Some((_, layout, kind)) = format(desc.format) else { return Err(lacks_format(&desc)) };
+        let bytes = encode_texels(desc.format, texels);
+        self.plain_pixels();
+        let (w, h) = (desc.width as i32, desc.height as i32);
+        let data = glow::PixelUnpackData::Slice(Some(&bytes));
+        // SAFETY: `bytes` holds every texel of the texture in its format.
+        unsafe {
+            let gl = &self.gl;
+            gl.active_texture(glow::TEXTURE0);
+            gl.bind_texture(glow::TEXTURE_2D, Some(handle));
+            gl.tex_sub_image_2d(glow::TEXTURE_2D, 0, 0, 0, w, h, layout, kind, data);
+            gl.bind_texture(glow::TEXTURE_2D, None);
+        }
+        Ok(())
+    }
+
     /// Rows and texels packed without gaps, no pixel buffers.
     fn plain_pixels(&self) {
         // SAFETY: default values of the pixel store, which every context takes.
@@ -471,13 +544,7 @@ impl Backend for WebGlBackend {
 
     fn create_texture(&mut self, desc: &TextureDesc) -> Result<TextureId> {
         desc.validate(self.info.max_texture_size)?;
-        let (internal, ..) = format(desc.format).ok_or_else(|| {
-            Error::invalid(
-                format_args!("{}.format", desc.label),
-                format_args!("{:?}", desc.format),
-                "a format that WebGL2 has",
-            )
-        })?;
+        let (internal, ..) = format(desc.format).ok_or_else(|| lacks_format(desc))?;
         let desc = *desc;
         self.guarded(|this| {
             // SAFETY: a new texture, its size within the limit.
@@ -503,7 +570,7 @@ impl Backend for WebGlBackend {
         self.textures.get(id).map(|t| t.desc)
     }
 
-    fn epoch(&self) -> u64 {
+    fn epoch(&self) -> u32 {
         self.epoch
     }
 
@@ -534,49 +601,14 @@ impl Backend for WebGlBackend {
     }
 
     fn write_texture(&mut self, id: TextureId, texels: &[f32]) -> Result<()> {
-        let t = self.textures.get(id).ok_or_else(|| unknown(NAME, "texture"))?;
-        let desc = t.desc;
-        let want = desc.texels() * desc.format.channels();
-        if texels.len() != want || desc.format == Format::Depth32Float {
-            return Err(Error::invalid(
-                format_args!("texels for {}", desc.label),
-                texels.len(),
-                format_args!("{want} values, and not for a depth buffer"),
-            ));
-        }
-        let (Source::Own(handle) | Source::User(handle), Some((_, layout, kind))) =
-            (t.source, format(desc.format))
-        else {
-            return Err(unknown(NAME, "a framebuffer, which cannot be written"));
-        };
-        let bytes = encode_texels(desc.format, texels);
         self.guarded(|this| {
-            this.plain_pixels();
-            // SAFETY: `bytes` holds every texel of the texture in its format.
-            unsafe {
-                let gl = &this.gl;
-                gl.active_texture(glow::TEXTURE0);
-                gl.bind_texture(glow::TEXTURE_2D, Some(handle));
-                let (w, h) = (desc.width as i32, desc.height as i32);
-                gl.tex_sub_image_2d(
-                    glow::TEXTURE_2D,
-                    0,
-                    0,
-                    0,
-                    w,
-                    h,
-                    layout,
-                    kind,
-                    glow::PixelUnpackData::Slice(Some(&bytes)),
-                );
-                gl.bind_texture(glow::TEXTURE_2D, None);
-            }
-            this.check(desc.label)
+            this.upload(id, texels)?;
+            this.check("write_texture")
         })
     }
 
     fn create_program(&mut self, program: Program) -> Result<ProgramId> {
-        if let Some((id, _)) = self.programs.iter().find(|(_, c)| c.program == program) {
+        if let Some(id) = self.programs.position(|c| c.program == program) {
             return Ok(id);
         }
         self.guarded(|this| {
@@ -602,54 +634,85 @@ impl Backend for WebGlBackend {
         })
     }
 
-    fn begin_read(&mut self, id: TextureId) -> Result<ReadId> {
-        let desc = self.texture(id).ok_or_else(|| unknown(NAME, "texture"))?;
+    fn begin_read(&mut self, id: TextureId) -> Result<Ticket<ReadId>> {
+        let desc = self.textures.find(id)?.desc;
         if desc.format == Format::Depth32Float {
             return Err(Error::invalid(
                 format_args!("read of {}", desc.label),
                 "a depth buffer",
-                "a colour texture: WebGL2 reads no depth; copy it first",
+                "a color texture: WebGL2 reads no depth; copy it first",
             ));
         }
-        let values = self.guarded(|this| {
+        self.forget_given_up();
+        let held = Arc::default();
+        let read = self.guarded(|this| {
             let framebuffer = this.framebuffer(id, None)?;
             this.plain_pixels();
-            let (kind, wire) = if desc.format == Format::Rgba8 {
-                (glow::UNSIGNED_BYTE, Format::Rgba8)
-            } else {
-                (glow::FLOAT, Format::Rgba32Float)
-            };
-            let mut bytes = vec![0; desc.texels() * if kind == glow::FLOAT { 16 } else { 4 }];
-            // SAFETY: RGBA with these types reads from any colour buffer here, and `bytes` holds all texels.
-            unsafe {
+            let wire = if desc.format == Format::Rgba8 { Format::Rgba8 } else { Format::Rgba32Float };
+            let kind = if wire == Format::Rgba8 { glow::UNSIGNED_BYTE } else { glow::FLOAT };
+            let size = (desc.texels() * wire.bytes()) as i32;
+            let (w, h) = (desc.width as i32, desc.height as i32);
+            let gl = &this.gl;
+            // SAFETY: RGBA with these types reads from any colour buffer here, and the buffer holds all
+            // texels.
+            let (buffer, fence) = unsafe {
                 // To both ends: with the canvas to draw to, Chromium reads as if from there.
-                this.gl.bind_framebuffer(glow::FRAMEBUFFER, framebuffer);
-                let (w, h) = (desc.width as i32, desc.height as i32);
-                this.gl.read_pixels(
-                    0,
-                    0,
-                    w,
-                    h,
-                    glow::RGBA,
-                    kind,
-                    glow::PixelPackData::Slice(Some(&mut bytes)),
-                );
-            }
+                gl.bind_framebuffer(glow::FRAMEBUFFER, framebuffer);
+                let buffer = gl.create_buffer().map_err(|e| driver("read back", e))?;
+                gl.bind_buffer(glow::PIXEL_PACK_BUFFER, Some(buffer));
+                gl.buffer_data_size(glow::PIXEL_PACK_BUFFER, size, glow::STREAM_READ);
+                let to = glow::PixelPackData::BufferOffset(0);
+                gl.read_pixels(0, 0, w, h, glow::RGBA, kind, to);
+                gl.bind_buffer(glow::PIXEL_PACK_BUFFER, None);
+                let fence = gl.fence_sync(glow::SYNC_GPU_COMMANDS_COMPLETE, 0);
+                // Nobody may draw any more, and without this the fence would not be reached.
+                gl.flush();
+                (buffer, fence.map_err(|e| driver("read back", e))?)
+            };
             this.check("read back")?;
-            let mut values = Vec::with_capacity(desc.texels() * 4);
-            decode_texels(wire, &bytes, &mut values);
-            Ok(values)
+            Ok(Read { held, desc, wire, buffer, fence })
         })?;
-        let values =
-            if desc.format.channels() == 1 { values.into_iter().step_by(4).collect() } else { values };
-        Ok(self.reads.insert(values))
+        Ok(Ticket::new(&read.held.clone(), self.reads.insert(read)))
     }
 
-    fn poll_read(&mut self, id: ReadId) -> Result<Option<Vec<f32>>> {
-        self.reads.remove(id).map(Some).ok_or_else(|| unknown(NAME, "read"))
+    fn poll_read(&mut self, ticket: &Ticket<ReadId>) -> Result<Option<Vec<f32>>> {
+        let fence = self.reads.find(ticket.id)?.fence;
+        self.guarded(|this| {
+            // SAFETY: a fence of a read that is kept.
+            let state = unsafe { this.gl.client_wait_sync(fence, 0, 0) };
+            if state == glow::TIMEOUT_EXPIRED {
+                return Ok(None);
+            }
+            let Some(Read { desc, wire, buffer, fence, .. }) = this.reads.remove(ticket.id) else {
+                return Ok(None);
+            };
+            // SAFETY: `bytes` is as long as the buffer, which is deleted after its only use.
+            let bytes = unsafe {
+                this.gl.bind_buffer(glow::PIXEL_PACK_BUFFER, Some(buffer));
+                let bytes = buffer_bytes(&this.gl, desc.texels() * wire.bytes());
+                this.gl.bind_buffer(glow::PIXEL_PACK_BUFFER, None);
+                this.gl.delete_sync(fence);
+                this.gl.delete_buffer(buffer);
+                bytes
+            };
+            this.check("read back")?;
+            // Four values a texel come back, of which a format may have one.
+            let (texel, value) = (wire.bytes(), wire.bytes() / 4);
+            let mut values = Vec::with_capacity(desc.texels() * desc.format.channels());
+            for texel in bytes.chunks_exact(texel) {
+                for v in texel.chunks_exact(value).take(desc.format.channels()) {
+                    values.push(match *v {
+                        [a, b, c, d] => f32::from_le_bytes([a, b, c, d]),
+                        _ => f32::from(v[0]) / 255.0,
+                    });
+                }
+            }
+            Ok(Some(values))
+        })
     }
 
-    fn begin_times(&mut self, passes: &[Pass]) -> Result<TimerId> {
+    fn begin_times(&mut self, passes: &[Pass]) -> Result<Ticket<TimerId>> {
+        self.forget_given_up();
         let query = self.info.timer == TimerKind::TimerQuery;
         let timed = self.guarded(|this| {
             let gl = this.gl.clone();
@@ -674,11 +737,13 @@ impl Backend for WebGlBackend {
             this.check("times")?;
             Ok(timed)
         })?;
-        Ok(self.timers.insert(Timer { passes: timed }))
+        let held = Arc::default();
+        Ok(Ticket::new(&held, self.timers.insert(Timer { held: held.clone(), passes: timed })))
     }
 
-    fn poll_times(&mut self, id: TimerId) -> Result<Option<Vec<PassTime>>> {
-        let timer = self.timers.get(id).ok_or_else(|| unknown(NAME, "timer"))?;
+    fn poll_times(&mut self, ticket: &Ticket<TimerId>) -> Result<Option<Vec<PassTime>>> {
+        let id = ticket.id;
+        let timer = self.timers.find(id)?;
         let gl = &self.gl;
         let queries: Vec<_> = timer.passes.iter().filter_map(|(_, q, _)| *q).collect();
         // SAFETY: queries made by this backend and not yet deleted.
@@ -687,10 +752,6 @@ impl Backend for WebGlBackend {
                 .iter()
                 .all(|&q| unsafe { gl.get_query_parameter_u32(q, glow::QUERY_RESULT_AVAILABLE) } != 0)
         };
-        if !self.web {
-            // SAFETY: no arguments.
-            unsafe { gl.finish() };
-        }
         if !ready() {
             return Ok(None);
         }
@@ -717,6 +778,15 @@ impl Backend for WebGlBackend {
         Ok(Some(times))
     }
 
+    fn wait(&mut self) -> Result<()> {
+        if self.web {
+            return Err(super::cannot_wait(NAME));
+        }
+        // SAFETY: no arguments.
+        unsafe { self.gl.finish() };
+        self.check("wait")
+    }
+
     fn lost(&self) -> Option<String> {
         self.lost.clone()
     }
@@ -729,11 +799,61 @@ impl Backend for WebGlBackend {
             framebuffers: self.framebuffers.len(),
             pipelines: 0,
             bind_groups: 0,
+            reads: self.reads.len(),
         }
     }
 }
 
+/// The bytes of the buffer that is bound for pixels to be packed into.
+///
+/// # Safety
+/// The buffer has that many bytes, and is not mapped.
+unsafe fn buffer_bytes(gl: &glow::Context, len: usize) -> Vec<u8> {
+    let mut bytes = vec![0; len];
+    // SAFETY: as the caller promises; what is mapped is copied and unmapped before anything else happens.
+    unsafe {
+        #[cfg(target_arch = "wasm32")]
+        gl.get_buffer_sub_data(glow::PIXEL_PACK_BUFFER, 0, &mut bytes);
+        // OpenGL ES has no such function.
+        #[cfg(not(target_arch = "wasm32"))]
+        {
+            let mapped = gl.map_buffer_range(glow::PIXEL_PACK_BUFFER, 0, len as i32, glow::MAP_READ_BIT);
+            if !mapped.is_null() {
+                std::ptr::copy_nonoverlapping(mapped, bytes.as_mut_ptr(), len);
+                gl.unmap_buffer(glow::PIXEL_PACK_BUFFER);
+            }
+        }
+    }
+    bytes
+}
+
 impl WebGlBackend {
+    /// Frees what was kept for tickets that were dropped.
+    fn forget_given_up(&mut self) {
+        let gl = self.gl.clone();
+        self.reads.retain(|read| {
+            let keep = Arc::strong_count(&read.held) > 1;
+            if !keep {
+                // SAFETY: made by this backend; forgotten here.
+                unsafe {
+                    gl.delete_sync(read.fence);
+                    gl.delete_buffer(read.buffer);
+                }
+            }
+            keep
+        });
+        self.timers.retain(|timer| {
+            let keep = Arc::strong_count(&timer.held) > 1;
+            for (_, query, _) in timer.passes.iter().filter(|_| !keep) {
+                if let Some(query) = query {
+                    // SAFETY: made by this backend; forgotten here.
+                    unsafe { gl.delete_query(*query) };
+                }
+            }
+            keep
+        });
+    }
+
     /// Nanoseconds of a pass by a wall clock that waits before and after.
     #[cfg(not(target_arch = "wasm32"))]
     fn clock(&mut self, pass: &Pass) -> Result<f64> {
@@ -793,6 +913,10 @@ impl Drop for WebGlBackend {
                 if let Some(query) = query {
                     gl.delete_query(*query);
                 }
+            }
+            for read in self.reads.values() {
+                gl.delete_sync(read.fence);
+                gl.delete_buffer(read.buffer);
             }
             gl.delete_vertex_array(self.vertex_array);
             gl.delete_sampler(self.nearest);

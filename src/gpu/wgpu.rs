@@ -1,34 +1,39 @@
 //! Passes on WebGPU through wgpu: Vulkan natively, WebGPU in a browser.
 //!
 //! [`WgpuBackend::new`] makes its own device. [`WgpuBackend::from_device`] takes yours: import your
-//! views with [`WgpuBackend::import_view`] and record passes into your own encoder with
-//! [`WgpuBackend::encode`].
+//! textures with [`WgpuBackend::import_texture`] or [`WgpuBackend::import_view`] and record passes into your
+//! own encoder with [`WgpuBackend::encode`].
+
+mod import;
+mod recording;
 
 use std::num::NonZeroU64;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use slotmap::SlotMap;
-
+use super::arena::Arena;
 use super::map::Map;
 use super::{
     AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, Precision, Program, ProgramId, ReadId,
-    SAMPLER_BINDING, TEXTURES_MAX, TextureDesc, TextureId, TimerId, TimerKind, UNIFORM_MAX, Vertices,
-    check_pass, decode_texels, encode_texels, program::Bound, unknown,
+    SAMPLER_BINDING, TEXTURES_MAX, TextureDesc, TextureId, Ticket, TimerId, TimerKind, Vertices, check_pass,
+    check_texels, decode_texels, encode_texels, program::Bound, unsuitable,
 };
 use crate::error::{Error, Result};
+pub(crate) use import::known_format;
+use recording::{Fate, Recordings};
 
 const NAME: &str = "webgpu";
-
-/// Passes that may be recorded between two submissions of the same queue: uniform blocks live in a ring.
-pub const RING_PASSES: u32 = 256;
 
 struct Texture {
     desc: TextureDesc,
     /// See [`Backend::content`].
     content: u64,
+    /// [`Recordings::generation`] when it got its content.
+    generation: u32,
+    /// The encoder that was recorded in what gave it its content.
+    fate: Option<Arc<Fate>>,
     view: wgpu::TextureView,
-    /// `None` for a user's view.
-    texture: Option<wgpu::Texture>,
+    /// Whether it is the user's: it is neither written nor read back.
+    imported: bool,
 }
 
 struct Compiled {
@@ -38,9 +43,23 @@ struct Compiled {
     pipeline_layout: wgpu::PipelineLayout,
 }
 
+impl Texture {
+    /// The texture, if it is the backend's own.
+    fn own(&self) -> Result<&wgpu::Texture> {
+        if self.imported {
+            let allowed = "a texture of the backend's own: the user reads and writes imported ones";
+            return Err(Error::invalid(self.desc.label, "an imported view", allowed));
+        }
+        Ok(self.view.texture())
+    }
+}
+
+type CheckImport = fn(&WgpuBackend, &wgpu::TextureView, &TextureDesc) -> Result<()>;
+
 type Slot<T> = Arc<Mutex<Option<T>>>;
 
 struct Read {
+    held: Arc<()>,
     desc: TextureDesc,
     buffer: wgpu::Buffer,
     row_bytes: u32,
@@ -48,6 +67,7 @@ struct Read {
 }
 
 struct Timer {
+    held: Arc<()>,
     labels: Vec<&'static str>,
     buffer: wgpu::Buffer,
     done: Slot<Result<(), wgpu::BufferAsyncError>>,
@@ -57,22 +77,23 @@ struct Timer {
 
 /// See the [module](self).
 pub struct WgpuBackend {
-    epoch: u64,
+    epoch: u32,
     device: wgpu::Device,
     queue: wgpu::Queue,
     info: AdapterInfo,
-    textures: SlotMap<TextureId, Texture>,
-    programs: SlotMap<ProgramId, Compiled>,
+    textures: Arena<TextureId, Texture>,
+    programs: Arena<ProgramId, Compiled>,
     pipelines: Map<(ProgramId, Format, Option<DepthUse>), wgpu::RenderPipeline>,
     bind_groups: Map<(ProgramId, Bound), wgpu::BindGroup>,
-    reads: SlotMap<ReadId, Read>,
-    timers: SlotMap<TimerId, Timer>,
+    reads: Arena<ReadId, Read>,
+    timers: Arena<TimerId, Timer>,
     sampler: wgpu::Sampler,
     /// Bound where a program's constants leave a texture unread.
     placeholder: wgpu::TextureView,
-    ring: wgpu::Buffer,
-    ring_stride: u32,
-    ring_next: u32,
+    /// On a user's device, whose handler for errors is the user's: compares a view with what the user says of
+    /// it. A program without such a device has no code for it.
+    check_import: Option<CheckImport>,
+    recordings: Recordings,
     lost: Slot<String>,
     failure: Slot<String>,
 }
@@ -140,7 +161,7 @@ impl WgpuBackend {
         } else {
             about.name
         };
-        let mut backend = Self::from_device(device, queue, &name)?;
+        let mut backend = Self::make(device, queue, &name, None);
         driver.trim_end().clone_into(&mut backend.info.driver);
         let lost = backend.lost.clone();
         backend
@@ -166,6 +187,10 @@ impl WgpuBackend {
     /// of 16 ([`AdapterInfo::filters_f32`]); with [`wgpu::Features::TIMESTAMP_QUERY`] passes are timed by the
     /// GPU instead of a clock that waits for it ([`AdapterInfo::timer`]).
     pub fn from_device(device: wgpu::Device, queue: wgpu::Queue, name: &str) -> Result<Self> {
+        Ok(Self::make(device, queue, name, Some(Self::check_view)))
+    }
+
+    fn make(device: wgpu::Device, queue: wgpu::Queue, name: &str, check_import: Option<CheckImport>) -> Self {
         let limits = device.limits();
         let timer = if device.features().contains(wgpu::Features::TIMESTAMP_QUERY) {
             TimerKind::Timestamps
@@ -193,15 +218,10 @@ impl WgpuBackend {
             view_formats: &[],
         });
         let placeholder = placeholder.create_view(&Default::default());
-        let ring_stride = (UNIFORM_MAX as u32).next_multiple_of(limits.min_uniform_buffer_offset_alignment);
-        let ring = device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("welkin uniforms"),
-            size: u64::from(ring_stride * RING_PASSES),
-            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
-            mapped_at_creation: false,
-        });
-        Ok(Self {
-            epoch: super::next_epoch(),
+        let recordings = Recordings::new(&device);
+        let epoch = super::next_epoch();
+        Self {
+            epoch,
             info: AdapterInfo {
                 backend: NAME,
                 adapter: name.to_owned(),
@@ -213,20 +233,19 @@ impl WgpuBackend {
             },
             device,
             queue,
-            textures: SlotMap::with_key(),
-            programs: SlotMap::with_key(),
+            textures: Arena::new(NAME, epoch),
+            programs: Arena::new(NAME, epoch),
             pipelines: Map::new(),
             bind_groups: Map::new(),
-            reads: SlotMap::with_key(),
-            timers: SlotMap::with_key(),
+            reads: Arena::new(NAME, epoch),
+            timers: Arena::new(NAME, epoch),
             sampler,
             placeholder,
-            ring,
-            ring_stride,
-            ring_next: 0,
+            recordings,
+            check_import,
             lost: Slot::default(),
             failure: Slot::default(),
-        })
+        }
     }
 
     /// The device that it draws with.
@@ -234,37 +253,26 @@ impl WgpuBackend {
         &self.device
     }
 
+    /// The view that passes read a texture through and draw to it.
+    pub fn view(&self, id: TextureId) -> Option<&wgpu::TextureView> {
+        self.textures.get(id).map(|t| &t.view)
+    }
+
     /// The queue that it submits to.
     pub fn queue(&self) -> &wgpu::Queue {
         &self.queue
     }
 
-    /// Makes a user's view known as a texture; release it with [`Backend::destroy_texture`].
-    /// The view must match `desc`; what it may be used for is the user's choice of usages.
+    /// Records passes into a user's encoder, to be submitted to the queue of [`Self::from_device`].
+    ///
+    /// LUTs count as made from now on, and as unknown again if the encoder is dropped without being
+    /// submitted: the next frame makes them anew. A frame that was recorded in between, on their account,
+    /// shows what they held before. The same goes for encoders that are submitted in another order than
+    /// passes were recorded.
     ///
     /// # Errors
-    /// [`crate::ErrorKind::Invalid`] for a `desc` that is out of range, or larger or of another format than
-    /// the view's texture. Of a mip level its whole size is to be given, and a view of an sRGB texture has to
-    /// be one of the format without.
-    pub fn import_view(&mut self, view: wgpu::TextureView, desc: TextureDesc) -> Result<TextureId> {
-        desc.validate(self.info.max_texture_size)?;
-        let texture = view.texture();
-        if format(desc.format) != texture.format().remove_srgb_suffix() {
-            let allowed = format_args!("that of the view's texture, {:?}", texture.format());
-            return Err(Error::invalid("format", format_args!("{:?}", desc.format), allowed));
-        }
-        for (name, asked, most) in
-            [("width", desc.width, texture.width()), ("height", desc.height, texture.height())]
-        {
-            if asked > most {
-                let allowed = format_args!("at most the {most} of the view's texture");
-                return Err(Error::invalid(name, asked, allowed));
-            }
-        }
-        Ok(self.textures.insert(Texture { desc, content: 0, view, texture: None }))
-    }
-
-    /// Records passes into a user's encoder. At most [`RING_PASSES`] between two submissions.
+    /// [`crate::ErrorKind::Invalid`] and [`crate::ErrorKind::Driver`] for passes that do not fit the textures
+    /// that they name, before anything is recorded; [`crate::ErrorKind::Lost`].
     pub fn encode(&mut self, encoder: &mut wgpu::CommandEncoder, passes: &[Pass]) -> Result<()> {
         self.encode_timed(encoder, passes, None)
     }
@@ -276,37 +284,72 @@ impl WgpuBackend {
         queries: Option<&wgpu::QuerySet>,
     ) -> Result<()> {
         self.check()?;
+        if passes.is_empty() {
+            return Ok(());
+        }
+        let blocks = passes.iter().filter(|p| !p.uniform.bytes().is_empty()).count() as u32;
+        let keeps = passes.iter().any(|p| p.content != 0 || p.depth_content != 0);
+        if self.recordings.reserve(&self.device, encoder, blocks, keeps)? {
+            // They name the buffer.
+            self.bind_groups.retain(|_, _| false);
+        }
         for pass in passes {
             self.prepare(pass)?;
         }
         for (index, pass) in passes.iter().enumerate() {
             self.record(encoder, pass, queries.map(|q| (q, index as u32)))?;
-            for (id, content) in pass.contents() {
+            for (id, content) in pass.contents(|id| self.content(id)).into_iter().flatten() {
                 self.set_content(id, content);
+                if let Some(texture) = self.textures.get_mut(id).filter(|_| content != 0) {
+                    texture.fate = self.recordings.fate();
+                }
             }
         }
         Ok(())
     }
 
+    /// Records passes into an encoder of its own and submits it.
+    fn submit(&mut self, passes: &[Pass]) -> Result<()> {
+        let mut encoder = self.encoder();
+        self.encode(&mut encoder, passes)?;
+        self.queue.submit([encoder.finish()]);
+        self.recordings.submitted();
+        Ok(())
+    }
+
     /// Everything that can fail, before anything is recorded.
     fn prepare(&mut self, pass: &Pass) -> Result<()> {
-        let color = self.textures.get(pass.target.color).ok_or_else(|| unknown(NAME, "target"))?.desc;
+        let color = self.target(pass, "color target", pass.target.color)?;
+        let written_by_copy = pass.texels.is_some();
+        if color.format == Format::Depth32Float && !written_by_copy {
+            return Err(unsuitable(pass, "color target", color, "a format of colors"));
+        }
+        if let Some(texels) = &pass.texels {
+            check_texels(&color, texels)?;
+        }
         if let Some(depth) = pass.target.depth {
-            let depth = self.textures.get(depth).ok_or_else(|| unknown(NAME, "depth target"))?.desc;
+            let depth = self.target(pass, "depth target", depth)?;
             if depth.format != Format::Depth32Float
                 || (depth.width, depth.height) != (color.width, color.height)
             {
-                return Err(Error::invalid(
-                    format_args!("pass {} depth target", pass.label),
-                    format_args!("{:?}, {} × {}", depth.format, depth.width, depth.height),
-                    "Depth32Float and as large as the colour target",
-                ));
+                let allowed = "Depth32Float and as large as the color target";
+                return Err(unsuitable(pass, "depth target", depth, allowed));
             }
         }
         let Some(program) = pass.program else { return self.check() };
-        let compiled = self.programs.get(program).ok_or_else(|| unknown(NAME, "program"))?;
+        let compiled = self.programs.find(program)?;
         let info = compiled.program.info();
         let bound = check_pass(NAME, pass, compiled.program)?;
+        for (slot, id) in info.textures.iter().zip(bound) {
+            let Some(id) = id else { continue };
+            let texture = self.textures.find(id)?;
+            if slot.filtered && texture.desc.format == Format::Depth32Float {
+                return Err(unsuitable(pass, slot.name, texture.desc, "a format of colors"));
+            }
+            if !texture.view.texture().usage().contains(wgpu::TextureUsages::TEXTURE_BINDING) {
+                return Err(import::lacks(pass, slot.name, "TEXTURE_BINDING"));
+            }
+        }
         if !self.bind_groups.contains_key(&(program, bound)) {
             let mut entries = Vec::with_capacity(2 + TEXTURES_MAX);
             if info.textures.iter().any(|slot| slot.filtered) {
@@ -317,7 +360,7 @@ impl WgpuBackend {
                 entries.push(wgpu::BindGroupEntry {
                     binding: 0,
                     resource: wgpu::BindingResource::Buffer(wgpu::BufferBinding {
-                        buffer: &self.ring,
+                        buffer: &self.recordings.buffer,
                         offset: 0,
                         size: NonZeroU64::new(info.uniform_size.into()),
                     }),
@@ -325,7 +368,7 @@ impl WgpuBackend {
             }
             for (slot, id) in info.textures.iter().zip(bound) {
                 let view = match id {
-                    Some(id) => &self.textures.get(id).ok_or_else(|| unknown(NAME, "texture"))?.view,
+                    Some(id) => &self.textures.find(id)?.view,
                     None => &self.placeholder,
                 };
                 let resource = wgpu::BindingResource::TextureView(view);
@@ -340,7 +383,10 @@ impl WgpuBackend {
         }
         let key = (program, color.format, pass.target.depth.map(|_| pass.depth));
         if !self.pipelines.contains_key(&key) {
-            let pipeline = self.pipeline(compiled, color.format, key.2);
+            let (pipeline, refused) = self.trial(|| self.pipeline(compiled, color.format, key.2));
+            if let Some(reason) = refused {
+                return Err(Error::driver(NAME, format!("pipeline of {}", compiled.program.name()), reason));
+            }
             self.pipelines.insert(key, pipeline);
         }
         self.check()
@@ -398,8 +444,14 @@ impl WgpuBackend {
         pass: &Pass,
         query: Option<(&wgpu::QuerySet, u32)>,
     ) -> Result<()> {
-        let color = self.textures.get(pass.target.color).ok_or_else(|| unknown(NAME, "target"))?;
+        let color = self.textures.find(pass.target.color)?;
         let depth = pass.target.depth.and_then(|d| self.textures.get(d));
+        if let Some(texels) = &pass.texels {
+            self.record_texels(encoder, color, texels);
+            if query.is_none() {
+                return Ok(());
+            }
+        }
         let mut render = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some(pass.label),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
@@ -436,25 +488,63 @@ impl WgpuBackend {
         let Some(program) = pass.program else { return Ok(()) };
         let key = (program, color.desc.format, depth.map(|_| pass.depth));
         let (Some(pipeline), Some(compiled)) = (self.pipelines.get(&key), self.programs.get(program)) else {
-            return Err(unknown(NAME, pass.label));
+            return Err(self.programs.unknown(program));
         };
         let bound = check_pass(NAME, pass, compiled.program)?;
         let Some(group) = self.bind_groups.get(&(program, bound)) else {
-            return Err(unknown(NAME, pass.label));
+            return Err(self.programs.unknown(program));
         };
         render.set_pipeline(pipeline);
-        let offset = self.ring_next * self.ring_stride;
         if pass.uniform.bytes().is_empty() {
             render.set_bind_group(0, group, &[]);
         } else {
             crate::count::one(|c| &mut c.uniform_uploads);
-            self.queue.write_buffer(&self.ring, u64::from(offset), pass.uniform.bytes());
+            let offset = self.recordings.slot();
+            self.queue.write_buffer(&self.recordings.buffer, u64::from(offset), pass.uniform.bytes());
             render.set_bind_group(0, group, &[offset]);
         }
         render.draw(0..compiled.program.info().vertices.count(), 0..1);
-        drop(render);
-        self.ring_next = (self.ring_next + 1) % RING_PASSES;
         Ok(())
+    }
+
+    /// Records a copy of texels to a texture: written by the queue, they would be there for the whole
+    /// submission.
+    fn record_texels(&self, encoder: &mut wgpu::CommandEncoder, to: &Texture, texels: &[f32]) {
+        let bytes = encode_texels(to.desc.format, texels);
+        let row = to.desc.width * to.desc.format.bytes() as u32;
+        let padded = row.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+        let size = u64::from(padded) * u64::from(to.desc.height);
+        let buffer = self.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some(to.desc.label),
+            size,
+            usage: wgpu::BufferUsages::COPY_SRC,
+            mapped_at_creation: true,
+        });
+        if let Ok(mut mapped) = buffer.get_mapped_range_mut(..) {
+            for (i, line) in bytes.chunks_exact(row as usize).enumerate() {
+                let at = i * padded as usize;
+                mapped.slice(at..at + line.len()).copy_from_slice(line);
+            }
+        }
+        buffer.unmap();
+        let layout =
+            wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(padded), rows_per_image: None };
+        let texture = to.view.texture();
+        encoder.copy_buffer_to_texture(
+            wgpu::TexelCopyBufferInfo { buffer: &buffer, layout },
+            texture.as_image_copy(),
+            texture.size(),
+        );
+    }
+
+    /// What a pass draws to.
+    fn target(&self, pass: &Pass, what: &str, id: TextureId) -> Result<TextureDesc> {
+        let texture = self.textures.find(id)?;
+        let usage = texture.view.texture().usage();
+        if pass.texels.is_none() && !usage.contains(wgpu::TextureUsages::RENDER_ATTACHMENT) {
+            return Err(import::lacks(pass, what, "RENDER_ATTACHMENT"));
+        }
+        Ok(texture.desc)
     }
 
     /// The device's loss or first error since the last call.
@@ -477,15 +567,6 @@ impl WgpuBackend {
 
     fn encoder(&self) -> wgpu::CommandEncoder {
         self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("welkin") })
-    }
-
-    /// Lets the device make progress; waits for it natively.
-    fn poll(&self) -> Result<()> {
-        #[cfg(not(target_arch = "wasm32"))]
-        self.device
-            .poll(wgpu::PollType::wait_indefinitely())
-            .map_err(|e| Error::driver(NAME, "wait", e.to_string()))?;
-        self.check()
     }
 
     fn map(&self, buffer: &wgpu::Buffer) -> Slot<Result<(), wgpu::BufferAsyncError>> {
@@ -516,13 +597,13 @@ impl WgpuBackend {
     /// Draws and waits pass by pass with a wall clock.
     #[cfg(not(target_arch = "wasm32"))]
     fn clock(&mut self, passes: &[Pass]) -> Result<Vec<PassTime>> {
-        self.poll()?;
+        self.wait()?;
         passes
             .iter()
             .map(|pass| {
                 let start = std::time::Instant::now();
                 self.run(std::slice::from_ref(pass))?;
-                self.poll()?;
+                self.wait()?;
                 Ok(PassTime { label: pass.label, nanoseconds: start.elapsed().as_nanos() as f64 })
             })
             .collect()
@@ -555,25 +636,38 @@ impl Backend for WgpuBackend {
         });
         let view = texture.create_view(&Default::default());
         self.check()?;
-        Ok(self.textures.insert(Texture { desc: *desc, content: 0, view, texture: Some(texture) }))
+        Ok(self.textures.insert(Texture {
+            desc: *desc,
+            content: 0,
+            generation: 0,
+            fate: None,
+            view,
+            imported: false,
+        }))
     }
 
     fn texture(&self, id: TextureId) -> Option<TextureDesc> {
         self.textures.get(id).map(|t| t.desc)
     }
 
-    fn epoch(&self) -> u64 {
+    fn epoch(&self) -> u32 {
         self.epoch
     }
 
     fn content(&self, id: TextureId) -> u64 {
-        self.textures.get(id).map_or(0, |t| t.content)
+        let generation = self.recordings.generation();
+        self.textures.get(id).filter(|t| t.generation == generation).map_or(0, |t| t.content)
     }
 
     fn set_content(&mut self, id: TextureId, content: u64) {
         if let Some(texture) = self.textures.get_mut(id) {
-            texture.content = content;
+            (texture.content, texture.generation) = (content, self.recordings.generation());
+            texture.fate = None;
         }
+    }
+
+    fn has_run(&self, id: TextureId) -> bool {
+        self.textures.get(id).is_some_and(|t| t.fate.as_ref().is_none_or(|fate| fate.ran()))
     }
 
     fn destroy_texture(&mut self, id: TextureId) {
@@ -583,16 +677,9 @@ impl Backend for WgpuBackend {
     }
 
     fn write_texture(&mut self, id: TextureId, texels: &[f32]) -> Result<()> {
-        let t = self.textures.get(id).ok_or_else(|| unknown(NAME, "texture"))?;
-        let want = t.desc.texels() * t.desc.format.channels();
-        if texels.len() != want || t.desc.format == Format::Depth32Float {
-            return Err(Error::invalid(
-                format_args!("texels for {}", t.desc.label),
-                texels.len(),
-                format_args!("{want} values, and not for a depth buffer"),
-            ));
-        }
-        let texture = t.texture.as_ref().ok_or_else(|| unknown(NAME, "an imported view"))?;
+        let t = self.textures.find(id)?;
+        check_texels(&t.desc, texels)?;
+        let texture = t.own()?;
         self.queue.write_texture(
             texture.as_image_copy(),
             &encode_texels(t.desc.format, texels),
@@ -607,7 +694,7 @@ impl Backend for WgpuBackend {
     }
 
     fn create_program(&mut self, program: Program) -> Result<ProgramId> {
-        if let Some((id, _)) = self.programs.iter().find(|(_, c)| c.program == program) {
+        if let Some(id) = self.programs.position(|c| c.program == program) {
             return Ok(id);
         }
         self.alive()?;
@@ -670,18 +757,15 @@ impl Backend for WgpuBackend {
 
     fn run(&mut self, passes: &[Pass]) -> Result<()> {
         self.alive()?;
-        for chunk in passes.chunks(RING_PASSES as usize) {
-            let mut encoder = self.encoder();
-            self.encode(&mut encoder, chunk)?;
-            self.queue.submit([encoder.finish()]);
-        }
+        self.submit(passes)?;
         self.check()
     }
 
-    fn begin_read(&mut self, id: TextureId) -> Result<ReadId> {
+    fn begin_read(&mut self, id: TextureId) -> Result<Ticket<ReadId>> {
         self.alive()?;
-        let t = self.textures.get(id).ok_or_else(|| unknown(NAME, "texture"))?;
-        let texture = t.texture.as_ref().ok_or_else(|| unknown(NAME, "an imported view"))?;
+        self.reads.retain(|read| Arc::strong_count(&read.held) > 1);
+        let t = self.textures.find(id)?;
+        let texture = t.own()?;
         let row_bytes = (t.desc.width * t.desc.format.bytes() as u32)
             .next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
         let size = u64::from(row_bytes) * u64::from(t.desc.height);
@@ -701,14 +785,16 @@ impl Backend for WgpuBackend {
         );
         self.queue.submit([encoder.finish()]);
         let done = self.map(&buffer);
-        Ok(self.reads.insert(Read { desc: t.desc, buffer, row_bytes, done }))
+        let desc = t.desc;
+        let held = Arc::default();
+        Ok(Ticket::new(&held, self.reads.insert(Read { held: held.clone(), desc, buffer, row_bytes, done })))
     }
 
-    fn poll_read(&mut self, id: ReadId) -> Result<Option<Vec<f32>>> {
-        self.poll()?;
-        let ready = lock(&self.reads.get(id).ok_or_else(|| unknown(NAME, "read"))?.done).take();
+    fn poll_read(&mut self, ticket: &Ticket<ReadId>) -> Result<Option<Vec<f32>>> {
+        self.alive()?;
+        let ready = lock(&self.reads.find(ticket.id)?.done).take();
         let Some(ready) = ready else { return Ok(None) };
-        let Some(read) = self.reads.remove(id) else { return Ok(None) };
+        let Some(read) = self.reads.remove(ticket.id) else { return Ok(None) };
         ready.map_err(|e| Error::driver(NAME, "read back", e.to_string()))?;
         let row = (read.desc.width * read.desc.format.bytes() as u32) as usize;
         Self::mapped(&read.buffer, |bytes| {
@@ -720,7 +806,10 @@ impl Backend for WgpuBackend {
         })
     }
 
-    fn begin_times(&mut self, passes: &[Pass]) -> Result<TimerId> {
+    fn begin_times(&mut self, passes: &[Pass]) -> Result<Ticket<TimerId>> {
+        self.timers.retain(|timer| Arc::strong_count(&timer.held) > 1);
+        let held = Arc::default();
+        let ticket = |id| Ticket::new(&held, id);
         let labels = passes.iter().map(|p| p.label).collect();
         let size = 16 * passes.len().max(1) as u64;
         let buffer = self.read_buffer("welkin times", size, wgpu::BufferUsages::MAP_READ);
@@ -728,7 +817,8 @@ impl Backend for WgpuBackend {
             #[cfg(not(target_arch = "wasm32"))]
             {
                 let times = Some(self.clock(passes)?);
-                return Ok(self.timers.insert(Timer { labels, buffer, done: Slot::default(), times }));
+                let (held, done) = (held.clone(), Slot::default());
+                return Ok(ticket(self.timers.insert(Timer { held, labels, buffer, done, times })));
             }
             #[cfg(target_arch = "wasm32")]
             return Err(Error::unavailable(NAME, "this device has no timestamps and a page cannot wait"));
@@ -749,13 +839,16 @@ impl Backend for WgpuBackend {
         encoder.resolve_query_set(&queries, 0..2 * passes.len() as u32, &resolved, 0);
         encoder.copy_buffer_to_buffer(&resolved, 0, &buffer, 0, size);
         self.queue.submit([encoder.finish()]);
+        self.recordings.submitted();
         let done = self.map(&buffer);
-        Ok(self.timers.insert(Timer { labels, buffer, done, times: None }))
+        let held = held.clone();
+        Ok(ticket(self.timers.insert(Timer { held, labels, buffer, done, times: None })))
     }
 
-    fn poll_times(&mut self, id: TimerId) -> Result<Option<Vec<PassTime>>> {
-        self.poll()?;
-        let timer = self.timers.get_mut(id).ok_or_else(|| unknown(NAME, "timer"))?;
+    fn poll_times(&mut self, ticket: &Ticket<TimerId>) -> Result<Option<Vec<PassTime>>> {
+        self.alive()?;
+        let id = ticket.id;
+        let Some(timer) = self.timers.get_mut(id) else { return Err(self.timers.unknown(id)) };
         if let Some(times) = timer.times.take() {
             self.timers.remove(id);
             return Ok(Some(times));
@@ -777,6 +870,19 @@ impl Backend for WgpuBackend {
         })
     }
 
+    #[cfg(not(target_arch = "wasm32"))]
+    fn wait(&mut self) -> Result<()> {
+        self.device
+            .poll(wgpu::PollType::wait_indefinitely())
+            .map_err(|e| Error::driver(NAME, "wait", e.to_string()))?;
+        self.check()
+    }
+
+    #[cfg(target_arch = "wasm32")]
+    fn wait(&mut self) -> Result<()> {
+        Err(super::cannot_wait(NAME))
+    }
+
     fn lost(&self) -> Option<String> {
         lock(&self.lost).clone()
     }
@@ -789,6 +895,7 @@ impl Backend for WgpuBackend {
             framebuffers: 0,
             pipelines: self.pipelines.len(),
             bind_groups: self.bind_groups.len(),
+            reads: self.reads.len(),
         }
     }
 }

@@ -4,6 +4,7 @@
 pub mod airglow;
 pub mod atmosphere;
 pub mod lighting;
+pub mod matrices;
 pub mod moon;
 pub mod phase;
 pub(crate) mod quadrature;

@@ -116,7 +116,7 @@ impl Camera {
                     Decimal(t.bottom),
                     Decimal(t.top)
                 ),
-                "left < right and bottom < top, by at least 1e-9",
+                "left < right and bottom < top, by at least 1e-9; a field of view is in radians",
             ));
         }
         Ok(RayBasis {

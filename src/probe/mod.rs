@@ -30,7 +30,7 @@ pub use truth::{Promise, RESOLUTION};
 use crate::error::Result;
 use crate::frame::luts::LutsUniform;
 use crate::frame::uniforms::{FrameUniform, MediumUniform};
-use crate::gpu::{Backend, Format, Inputs, Pass, Program, ReadId, Target, TextureDesc, TextureId};
+use crate::gpu::{Backend, Format, Inputs, Pass, Program, ReadId, Target, TextureDesc, TextureId, Ticket};
 use crate::model::atmosphere::{AtmosphereParams, MiePhase};
 use crate::settings::LutSettings;
 
@@ -182,7 +182,7 @@ pub struct Running {
     probe: Probe,
     count: usize,
     textures: [TextureId; 2],
-    read: ReadId,
+    read: Ticket<ReadId>,
 }
 
 impl Running {
@@ -212,7 +212,7 @@ impl Running {
         probe: Probe,
         cases: &[Case],
         [input, output]: [TextureId; 2],
-    ) -> Result<ReadId> {
+    ) -> Result<Ticket<ReadId>> {
         let desc = backend.texture(input);
         let mut texels: Vec<f32> = bytemuck::cast_slice(cases).to_vec();
         texels.resize(desc.map_or(0, |d| d.texels() * 4), 0.0);
@@ -224,12 +224,12 @@ impl Running {
         backend.begin_read(output)
     }
 
-    /// The answers once they are there, [`Probe::answers`] pixels a case; waits natively.
+    /// The answers once they are there, [`Probe::answers`] pixels a case; does not wait.
     ///
     /// # Errors
     /// What the backend reports.
     pub fn poll(&self, backend: &mut dyn Backend) -> Result<Option<Vec<[f32; 4]>>> {
-        let Some(texels) = backend.poll_read(self.read)? else { return Ok(None) };
+        let Some(texels) = backend.poll_read(&self.read)? else { return Ok(None) };
         for texture in self.textures {
             backend.destroy_texture(texture);
         }
@@ -247,13 +247,9 @@ pub fn run(backend: &mut dyn Backend, probe: Probe, cases: &[Case]) -> Result<Ve
     let mut answers = Vec::with_capacity(cases.len() * probe.answers());
     for batch in cases.chunks(BATCH) {
         let running = Running::begin(backend, probe, batch)?;
+        backend.wait()?;
         let done = running.poll(backend)?;
-        answers.extend(done.ok_or_else(|| {
-            crate::Error::unavailable(
-                backend.info().backend,
-                "this platform cannot wait for the GPU: poll instead",
-            )
-        })?);
+        answers.extend(done.ok_or_else(|| crate::gpu::cannot_wait(backend.info().backend))?);
     }
     Ok(answers)
 }

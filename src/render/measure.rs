@@ -139,7 +139,7 @@ fn time(
                 PictureSettings { sky: quality.into(), terrain: None, ..PictureSettings::default() };
             let (passes, drawn) = renderers.of(quality).passes(backend, scene, &settings, size)?;
             let mut passes: Vec<Pass> =
-                passes.iter().copied().filter(|p| p.target.color != drawn.display).collect();
+                passes.iter().filter(|p| p.target.color != drawn.display).cloned().collect();
             let inputs = Inputs::new([("source", Some(drawn.radiance))]);
             passes.push(Pass {
                 program: Some(program),

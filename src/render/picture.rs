@@ -1,6 +1,6 @@
 //! A whole picture in the right order: sky, terrain, air, tone mapping.
 
-use crate::error::{Result, in_range};
+use crate::error::{Error, Result, in_range};
 use crate::frame::Frame;
 use crate::frame::graph::{Bindings, Graph, Node, Resource, Stage};
 use crate::frame::terrain::TerrainStyle;
@@ -9,6 +9,7 @@ use crate::gpu::{Backend, Format, Pass, PoolKey, RowOrder, Target, TextureDesc, 
 use crate::model::atmosphere::AtmosphereParams;
 use crate::model::scene::Scene;
 use crate::render::sky::SkyRenderer;
+use crate::render::sky_light::SkyLightRead;
 use crate::settings::{Bound, Composition, Look, SkySettings, ToneMap};
 
 /// What a [`PictureRenderer`] draws with.
@@ -76,18 +77,32 @@ const SCENE_DEPTH: PoolKey = PoolKey { name: "scene_depth", index: 0 };
 const AERIAL: PoolKey = PoolKey { name: "aerial_color", index: 0 };
 const DISPLAY: PoolKey = PoolKey { name: "display", index: 0 };
 
+/// What is drawn between the sky behind it and the air before it.
+#[derive(Clone, Copy, PartialEq)]
+enum Between {
+    /// The ground of [`PictureSettings::terrain`], if there is one.
+    Terrain,
+    /// What a user draws, in units of radiance.
+    Users,
+}
+
 /// The scene and the settings with radiance times [`scale`], which is the third.
-fn as_drawn(scene: &Scene, settings: &PictureSettings) -> Result<(Scene, SkySettings, f64)> {
+fn as_drawn(
+    scene: &Scene,
+    settings: &PictureSettings,
+    between: Between,
+) -> Result<(Scene, SkySettings, f64)> {
     settings.sky.validate()?;
     let sun_intensity = scene.atmosphere.sun_intensity;
     // One that is out of range is reported as it was given.
-    let scale = if (0.0..=BRIGHTEST).contains(&sun_intensity) {
+    let scale = if between == Between::Terrain && (0.0..=BRIGHTEST).contains(&sun_intensity) {
         scale(settings.exposure, sun_intensity)
     } else {
         1.0
     };
     let atmosphere = AtmosphereParams { sun_intensity: sun_intensity * scale, ..scene.atmosphere.clone() };
-    let foreground = settings.sky.look.foreground && settings.terrain.is_some();
+    let something = between == Between::Users || settings.terrain.is_some();
+    let foreground = settings.sky.look.foreground && something;
     let sky = SkySettings {
         look: Look { foreground, ..settings.sky.look },
         bound: settings.sky.bound.map(|b| Bound { absolute: (b.absolute * scale).min(1e6), ..b }),
@@ -108,21 +123,44 @@ fn empty_depth(background: f32) -> u64 {
 pub struct PictureRenderer {
     sky: SkyRenderer,
     passes: Vec<Pass>,
+    /// Passes before the scene.
+    before: usize,
+    /// What the scene is drawn to.
+    color: Option<TextureId>,
+}
+
+/// A picture around a scene of the user's; see [`PictureRenderer::around`].
+#[derive(Clone, Copy, Debug)]
+pub struct Around<'a> {
+    /// Run these first: they clear [`Self::color`] and [`Self::depth`] and draw the sky behind the scene.
+    pub before: &'a [Pass],
+    /// Run these after the scene: the air before it, then tone mapping.
+    pub after: &'a [Pass],
+    /// What the scene is drawn to: linear radiance, in the unit of [`AtmosphereParams::sun_intensity`] per
+    /// steradian.
+    pub color: TextureId,
+    /// The depth buffer that the scene is drawn with, as [`Scene::depth`] says.
+    pub depth: TextureId,
+    /// What the frame has, and why.
+    pub frame: &'a Frame,
 }
 
 /// The nodes of a picture up to its radiance: those of the frame, with the ground; what nothing draws to is
-/// cleared.
-pub(crate) fn list(graph: &mut Graph, frame: &Frame, terrain: Option<&TerrainStyle>) {
+/// cleared, at the latest in a stage.
+pub(crate) fn list(graph: &mut Graph, frame: &Frame, terrain: Option<&TerrainStyle>, by: Stage) {
     graph.list(frame, |_| true, terrain.map(|t| t.node(frame)));
-    if !graph.nodes.iter().any(|n| n.writes == Resource::Background) {
-        graph.insert(Node::clear("clear", Stage::Scene, Resource::Background));
+    if !graph.nodes.iter().any(|n| n.writes == Resource::Background && n.stage <= by) {
+        graph.insert(Node::clear("clear", by, Resource::Background));
     }
 }
 
 /// Where a picture is drawn, and how many pixels it has.
 #[derive(Clone, Copy)]
 struct Canvas {
+    between: Between,
     size: [u32; 2],
+    /// Of the textures that the scene is drawn to.
+    rows: RowOrder,
     /// The caller's texture with its format and row order; otherwise one of the pool.
     display: Option<(TextureId, TextureDesc)>,
 }
@@ -140,7 +178,8 @@ impl PictureRenderer {
         settings: &PictureSettings,
         size: [u32; 2],
     ) -> Result<(&[Pass], Drawn)> {
-        self.frame(backend, scene, settings, Canvas { size, display: None })
+        let (between, rows) = (Between::Terrain, RowOrder::TopDown);
+        self.frame(backend, scene, settings, Canvas { between, size, rows, display: None })
     }
 
     /// The passes of one picture, drawn straight to a texture of the caller: a canvas, say. Its row order may
@@ -155,9 +194,43 @@ impl PictureRenderer {
         settings: &PictureSettings,
         display: TextureId,
     ) -> Result<(&[Pass], Drawn)> {
-        let desc = known(backend, display)?;
-        let size = [desc.width, desc.height];
-        self.frame(backend, scene, settings, Canvas { size, display: Some((display, desc)) })
+        let desc = known(backend, "display", display)?;
+        let (between, rows) = (Between::Terrain, RowOrder::TopDown);
+        let (size, display) = ([desc.width, desc.height], Some((display, desc)));
+        self.frame(backend, scene, settings, Canvas { between, size, rows, display })
+    }
+
+    /// A picture around a scene that the caller draws, in textures that are kept from frame to frame, tone
+    /// mapped to a texture of the caller's. [`PictureSettings::terrain`] counts for nothing here.
+    ///
+    /// The textures have the row order of the display. Radiance is not scaled as it is in pictures with a
+    /// ground ([`scale`]): see `docs/design.md`, "Half floats", before you draw the night.
+    ///
+    /// # Errors
+    /// [`crate::ErrorKind::Invalid`] and errors of the backend as for [`Self::passes`].
+    pub fn around(
+        &mut self,
+        backend: &mut dyn Backend,
+        scene: &Scene,
+        settings: &PictureSettings,
+        display: TextureId,
+    ) -> Result<Around<'_>> {
+        let desc = known(backend, "display", display)?;
+        let (between, rows) = (Between::Users, desc.rows);
+        let (size, display) = ([desc.width, desc.height], Some((display, desc)));
+        let (_, drawn) = self.frame(backend, scene, settings, Canvas { between, size, rows, display })?;
+        let (before, after) = self.passes.split_at(self.before);
+        let color = self.color.unwrap_or(drawn.radiance);
+        let frame = self.sky.last_frame().ok_or_else(|| Error::invalid("frame", "none", "one"))?;
+        Ok(Around { before, after, color, depth: drawn.depth, frame })
+    }
+
+    /// Asks for the light of the sky that was drawn last: see [`SkyRenderer::begin_sky_light`].
+    ///
+    /// # Errors
+    /// Those of the backend.
+    pub fn begin_sky_light(&mut self, backend: &mut dyn Backend) -> Result<Option<SkyLightRead>> {
+        self.sky.begin_sky_light(backend)
     }
 
     fn frame(
@@ -172,16 +245,22 @@ impl PictureRenderer {
         let [width, height] = canvas.size;
         let max = backend.info().max_texture_size;
         TextureDesc::new("picture", width, height, settings.radiance).validate(max)?;
-        let (scene, sky, scale) = as_drawn(scene, settings)?;
+        let users = canvas.between == Between::Users;
+        let (scene, sky, scale) = as_drawn(scene, settings, canvas.between)?;
         let (graph, pool, last) = self.sky.parts();
-        let frame = Frame::checked(&scene, &sky, canvas.size, RowOrder::TopDown, last.as_ref())?;
+        let frame = Frame::checked(&scene, &sky, canvas.size, canvas.rows, last.as_ref())?;
         let frame = last.insert(frame);
-        list(graph, frame, settings.terrain.as_ref());
+        if users {
+            list(graph, frame, None, Stage::Background);
+        } else {
+            list(graph, frame, settings.terrain.as_ref(), Stage::Scene);
+        }
         let air = graph.nodes.iter().any(|n| n.stage == Stage::Aerial);
         let over = sky.look.composition == Composition::Planet;
         pool.begin(backend);
         let mut texture = |backend: &mut dyn Backend, key: PoolKey, format| {
-            pool.get(backend, key, &TextureDesc::new(key.name, width, height, format))
+            let desc = TextureDesc::new(key.name, width, height, format);
+            pool.get(backend, key, &TextureDesc { rows: canvas.rows, ..desc })
         };
         let color = texture(backend, SCENE_COLOR, settings.radiance)?;
         let depth = texture(backend, SCENE_DEPTH, Format::Depth32Float)?;
@@ -198,7 +277,7 @@ impl PictureRenderer {
                 tone_map,
                 exposure: exposure / scale,
                 dither: settings.dither && is_8_bit(display_desc.format),
-                flipped: display_desc.rows != RowOrder::TopDown,
+                flipped: display_desc.rows != canvas.rows,
             }
             .node(),
         );
@@ -208,8 +287,8 @@ impl PictureRenderer {
             color,
             depth: Some(depth),
             clear: Some([0.0, 0.0, 0.0, 1.0]),
-            // Only terrain writes depth: an empty one stays so.
-            clear_depth: (backend.content(depth) != empty).then_some(background),
+            // Of ours only terrain writes depth: an empty one stays so.
+            clear_depth: (users || backend.content(depth) != empty).then_some(background),
         };
         let bindings = Bindings {
             background: Some(target),
@@ -220,8 +299,10 @@ impl PictureRenderer {
             display: Some(display),
         };
         self.passes.clear();
-        graph.passes(backend, pool, frame, &bindings, &mut self.passes)?;
-        if settings.terrain.is_none() {
+        let ends = graph.passes(backend, pool, frame, &bindings, &mut self.passes)?;
+        self.before = ends.of(Stage::Background, &self.passes).len();
+        self.color = Some(color);
+        if settings.terrain.is_none() && !users {
             let first = self.passes.iter_mut().find(|p| p.target.clear_depth.is_some());
             first.into_iter().for_each(|p| p.depth_content = empty);
         }

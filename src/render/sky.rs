@@ -3,7 +3,7 @@
 use crate::error::{Error, Result};
 use crate::frame::Frame;
 use crate::frame::graph::{Bindings, Graph, Node, Resource, Stage, StageEnds};
-use crate::gpu::{Backend, Pass, Target, TextureDesc, TextureId, TexturePool, known};
+use crate::gpu::{Backend, Format, Pass, Target, TextureDesc, TextureId, TexturePool, known};
 use crate::model::scene::Scene;
 use crate::render::sky_light::SkyLightRead;
 use crate::settings::{Composition, SkySettings};
@@ -54,6 +54,9 @@ pub struct SkyFrame<'a> {
     pub background: &'a [Pass],
     /// The air before the scene.
     pub aerial: &'a [Pass],
+    /// The texture that holds the frame once all has run: the aerial target where a pass draws the air to it;
+    /// else what the scene is drawn to, for there is no air before it (from space looking away, say).
+    pub color: TextureId,
     /// What the frame has, and why.
     pub frame: &'a Frame,
 }
@@ -148,27 +151,42 @@ impl SkyRenderer {
                 self.graph.insert(Node::clear("clear", stage, resource));
             }
         }
+        let air = self.graph.nodes.iter().any(|n| n.writes == Resource::Aerial && n.work.program().is_some());
+        let scene_color = bindings.scene_color.or(targets.background.map(|t| t.color));
+        let color = match &targets.aerial {
+            Some(aerial) if air => aerial.target.color,
+            aerial => scene_color.or(aerial.map(|a| a.target.color)).ok_or_else(no_targets)?,
+        };
         self.passes.clear();
         self.ends = self.graph.passes(backend, &mut self.pool, frame, &bindings, &mut self.passes)?;
         Ok(SkyFrame {
             background: self.ends.of(Stage::Background, &self.passes),
             aerial: self.ends.of(Stage::Aerial, &self.passes),
+            color,
             frame,
         })
     }
 
     /// Checks the targets; answers what they have in common.
     fn check(&self, backend: &dyn Backend, targets: &FrameTargets) -> Result<TextureDesc> {
-        let background = targets.background.map(|t| known(backend, t.color)).transpose()?;
-        let Some(aerial) = &targets.aerial else {
-            let none = || Error::invalid("targets", "none", "a background, an aerial target or both");
-            return background.ok_or_else(none);
-        };
-        let desc = known(backend, aerial.target.color)?;
-        same_size(backend, "aerial depth", aerial.depth, &desc)?;
+        let background = targets.background.map(|t| known(backend, "background", t.color)).transpose()?;
+        let Some(aerial) = &targets.aerial else { return background.ok_or_else(no_targets) };
+        let desc = known(backend, "aerial target", aerial.target.color)?;
+        let depth = same_size(backend, "aerial depth", aerial.depth, &desc)?;
+        if !matches!(depth.format, Format::Depth32Float | Format::R32Float) {
+            let value = format_args!("{} ({:?})", depth.label, depth.format);
+            let allowed = "the scene's depth, Depth32Float or as numbers in R32Float";
+            return Err(Error::invalid("aerial depth", value, allowed));
+        }
         match (aerial.color, self.settings.look.composition) {
             (_, Composition::Planet) => {}
-            (Some(color), _) => same_size(backend, "aerial color", color, &desc)?,
+            (Some(color), _) => {
+                let color = same_size(backend, "aerial color", color, &desc)?;
+                if color.format.channels() != 4 {
+                    let value = format_args!("{} ({:?})", color.label, color.format);
+                    return Err(Error::invalid("aerial color", value, "the scene's color, of four channels"));
+                }
+            }
             (None, composition) => {
                 let allowed = format_args!("a texture to read, as composition {composition:?} wants");
                 return Err(Error::invalid("aerial color", "none", allowed));
@@ -182,7 +200,8 @@ impl SkyRenderer {
 
     /// Asks for the light of the sky that was drawn last, for a scene's own shading: see
     /// [`SkyLight`](crate::SkyLight). `None` where the frame has no LUT of it, or the passes that fill it
-    /// have not run.
+    /// have not run yet: ask again in the next frame then. Passes in an encoder of yours have run once it was
+    /// submitted and the GPU is done with it.
     ///
     /// # Errors
     /// Those of the backend.
@@ -204,11 +223,16 @@ impl SkyRenderer {
     }
 }
 
-/// Checks that a texture covers the same pixels as the target.
-fn same_size(backend: &dyn Backend, name: &str, id: TextureId, target: &TextureDesc) -> Result<()> {
-    let other = known(backend, id)?;
+/// The error for a frame that is drawn to nothing.
+fn no_targets() -> Error {
+    Error::invalid("targets", "none", "a background, an aerial target or both")
+}
+
+/// Checks that a texture covers the same pixels as the target; answers what it is.
+fn same_size(backend: &dyn Backend, name: &str, id: TextureId, target: &TextureDesc) -> Result<TextureDesc> {
+    let other = known(backend, name, id)?;
     if (other.width, other.height, other.rows) == (target.width, target.height, target.rows) {
-        return Ok(());
+        return Ok(other);
     }
     Err(Error::invalid(
         name,

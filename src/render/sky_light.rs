@@ -10,7 +10,7 @@ use crate::error::{Error, Result};
 use crate::frame::Frame;
 use crate::frame::luts::LutsUniform;
 use crate::frame::uniforms::block;
-use crate::gpu::{Backend, ReadId, TextureId};
+use crate::gpu::{Backend, ReadId, TextureId, Ticket};
 use crate::model::atmosphere::AtmosphereParams;
 use crate::model::lighting::LightingContext;
 use crate::model::sunlight::sunlight;
@@ -81,10 +81,11 @@ impl SkyHarmonics {
     }
 }
 
-/// A read-back of the sky's light that was begun; see [`crate::SkyRenderer::begin_sky_light`].
+/// A read-back of the sky's light that was begun; see [`crate::SkyRenderer::begin_sky_light`]. Dropped, it is
+/// given up.
 #[derive(Debug)]
 pub struct SkyLightRead {
-    read: ReadId,
+    read: Ticket<ReadId>,
     params: AtmosphereParams,
     luts: LutsUniform,
     nodes: [u32; 2],
@@ -100,20 +101,63 @@ impl SkyLightRead {
         Ok(Self { read, params: frame.scene().atmosphere.clone(), luts: frame.luts_block, nodes })
     }
 
-    /// The light once it is there; `None` until then. In a browser nothing waits for it; natively this call
-    /// does, as
-    /// [`Backend::poll_read`].
+    /// The light once it is there; `None` until then. Does not wait: ask again in the next frame, or call
+    /// [`Self::wait`].
     ///
     /// # Errors
     /// Those of the backend.
     pub fn poll(&self, backend: &mut dyn Backend) -> Result<Option<SkyLight>> {
-        let texels = backend.poll_read(self.read)?;
+        let texels = backend.poll_read(&self.read)?;
         Ok(texels.map(|texels| SkyLight {
             params: self.params.clone(),
             luts: self.luts,
             nodes: self.nodes.map(|n| n as usize),
             texels,
         }))
+    }
+
+    /// The light, waited for.
+    ///
+    /// # Errors
+    /// [`crate::ErrorKind::Unavailable`] in a browser, where nothing can wait; those of the backend.
+    pub fn wait(&self, backend: &mut dyn Backend) -> Result<SkyLight> {
+        backend.wait()?;
+        self.poll(backend)?.ok_or_else(|| crate::gpu::cannot_wait(backend.info().backend))
+    }
+}
+
+/// Keeps the light of the sky that a renderer draws: read once a medium, without waiting for the GPU.
+#[cfg(any(feature = "wgpu", feature = "webgl"))]
+#[derive(Debug, Default)]
+pub(crate) struct KeptLight {
+    light: Option<SkyLight>,
+    pending: Option<SkyLightRead>,
+}
+
+#[cfg(any(feature = "wgpu", feature = "webgl"))]
+impl KeptLight {
+    /// The latest light; asks for it where it is another medium's.
+    pub fn step(
+        &mut self,
+        backend: &mut dyn Backend,
+        medium: &AtmosphereParams,
+        begin: impl FnOnce(&mut dyn Backend) -> Result<Option<SkyLightRead>>,
+    ) -> Result<()> {
+        if let Some(read) = &self.pending
+            && let Some(light) = read.poll(backend)?
+        {
+            (self.light, self.pending) = (Some(light), None);
+        }
+        let is_of = |light: &SkyLight| light.params == *medium;
+        if self.pending.is_none() && !self.light.as_ref().is_some_and(is_of) {
+            self.pending = begin(backend)?;
+        }
+        Ok(())
+    }
+
+    /// The light, once it is there.
+    pub fn get(&self) -> Option<&SkyLight> {
+        self.light.as_ref()
     }
 }
 

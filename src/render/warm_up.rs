@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use super::picture::{PictureSettings, list};
 use crate::error::Result;
 use crate::frame::Frame;
-use crate::frame::graph::{Graph, Node, Resource, Work};
+use crate::frame::graph::{Graph, Node, Resource, Stage, Work};
 use crate::frame::tone_map::{Display, is_8_bit};
 use crate::gpu::{Backend, DepthUse, Format, Inputs, Pass, Program, Target, TextureDesc, TextureId, Uniform};
 use crate::model::moon::Moon;
@@ -86,7 +86,7 @@ impl WarmUp {
             TargetFormats { color: settings.radiance, depth_buffer: true, aerial: settings.radiance };
         for view in views(scene)? {
             let frame = Frame::new(&view, &quick(&settings.sky), SIZE)?;
-            list(&mut graph, &frame, settings.terrain.as_ref());
+            list(&mut graph, &frame, settings.terrain.as_ref(), Stage::Scene);
             graph.nodes.iter().for_each(|node| push(&mut jobs, node, &targets, true));
         }
         let (tone_map, exposure, display) = (settings.tone_map, 1.0, Format::Rgba8);

@@ -164,8 +164,7 @@ pub fn frame_passes(
     let (read, target) = if over { (None, color) } else { (Some(color), out) };
     let aerial = AerialTargets { color: read, depth, target: Target::color(target) };
     let frame = sky.frame(b, scene, &FrameTargets::background(background).with_aerial(aerial)).unwrap();
-    let last = if frame.aerial.is_empty() { color } else { target };
-    ([frame.background, frame.aerial].concat(), last)
+    ([frame.background, frame.aerial].concat(), frame.color)
 }
 
 /// The background alone over a colour, by a new renderer, in 32-bit floats.

@@ -5,6 +5,7 @@
 
 pub mod allocations;
 pub mod draw;
+pub mod ledger;
 pub mod lines;
 pub mod reference;
 pub mod scenes;

@@ -300,7 +300,7 @@ impl Viewer {
         let canvas = self.canvas.clone();
         Ok(wasm_bindgen_futures::future_to_promise(async move {
             loop {
-                let pixels = canvas.borrow_mut().backend().poll_read(read).map_err(JsError::from)?;
+                let pixels = canvas.borrow_mut().backend().poll_read(&read).map_err(JsError::from)?;
                 if let Some(mut pixels) = pixels {
                     // A power of two: nothing is rounded.
                     let scale = (1.0 / drawn.scale) as f32;

@@ -399,10 +399,11 @@ impl Textures {
             backend.run(&passes).context("draw")?;
         }
         let reads = results.iter().map(|&id| backend.begin_read(id)).collect::<welkin::Result<Vec<_>>>()?;
+        backend.wait().context("wait")?;
         reads
             .into_iter()
             .map(|read| {
-                let texel = backend.poll_read(read)?.context("this backend cannot wait for the GPU")?;
+                let texel = backend.poll_read(&read)?.context("this backend cannot wait for the GPU")?;
                 ensure!(texel.len() == 4, "a pixel of {} values came back", texel.len());
                 Ok([texel[0], texel[1], texel[2]].map(f64::from))
             })

@@ -193,7 +193,7 @@ fn sky_passes(
     let settings =
         PictureSettings { sky, terrain: None, radiance: Format::Rgba32Float, ..PictureSettings::default() };
     let (passes, drawn) = renderer.passes(backend, scene, &settings, size)?;
-    Ok((passes.iter().copied().filter(|p| p.target.color != drawn.display).collect(), drawn.radiance))
+    Ok((passes.iter().filter(|p| p.target.color != drawn.display).cloned().collect(), drawn.radiance))
 }
 
 /// Draws a picture: the radiance of every pixel.

@@ -272,7 +272,7 @@ impl<'a> Flight<'a> {
         // Once in whole: that fills the depth buffer, makes pipelines and warms caches. Then the sky's passes
         // alone.
         backend.run(&passes)?;
-        let sky: Vec<Pass> = sky.into_iter().copied().collect();
+        let sky: Vec<Pass> = sky.into_iter().cloned().collect();
         let times = timing::best_of(backend, &sky, self.args.repeat)?;
         cost.time = times.iter().map(|t| 1e-6 * t.nanoseconds).sum::<f64>() + 0.0;
         Ok((cost, plan))

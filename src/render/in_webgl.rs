@@ -1,0 +1,123 @@
+//! The short way with OpenGL: a frame around a scene of your own, in one call.
+
+use std::rc::Rc;
+
+use super::picture::{PictureRenderer, PictureSettings};
+use super::sky_light::{KeptLight, SkyLight};
+use crate::error::Result;
+use crate::frame::Frame;
+use crate::gpu::webgl::WebGlBackend;
+use crate::gpu::{Backend, Format, RowOrder, TextureDesc, TextureId};
+use crate::model::scene::Scene;
+
+/// Clears, draws the sky, has you draw, lays the air before what you drew and maps tones: in your context,
+/// whose state is as before afterwards.
+///
+/// ```no_run
+/// # use welkin::{PictureSettings, Scene, WebGlSky};
+/// # fn main_loop(gl: std::rc::Rc<glow::Context>, scene: Scene, draw_my_scene: impl Fn(&glow::Context),
+/// #              swap_buffers: impl Fn()) -> welkin::Result<()> {
+/// let mut sky = WebGlSky::new(gl.clone(), PictureSettings::default())?;
+/// loop {
+///     sky.draw(None, [1280, 720], &scene, |gl, _| draw_my_scene(gl))?;
+///     swap_buffers();
+/// }
+/// # }
+/// ```
+pub struct WebGlSky {
+    /// What is drawn and how; may be changed from frame to frame. Of
+    /// [`terrain`](PictureSettings::terrain) nothing is drawn, and
+    /// [`radiance`](PictureSettings::radiance) is in halves.
+    pub settings: PictureSettings,
+    backend: WebGlBackend,
+    renderer: PictureRenderer,
+    light: KeptLight,
+    output: Option<Output>,
+}
+
+/// Where pictures went last.
+#[derive(Clone, Copy)]
+struct Output {
+    framebuffer: Option<glow::Framebuffer>,
+    size: [u32; 2],
+    id: TextureId,
+}
+
+/// What you draw to between the sky and the air. The framebuffer is bound and the viewport set.
+#[derive(Clone, Copy, Debug)]
+pub struct WebGlFrame<'a> {
+    /// Linear radiance in four halves, with the sky in it, and a depth buffer of 32-bit floats, cleared to
+    /// [`DepthConvention::background`](crate::DepthConvention::background).
+    pub framebuffer: Option<glow::Framebuffer>,
+    /// Light for your scene, from the sky that is drawn: `None` in the first frames, as nothing waits for it.
+    pub light: Option<&'a SkyLight>,
+    /// Which effects the frame has, and why.
+    pub frame: &'a Frame,
+}
+
+impl WebGlSky {
+    /// In your context, which must be current on this thread now and at every later call.
+    ///
+    /// # Errors
+    /// [`crate::ErrorKind::Invalid`] for settings that are out of range; [`crate::ErrorKind::Unavailable`] as
+    /// for [`WebGlBackend::new`].
+    pub fn new(gl: Rc<glow::Context>, settings: PictureSettings) -> Result<Self> {
+        settings.sky.validate()?;
+        let (renderer, light) = (PictureRenderer::default(), KeptLight::default());
+        Ok(Self { settings, backend: WebGlBackend::new(gl)?, renderer, light, output: None })
+    }
+
+    /// Draws a whole frame to a framebuffer of yours (`None`: the default one) of so many pixels: `draw`
+    /// draws your scene, with the projection that [`Scene::camera`] and [`Scene::depth`] stand for
+    /// ([`Camera::projection`](crate::Camera::projection)). Its colors have 8 bits, of no encoding of their
+    /// own: values come out as a display wants them.
+    ///
+    /// # Errors
+    /// [`crate::ErrorKind::Invalid`] for a scene, a setting or an output that cannot be drawn, before
+    /// anything is drawn; errors of the context.
+    pub fn draw(
+        &mut self,
+        framebuffer: Option<glow::Framebuffer>,
+        size: [u32; 2],
+        scene: &Scene,
+        draw: impl FnOnce(&glow::Context, &WebGlFrame<'_>),
+    ) -> Result<()> {
+        let display = self.output(framebuffer, size)?;
+        let Self { settings, backend, renderer, light, .. } = self;
+        light.step(backend, &scene.atmosphere, |b| renderer.begin_sky_light(b))?;
+        let settings = PictureSettings { radiance: Format::Rgba16Float, ..*settings };
+        let around = renderer.around(backend, scene, &settings, display)?;
+        backend.run(around.before)?;
+        let (color, depth) = (around.color, around.depth);
+        backend.with_framebuffer(color, depth, |gl, framebuffer| {
+            draw(gl, &WebGlFrame { framebuffer, light: light.get(), frame: around.frame });
+        })?;
+        backend.run(around.after)
+    }
+
+    /// The light of the sky for your scene, once it was read; see [`WebGlFrame::light`].
+    pub fn light(&self) -> Option<&SkyLight> {
+        self.light.get()
+    }
+
+    /// The backend, for what goes beyond this.
+    pub fn backend(&mut self) -> &mut WebGlBackend {
+        &mut self.backend
+    }
+
+    /// The framebuffer as a texture of the backend. Asking a context about it takes time, so that it is kept.
+    fn output(&mut self, framebuffer: Option<glow::Framebuffer>, size: [u32; 2]) -> Result<TextureId> {
+        if let Some(known) = self.output {
+            if (known.framebuffer, known.size) == (framebuffer, size) {
+                return Ok(known.id);
+            }
+            self.backend.destroy_texture(known.id);
+            self.output = None;
+        }
+        let desc = TextureDesc::new("output", size[0], size[1], Format::Rgba8);
+        let desc = TextureDesc { rows: RowOrder::BottomUp, ..desc };
+        let id = self.backend.import_framebuffer(framebuffer, desc)?;
+        self.output = Some(Output { framebuffer, size, id });
+        Ok(id)
+    }
+}

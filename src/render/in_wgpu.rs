@@ -1,0 +1,150 @@
+//! The short way with wgpu: a frame around a scene of your own, in one call.
+
+use super::picture::{PictureRenderer, PictureSettings};
+use super::sky_light::{KeptLight, SkyLight};
+use crate::error::{Error, Result};
+use crate::frame::Frame;
+use crate::gpu::wgpu::WgpuBackend;
+use crate::gpu::{Backend, Format, TextureDesc};
+use crate::model::scene::Scene;
+
+/// Clears, draws the sky, has you draw, lays the air before what you drew and maps tones: on your device, in
+/// your encoder.
+///
+/// ```no_run
+/// # use welkin::{PictureSettings, Scene, WgpuSky};
+/// # fn main_loop(device: wgpu::Device, queue: wgpu::Queue, surface: wgpu::Surface, scene: Scene,
+/// #              my_pipeline: wgpu::RenderPipeline) -> welkin::Result<()> {
+/// let mut sky = WgpuSky::new(&device, &queue, PictureSettings::default())?;
+/// loop {
+/// #   let wgpu::CurrentSurfaceTexture::Success(picture) = surface.get_current_texture() else { break };
+///     let view = picture.texture.create_view(&Default::default());
+///     let mut encoder = device.create_command_encoder(&Default::default());
+///     sky.draw(&mut encoder, &view, &scene, |encoder, frame| {
+///         // WgpuSky::COLOR with the sky in it, and WgpuSky::DEPTH, cleared.
+///         let mut pass = frame.begin(encoder);
+///         pass.set_pipeline(&my_pipeline);
+///         pass.draw(0..3, 0..1);
+///     })?;
+///     queue.submit([encoder.finish()]);
+///     queue.present(picture);
+/// }
+/// # Ok(()) }
+/// ```
+pub struct WgpuSky {
+    /// What is drawn and how; may be changed from frame to frame. Of
+    /// [`terrain`](PictureSettings::terrain) nothing is drawn, and
+    /// [`radiance`](PictureSettings::radiance) is [`Self::COLOR`].
+    pub settings: PictureSettings,
+    backend: WgpuBackend,
+    renderer: PictureRenderer,
+    light: KeptLight,
+}
+
+/// What you draw to between the sky and the air.
+#[derive(Clone, Copy, Debug)]
+pub struct WgpuFrame<'a> {
+    /// Linear radiance, format [`WgpuSky::COLOR`], one sample a pixel; the sky is in it.
+    pub color: &'a wgpu::TextureView,
+    /// Depth, format [`WgpuSky::DEPTH`], cleared to [`DepthConvention::background`](crate::DepthConvention).
+    pub depth: &'a wgpu::TextureView,
+    /// Light for your scene, from the sky that is drawn: `None` in the first frames, as nothing waits for it.
+    pub light: Option<&'a SkyLight>,
+    /// Which effects the frame has, and why.
+    pub frame: &'a Frame,
+}
+
+impl WgpuFrame<'_> {
+    /// Begins a render pass that draws over the sky.
+    pub fn begin<'e>(&self, encoder: &'e mut wgpu::CommandEncoder) -> wgpu::RenderPass<'e> {
+        let store = wgpu::StoreOp::Store;
+        encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("scene"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: self.color,
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations { load: wgpu::LoadOp::Load, store },
+            })],
+            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                view: self.depth,
+                depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Load, store }),
+                stencil_ops: None,
+            }),
+            ..Default::default()
+        })
+    }
+}
+
+impl WgpuSky {
+    /// Format of the radiance that your scene is drawn to.
+    pub const COLOR: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
+    /// Format of the depth buffer that your scene is drawn with.
+    pub const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
+
+    /// On your device. See [`WgpuBackend::from_device`] for features that make it better.
+    ///
+    /// # Errors
+    /// [`crate::ErrorKind::Invalid`] for settings that are out of range.
+    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, settings: PictureSettings) -> Result<Self> {
+        settings.sky.validate()?;
+        let backend = WgpuBackend::from_device(device.clone(), queue.clone(), "the user's device")?;
+        let (renderer, light) = (PictureRenderer::default(), KeptLight::default());
+        Ok(Self { settings, backend, renderer, light })
+    }
+
+    /// Records a whole frame into your encoder: `draw` draws your scene, with the projection that
+    /// [`Scene::camera`] and [`Scene::depth`] stand for ([`Camera::projection`](crate::Camera::projection)).
+    ///
+    /// `output`: where the picture goes, for instance a view of the surface's texture: all of it is drawn.
+    /// Its format is `Rgba8Unorm`, `Bgra8Unorm` or one of floats, not an sRGB format: values come out as a
+    /// display wants them.
+    ///
+    /// # Errors
+    /// [`crate::ErrorKind::Invalid`] for a scene, a setting or an output that cannot be drawn, before
+    /// anything is recorded; errors of the device.
+    pub fn draw(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        output: &wgpu::TextureView,
+        scene: &Scene,
+        draw: impl FnOnce(&mut wgpu::CommandEncoder, &WgpuFrame<'_>),
+    ) -> Result<()> {
+        let Self { settings, backend, renderer, light } = self;
+        light.step(backend, &scene.atmosphere, |b| renderer.begin_sky_light(b))?;
+        let display = backend.import_output(output)?;
+        let settings = PictureSettings { radiance: Format::Rgba16Float, ..*settings };
+        let drawn = (|| {
+            let around = renderer.around(backend, scene, &settings, display)?;
+            backend.encode(encoder, around.before)?;
+            let view = |id| backend.view(id).cloned().ok_or_else(|| Error::invalid("view", "none", "one"));
+            let (color, depth) = (view(around.color)?, view(around.depth)?);
+            draw(
+                encoder,
+                &WgpuFrame { color: &color, depth: &depth, light: light.get(), frame: around.frame },
+            );
+            backend.encode(encoder, around.after)
+        })();
+        backend.destroy_texture(display);
+        drawn
+    }
+
+    /// The light of the sky for your scene, once it was read; see [`WgpuFrame::light`].
+    pub fn light(&self) -> Option<&SkyLight> {
+        self.light.get()
+    }
+
+    /// The backend, for what goes beyond this.
+    pub fn backend(&mut self) -> &mut WgpuBackend {
+        &mut self.backend
+    }
+}
+
+impl WgpuBackend {
+    /// Makes a user's view of a whole texture known.
+    fn import_output(&mut self, view: &wgpu::TextureView) -> Result<crate::gpu::TextureId> {
+        let texture = view.texture();
+        let format = crate::gpu::wgpu::known_format(texture.format())?;
+        self.import_view(view.clone(), TextureDesc::new("output", texture.width(), texture.height(), format))
+    }
+}

@@ -1,0 +1,176 @@
+//! The short way to a frame: the examples' pictures against the f64 reference, and against each other.
+
+use welkin::frame::tone_map::{srgb_encode, tone_map};
+use welkin::gpu::Backend;
+use welkin::gpu::egl::Headless;
+use welkin::reference::single::Tolerance;
+use welkin::{PictureSettings, WebGlSky, WgpuSky};
+
+use crate::encoders::User;
+use crate::harness::{allocations, earth, query};
+
+#[path = "../examples/gl_scene.rs"]
+mod gl_scene;
+#[path = "../examples/wgpu_scene.rs"]
+mod wgpu_scene;
+
+const SIZE: [u32; 2] = wgpu_scene::SIZE;
+
+/// What the column sends, as the examples' shaders say, and how far away it is, m.
+const COLUMN: [f64; 3] = [0.5, 0.4, 0.3];
+const DISTANCE: f64 = 3e3;
+
+/// Compares a picture with the reference's, column included.
+fn compare(name: &str, bytes: &[u8]) {
+    let scene = wgpu_scene::scene();
+    let forward = scene.validate().unwrap().basis.forward.normalize();
+    let tolerance = Tolerance { relative: 1e-4 };
+    let settings = PictureSettings::default();
+    // Of the column's middle; of sky above and beside it; of the ground before it.
+    for (x, y, column) in
+        [(26, 40, true), (30, 26, true), (26, 20, false), (10, 4, false), (80, 8, false), (70, 26, false)]
+    {
+        let i = y * SIZE[0] + x;
+        let mut q = query(&scene, SIZE, i as usize);
+        if column {
+            q = q.ended_at(DISTANCE / q.direction.dot(forward));
+        }
+        let light = earth().radiance(&q, tolerance).unwrap();
+        let sun = scene.atmosphere.sun_intensity;
+        let radiance = std::array::from_fn(|c| {
+            let behind = if column { COLUMN[c] * light.transmittance[c] } else { 0.0 };
+            (light.per_irradiance[c] - light.ground[c]) * sun + behind
+        });
+        let want = tone_map(settings.tone_map, radiance.map(|v| v * settings.exposure)).map(srgb_encode);
+        let got = [0, 1, 2].map(|c| f64::from(bytes[4 * i as usize + c]) / 255.0);
+        println!("{name} {x} {y}: {got:.3?}, the reference {want:.3?}");
+        for c in 0..3 {
+            // One step of dither, and 2 % of what the LUTs are off.
+            assert!((got[c] - want[c]).abs() < 0.02, "{name} {x} {y}: {got:?} is not {want:?}");
+        }
+    }
+}
+
+/// What one frame after another costs: microseconds to record and until it is drawn, and allocations of ours
+/// and of the API.
+#[derive(Default)]
+struct Costs(Vec<[f64; 3]>);
+
+impl Costs {
+    /// Draws a frame: `record` hands it to the GPU, `wait` waits for it.
+    fn frame(&mut self, record: impl FnOnce(), wait: impl FnOnce()) {
+        let start = std::time::Instant::now();
+        let ((), allocated) = allocations::during(record);
+        let recorded = start.elapsed().as_secs_f64();
+        wait();
+        self.0.push([recorded * 1e6, start.elapsed().as_secs_f64() * 1e6, allocated as f64]);
+    }
+
+    /// The middle of the frames from the fifth on.
+    fn median(&self, which: usize) -> f64 {
+        let mut values: Vec<_> = self.0[4..].iter().map(|frame| frame[which]).collect();
+        values.sort_by(f64::total_cmp);
+        values[values.len() / 2]
+    }
+
+    fn print(&self, name: &str) {
+        println!(
+            "{name}: first frame {:.1} ms; then {:.2} ms, of which recording {:.0} µs with {} allocations",
+            self.0[0][1] * 1e-3,
+            self.median(1) * 1e-3,
+            self.median(0),
+            self.median(2)
+        );
+    }
+}
+
+/// `cargo test --all-features --test all sixty_frames -- --nocapture`: a steady frame of the short way
+/// allocates nothing with OpenGL, and with wgpu what wgpu allocates.
+#[test]
+fn sixty_frames_of_both_examples() {
+    let user = User::new();
+    let mut sky = WgpuSky::new(&user.device, &user.queue, PictureSettings::default()).unwrap();
+    let column = wgpu_scene::column(&user.device, &wgpu_scene::scene());
+    let view = wgpu_scene::output(&user.device).create_view(&Default::default());
+    let mut costs = Costs::default();
+    for _ in 0..60 {
+        let record = || {
+            let mut encoder = user.encoder();
+            wgpu_scene::frame(&mut sky, &mut encoder, &view, |pass| {
+                pass.set_pipeline(&column);
+                pass.draw(0..4, 0..1);
+            })
+            .unwrap();
+            user.queue.submit([encoder.finish()]);
+        };
+        let wait = || {
+            user.device.poll(wgpu::PollType::wait_indefinitely()).unwrap();
+        };
+        costs.frame(record, wait);
+    }
+    costs.print("webgpu");
+    user.no_errors();
+
+    let window = Headless::new().unwrap();
+    let gl = window.backend.context().clone();
+    let mut sky = WebGlSky::new(gl.clone(), PictureSettings::default()).unwrap();
+    let (column, output) = (gl_scene::column(&gl, &gl_scene::scene()), gl_scene::output(&gl));
+    let mut costs = Costs::default();
+    for _ in 0..60 {
+        let record =
+            || gl_scene::frame(&mut sky, Some(output), |gl| gl_scene::draw_column(gl, column)).unwrap();
+        costs.frame(record, || drop(gl_scene::read(&gl, output)));
+    }
+    costs.print("webgl2");
+    assert_eq!(costs.median(2), 0.0, "allocations of a steady frame");
+}
+
+#[test]
+fn both_examples_draw_what_the_reference_says() {
+    let mut user = User::new();
+    let mut sky = WgpuSky::new(&user.device, &user.queue, PictureSettings::default()).unwrap();
+    let column = wgpu_scene::column(&user.device, &wgpu_scene::scene());
+    let output = wgpu_scene::output(&user.device);
+    let view = output.create_view(&Default::default());
+    let mut draw = |user: &mut User| {
+        let mut encoder = user.encoder();
+        wgpu_scene::frame(&mut sky, &mut encoder, &view, |pass| {
+            pass.set_pipeline(&column);
+            pass.draw(0..4, 0..1);
+        })
+        .unwrap();
+        user.queue.submit([encoder.finish()]);
+        wgpu_scene::read(&user.device, &user.queue, &output)
+    };
+    let webgpu = draw(&mut user);
+    // Frames are alike, and the light for the scene comes with one of the next.
+    for _ in 0..3 {
+        assert!(draw(&mut user) == webgpu, "the next frame differs");
+    }
+    let [up, ..] = sky.light().expect("light").ground_irradiance(0.208).unwrap();
+    assert!((0.1..3.0).contains(&up), "{up}");
+    user.no_errors();
+
+    let window = Headless::new().unwrap();
+    let gl = window.backend.context().clone();
+    let mut sky = WebGlSky::new(gl.clone(), PictureSettings::default()).unwrap();
+    let (column, output) = (gl_scene::column(&gl, &gl_scene::scene()), gl_scene::output(&gl));
+    let mut draw = || {
+        gl_scene::frame(&mut sky, Some(output), |gl| gl_scene::draw_column(gl, column)).unwrap();
+        gl_scene::read(&gl, output)
+    };
+    let webgl2 = draw();
+    for _ in 0..3 {
+        assert!(draw() == webgl2, "the next frame differs");
+    }
+    let light = sky.light().expect("light").ground_irradiance(0.208).unwrap();
+    assert!((light[0] / up - 1.0).abs() < 1e-3, "{light:?} {up}");
+    assert_eq!(sky.backend().live().reads, 0);
+
+    compare("webgpu", &webgpu);
+    compare("webgl2", &webgl2);
+    let apart = webgpu.iter().zip(&webgl2).map(|(a, b)| a.abs_diff(*b));
+    let (most, many) = (apart.clone().max().unwrap(), apart.filter(|d| *d > 1).count());
+    println!("the backends differ by at most {most}, in {many} bytes by more than 1");
+    assert!(many < 40, "{many}");
+}
