@@ -290,6 +290,25 @@ fn a_webgl2_user_gets_the_contexts_state_back() {
     }
 }
 
+/// OpenGL as desktops have it draws what OpenGL ES draws, and gets its state back.
+#[test]
+fn a_desktop_user_gets_the_same_sky() {
+    let want = own(&mut Headless::new().unwrap().backend);
+    let mut desktop = Headless::desktop().expect("EGL with OpenGL");
+    println!("{}", desktop.backend.info());
+    assert!(!desktop.backend.info().driver.contains("ES"), "{}", desktop.backend.info());
+    assert!(desktop.backend.info().filters_f32);
+    let got = own(&mut desktop.backend);
+    for (i, (a, b)) in got.iter().zip(&want).enumerate() {
+        assert!((a - b).abs() * 255.0 < 1.01, "value {i}: {a} {b}");
+    }
+    let gl = desktop.backend.context().clone();
+    let before = state(&gl);
+    let mut backend = WebGlBackend::new(gl.clone()).unwrap();
+    assert!(own(&mut backend) == got);
+    assert_eq!(state(&gl), before, "drawing changed the state");
+}
+
 // --- the four modes
 
 /// A user with a device and textures of their own.

@@ -76,8 +76,8 @@ fn fresh(b: &mut dyn Backend, scene: &Scene) -> Vec<f32> {
     pixels
 }
 
-/// An encoder that is dropped instead of submitted, or submitted after one that was recorded later: the sky is
-/// right again in the next frame.
+/// An encoder that is dropped instead of submitted, or submitted after one that was recorded later: the sky
+/// is right again in the next frame.
 #[test]
 fn what_a_dropped_encoder_would_have_made_is_made_again() {
     let mut user = User::new();
@@ -195,8 +195,8 @@ fn an_encoder_holds_any_number_of_passes() {
     user.no_errors();
 }
 
-/// Passes that are run later than they were made for, when their inputs hold another medium: what they make is
-/// not taken for what it should be.
+/// Passes that are run later than they were made for, when their inputs hold another medium: what they make
+/// is not taken for what it should be.
 #[test]
 fn passes_that_run_late_spoil_nothing() {
     on_both(|b| {

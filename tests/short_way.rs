@@ -1,13 +1,13 @@
 //! The short way to a frame: the examples' pictures against the f64 reference, and against each other.
 
 use welkin::frame::tone_map::{srgb_encode, tone_map};
-use welkin::gpu::Backend;
 use welkin::gpu::egl::Headless;
+use welkin::gpu::{Backend, Format};
 use welkin::reference::single::Tolerance;
-use welkin::{PictureSettings, WebGlSky, WgpuSky};
+use welkin::{PictureRenderer, PictureSettings, WebGlSky, WgpuSky};
 
 use crate::encoders::User;
-use crate::harness::{allocations, earth, query};
+use crate::harness::{TINY, allocations, earth, luts, on_both, query, texture};
 
 #[path = "../examples/gl_scene.rs"]
 mod gl_scene;
@@ -123,6 +123,28 @@ fn sixty_frames_of_both_examples() {
     }
     costs.print("webgl2");
     assert_eq!(costs.median(2), 0.0, "allocations of a steady frame");
+}
+
+/// What a user's scene left in the depth buffer is not there in the next frame, also where the renderer drew
+/// pictures of its own in between, whose empty depth it need not clear.
+#[test]
+fn depth_is_cleared_around_every_scene() {
+    on_both(|b| {
+        let settings = PictureSettings { sky: luts(TINY), terrain: None, ..PictureSettings::default() };
+        let scene = wgpu_scene::scene();
+        let output = texture(b, "output", [8, 8], Format::Rgba8);
+        let mut renderer = PictureRenderer::default();
+        for _ in 0..3 {
+            renderer.draw(b, &scene, &settings, [8, 8]).unwrap();
+            let around = renderer.around(b, &scene, &settings, output).unwrap();
+            let first = around.before.iter().find(|p| p.target.depth == Some(around.depth)).unwrap();
+            assert_eq!(first.target.clear_depth, Some(0.0));
+            b.run(around.before).unwrap();
+            assert_eq!(b.content(around.depth), 0, "nobody knows what a user draws");
+            b.run(around.after).unwrap();
+        }
+        renderer.destroy(b);
+    });
 }
 
 #[test]

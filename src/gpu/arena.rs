@@ -5,8 +5,8 @@ use std::marker::PhantomData;
 
 use crate::error::{Error, Result};
 
-/// An id: the number of the backend that gave it ([`Backend::epoch`](super::Backend::epoch)), and a number there
-/// that is not given again.
+/// An id: the number of the backend that gave it ([`Backend::epoch`](super::Backend::epoch)), and a number
+/// there that is not given again.
 pub trait Id: Copy {
     /// What it names, in an error.
     const WHAT: &'static str;

@@ -24,12 +24,49 @@ pub struct Headless {
 
 struct Context {
     egl: &'static Egl,
+    api: Api,
     display: egl::Display,
     context: egl::Context,
 }
 
+/// Which of a display's APIs a context is of.
+#[derive(Clone, Copy)]
+enum Api {
+    Es,
+    Desktop,
+}
+
+impl Api {
+    /// Name, number, the bit of configurations, and what a context of it is asked for.
+    fn parts(self) -> (&'static str, egl::Enum, egl::Int, &'static [egl::Int]) {
+        match self {
+            Self::Es => (
+                "OpenGL ES",
+                egl::OPENGL_ES_API,
+                egl::OPENGL_ES3_BIT,
+                &[egl::CONTEXT_MAJOR_VERSION, 3, egl::CONTEXT_MINOR_VERSION, 0, egl::NONE],
+            ),
+            Self::Desktop => (
+                "OpenGL",
+                egl::OPENGL_API,
+                egl::OPENGL_BIT,
+                &[
+                    egl::CONTEXT_MAJOR_VERSION,
+                    3,
+                    egl::CONTEXT_MINOR_VERSION,
+                    3,
+                    egl::CONTEXT_OPENGL_PROFILE_MASK,
+                    egl::CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                    egl::NONE,
+                ],
+            ),
+        }
+    }
+}
+
 impl Drop for Context {
     fn drop(&mut self) {
+        let _ = self.egl.bind_api(self.api.parts().1);
         // The display is shared by every context of the process: it is not terminated.
         if self.egl.get_current_context() == Some(self.context) {
             let _ = self.egl.make_current(self.display, None, None, None);
@@ -52,7 +89,8 @@ impl Headless {
     /// # Errors
     /// [`crate::ErrorKind::Driver`] with what EGL answers.
     pub fn make_current(&self) -> Result<()> {
-        let Context { egl, display, context } = &self.context;
+        let Context { egl, api, display, context } = &self.context;
+        egl.bind_api(api.parts().1).map_err(|e| Error::driver("webgl2", "bind the API", e.to_string()))?;
         egl.make_current(*display, None, None, Some(*context))
             .map_err(|e| Error::driver("webgl2", "make current", e.to_string()))
     }
@@ -63,9 +101,21 @@ impl Headless {
     /// # Errors
     /// [`crate::ErrorKind::Unavailable`] with what each attempt answered.
     pub fn new() -> Result<Self> {
+        Self::with_api(Api::Es)
+    }
+
+    /// As [`Self::new`], with OpenGL (3.3, core) instead of OpenGL ES: what programs on desktops have.
+    ///
+    /// # Errors
+    /// [`crate::ErrorKind::Unavailable`] with what each attempt answered.
+    pub fn desktop() -> Result<Self> {
+        Self::with_api(Api::Desktop)
+    }
+
+    fn with_api(api: Api) -> Result<Self> {
         let mut answers = Vec::new();
         for platform in [PLATFORM_DEVICE_EXT, PLATFORM_SURFACELESS_MESA] {
-            match Self::open(platform) {
+            match Self::open(platform, api) {
                 Ok(made) => return Ok(made),
                 Err(e) => answers.push(e),
             }
@@ -73,20 +123,19 @@ impl Headless {
         Err(Error::unavailable("webgl2", answers.join("; ")))
     }
 
-    fn open(platform: egl::Enum) -> Result<Self, String> {
+    fn open(platform: egl::Enum, api: Api) -> Result<Self, String> {
         let text = |what: &str, e: &dyn std::fmt::Display| format!("{what}: {e}");
         let egl = egl()?;
         let display = display(egl, platform)?;
-        egl.bind_api(egl::OPENGL_ES_API).map_err(|e| text("OpenGL ES", &e))?;
-        let wanted =
-            [egl::SURFACE_TYPE, egl::PBUFFER_BIT, egl::RENDERABLE_TYPE, egl::OPENGL_ES3_BIT, egl::NONE];
+        let (name, number, bit, version) = api.parts();
+        egl.bind_api(number).map_err(|e| text(name, &e))?;
+        let wanted = [egl::SURFACE_TYPE, egl::PBUFFER_BIT, egl::RENDERABLE_TYPE, bit, egl::NONE];
         let config = egl
             .choose_first_config(display, &wanted)
             .map_err(|e| text("config", &e))?
-            .ok_or("no configuration with OpenGL ES 3")?;
-        let version = [egl::CONTEXT_MAJOR_VERSION, 3, egl::CONTEXT_MINOR_VERSION, 0, egl::NONE];
-        let context = egl.create_context(display, config, None, &version).map_err(|e| text("context", &e))?;
-        let holder = Context { egl, display, context };
+            .ok_or_else(|| format!("no configuration with {name} 3"))?;
+        let context = egl.create_context(display, config, None, version).map_err(|e| text("context", &e))?;
+        let holder = Context { egl, api, display, context };
         holder.egl.make_current(display, None, None, Some(context)).map_err(|e| text("make current", &e))?;
         // SAFETY: the context is current, so the functions that EGL names are its own.
         let gl = unsafe {

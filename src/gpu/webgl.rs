@@ -5,7 +5,8 @@
 //! has no way to ask what an indexed point holds that glow passes on). A context that nobody else draws
 //! with can skip that: [`WebGlBackend::own`].
 //!
-//! Needed: OpenGL ES 3.0 or WebGL2 with `EXT_color_buffer_float`.
+//! Needed: OpenGL ES 3.0 or WebGL2 with `EXT_color_buffer_float`, or OpenGL 3.3 with `ARB_ES3_compatibility`
+//! (which 4.3 includes): macOS' OpenGL has neither.
 #![allow(unsafe_code)] // Every OpenGL call is a foreign function; see the reason at each block.
 
 mod import;
@@ -141,6 +142,11 @@ impl Texture {
     }
 }
 
+/// Whether a context is one of OpenGL's and not of OpenGL ES or WebGL.
+fn is_desktop(gl: &glow::Context) -> bool {
+    cfg!(not(target_arch = "wasm32")) && !gl.version().is_embedded
+}
+
 fn driver(what: impl ToString, reason: impl ToString) -> Error {
     Error::driver(NAME, what.to_string(), reason.to_string())
 }
@@ -150,8 +156,9 @@ impl WebGlBackend {
     /// is put back after each call; see the [module](self) for the one exception.
     ///
     /// # Errors
-    /// [`crate::ErrorKind::Unavailable`] if the context cannot draw to float textures, or if it computes
-    /// fragment shaders with fewer than 32 bits: one pixel is drawn to find out.
+    /// [`crate::ErrorKind::Unavailable`] if the context cannot draw to float textures or lacks the shaders of
+    /// OpenGL ES 3, or if it computes fragment shaders with fewer than 32 bits: one pixel is drawn to find
+    /// out.
     pub fn new(gl: Rc<glow::Context>) -> Result<Self> {
         let users = Users { take: Saved::take, restore: Saved::restore, compare: import::compare };
         Self::make(gl, Some(users))
@@ -166,7 +173,17 @@ impl WebGlBackend {
         let web = cfg!(target_arch = "wasm32");
         let extensions = gl.supported_extensions();
         // Natively the names begin with GL_.
-        if !extensions.iter().any(|e| e.ends_with("EXT_color_buffer_float")) {
+        let has = |name: &str| extensions.iter().any(|e| e.ends_with(name));
+        let mut filters_f32 = has("OES_texture_float_linear");
+        if is_desktop(&gl) {
+            // It draws to float textures, and filters them, since 3.0. The shaders are those of ES.
+            if !has("ARB_ES3_compatibility") {
+                let reason = "the context has no shaders of OpenGL ES 3: it takes OpenGL 4.3, or \
+                    ARB_ES3_compatibility";
+                return Err(Error::unavailable(NAME, reason));
+            }
+            filters_f32 = true;
+        } else if !has("EXT_color_buffer_float") {
             return Err(Error::unavailable(
                 NAME,
                 "the context has no EXT_color_buffer_float: it cannot draw to float textures",
@@ -211,7 +228,7 @@ impl WebGlBackend {
                     driver: gl.get_parameter_string(glow::VERSION),
                     timer,
                     max_texture_size: gl.get_parameter_i32(glow::MAX_TEXTURE_SIZE).max(1) as u32,
-                    filters_f32: extensions.iter().any(|e| e.ends_with("OES_texture_float_linear")),
+                    filters_f32,
                     precision: Precision::Full,
                 },
                 users,

@@ -68,7 +68,8 @@ impl WgpuBackend {
     /// of the usages `RENDER_ATTACHMENT` and `TEXTURE_BINDING`. Natively also for a view that nothing can be
     /// drawn to as its texture's usages promise: of an sRGB format, say, as passes write what a display wants
     /// already. A browser tells that in its console, when it is drawn to. On a device of the backend's own
-    /// ([`WgpuBackend::new`]) only the range is checked: what that device objects to is the next call's error.
+    /// ([`WgpuBackend::new`]) only the range is checked: what that device objects to is the next call's
+    /// error.
     pub fn import_view(&mut self, view: wgpu::TextureView, desc: TextureDesc) -> Result<TextureId> {
         desc.validate(self.info.max_texture_size)?;
         if let Some(check) = self.check_import {
