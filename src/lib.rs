@@ -122,6 +122,12 @@ pub mod render;
 pub mod settings;
 pub mod shaders;
 
+pub use glam;
+#[cfg(feature = "webgl")]
+pub use glow;
+#[cfg(feature = "wgpu")]
+pub use wgpu;
+
 pub use error::{Error, ErrorKind, Result};
 pub use frame::Frame;
 pub use frame::terrain::TerrainStyle;

@@ -330,7 +330,7 @@ fn mistakes_with_a_users_textures_are_told_by_name() {
     let useless = wgpu::TextureDescriptor { usage: wgpu::TextureUsages::COPY_DST, ..good.clone() };
     for (what, texture, view, desc, word) in [
         ("samples", &samples, &none, rgba8, "sample count = 4"),
-        ("sRGB view", &good, &as_srgb, rgba8, "view = a view of user's is not allowed"),
+        ("sRGB view", &good, &as_srgb, rgba8, "view = an sRGB view is not allowed"),
         ("another format", &good, &none, desc(8, 6, Format::Rgba16Float), "format = Rgba16Float"),
         ("larger", &good, &none, desc(9, 6, Format::Rgba8), "size = 9 × 6"),
         ("smaller", &good, &none, desc(4, 3, Format::Rgba8), "size = 4 × 3"),

@@ -8,8 +8,8 @@ use welkin::gpu::{Backend, Format, Inputs, Pass, Target, TextureDesc};
 use welkin::settings::front::ParetoFront;
 use welkin::shaders::copy;
 use welkin::{
-    AtmosphereParams, DepthConvention, Error, PictureRenderer, PictureSettings, Quality, Scene, SkySettings,
-    ToneMap,
+    AtmosphereParams, Camera, DepthConvention, Error, PictureRenderer, PictureSettings, Pose, Quality, Scene,
+    SkySettings, ToneMap,
 };
 
 use crate::harness::{View, march, on_both};
@@ -30,6 +30,11 @@ fn sky(change: impl FnOnce(&mut SkySettings)) -> Result<(), Error> {
     let mut settings = SkySettings::default();
     change(&mut settings);
     welkin::SkyRenderer::new(settings).map(|_| ())
+}
+
+fn above(fov_y: f64, pitch: f64) -> Result<(), Error> {
+    let pose = Pose { altitude: 2.0, pitch, heading: 0.0, fov_y };
+    Camera::above(DVec3::ZERO, 6.36e6, DVec3::Z, DVec3::X, pose, 1.5).map(|_| ())
 }
 
 fn depth(convention: DepthConvention) -> Result<(), Error> {
@@ -88,6 +93,8 @@ fn wrong_scenes_are_refused_by_name_value_and_range() {
             scene(|s| s.camera.tangents.top = f64::INFINITY),
             ["camera.tangents.top", "inf"],
         ),
+        ("field of view in degrees", above(60.0, 0.0), ["pose.fov_y = 60 ", "radians"]),
+        ("pitch in degrees", above(1.0, 8.0), ["pose.pitch = 8 ", "radians"]),
         ("near plane 0", depth(DepthConvention::ReversedInfinite { near: 0.0 }), ["depth.near", "= 0 "]),
         ("far before near", depth(DepthConvention::ZeroToOne { near: 1.0, far: 0.5 }), ["depth.far", "0.5"]),
         ("no samples", sky(|s| s.quality = march(0, 8)), ["view_samples", "from 1 to 1024"]),

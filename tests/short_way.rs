@@ -4,7 +4,7 @@ use welkin::frame::tone_map::{srgb_encode, tone_map};
 use welkin::gpu::egl::Headless;
 use welkin::gpu::{Backend, Format};
 use welkin::reference::single::Tolerance;
-use welkin::{PictureRenderer, PictureSettings, WebGlSky, WgpuSky};
+use welkin::{AtmosphereParams, PictureRenderer, PictureSettings, Scene, WebGlSky, WgpuSky};
 
 use crate::encoders::User;
 use crate::harness::{TINY, allocations, earth, luts, on_both, query, texture};
@@ -123,6 +123,79 @@ fn sixty_frames_of_both_examples() {
     }
     costs.print("webgl2");
     assert_eq!(costs.median(2), 0.0, "allocations of a steady frame");
+}
+
+/// An output that cannot be drawn to is refused before anything is recorded; a view of an sRGB surface in its
+/// linear format is one that can.
+#[test]
+fn outputs_are_checked_before_anything_is_recorded() {
+    use wgpu::{TextureFormat as F, TextureUsages as U};
+    let user = User::new();
+    let settings = PictureSettings { sky: luts(TINY), ..PictureSettings::default() };
+    let mut sky = WgpuSky::new(&user.device, &user.queue, settings).unwrap();
+    let mut draw = |format, usage, view| {
+        let texture = user.device.create_texture(&wgpu::TextureDescriptor {
+            label: None,
+            size: wgpu::Extent3d { width: 4, height: 4, depth_or_array_layers: 1 },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format,
+            usage,
+            view_formats: if format == F::Bgra8UnormSrgb { &[F::Bgra8Unorm] } else { &[] },
+        });
+        let view = wgpu::TextureViewDescriptor { format: Some(view), ..Default::default() };
+        let (mut encoder, mut called) = (user.encoder(), false);
+        let drawn = sky.draw(&mut encoder, &texture.create_view(&view), &wgpu_scene::scene(), |_, _| {
+            called = true;
+        });
+        assert_eq!(called, drawn.is_ok());
+        user.queue.submit([encoder.finish()]);
+        drawn.map_err(|e| e.to_string())
+    };
+    let target = U::RENDER_ATTACHMENT;
+    assert_eq!(draw(F::Bgra8UnormSrgb, target, F::Bgra8Unorm), Ok(()));
+    for (format, usage, word) in [
+        (F::Bgra8UnormSrgb, target, "view = an sRGB view is not allowed: must be one of Bgra8Unorm"),
+        (F::Rgba8Unorm, U::TEXTURE_BINDING, "output = a view of Rgba8Unorm"),
+        (F::Depth32Float, target, "output = a view of Depth32Float"),
+        (F::Rg8Unorm, target, "texture.format = Rg8Unorm"),
+    ] {
+        let error = draw(format, usage, format).unwrap_err();
+        assert!(error.contains(word), "{error}");
+    }
+    user.no_errors();
+    for exposure in [-1.0, f64::NAN] {
+        let settings = PictureSettings { exposure, ..settings };
+        let error = WgpuSky::new(&user.device, &user.queue, settings).err().unwrap().to_string();
+        assert!(error.starts_with("exposure = "), "{error}");
+    }
+}
+
+/// The light that a frame hands out is that of the medium that is drawn.
+#[test]
+fn light_is_of_the_medium_that_is_drawn() {
+    let user = User::new();
+    let settings = PictureSettings { sky: luts(TINY), ..PictureSettings::default() };
+    let mut sky = WgpuSky::new(&user.device, &user.queue, settings).unwrap();
+    let view = wgpu_scene::output(&user.device).create_view(&Default::default());
+    let mut light_in = |scene: &Scene| {
+        let mut found = None;
+        for frame in 0..6 {
+            let mut encoder = user.encoder();
+            sky.draw(&mut encoder, &view, scene, |_, frame| found = frame.light.cloned()).unwrap();
+            user.queue.submit([encoder.finish()]);
+            user.device.poll(wgpu::PollType::wait_indefinitely()).unwrap();
+            assert!(frame > 0 || found.is_none(), "light of another medium");
+        }
+        found.expect("light").ground_irradiance(0.2).unwrap()[0]
+    };
+    let earth = wgpu_scene::scene();
+    let mars = AtmosphereParams { planet_radius: 6_360_000.0, ..AtmosphereParams::mars() };
+    let mars = AtmosphereParams { atmosphere_radius: 6_470_000.0, ..mars };
+    let (on_earth, on_mars) = (light_in(&earth), light_in(&Scene { atmosphere: mars, ..earth.clone() }));
+    assert!((on_mars / on_earth - 1.0).abs() > 0.1, "{on_earth} {on_mars}");
+    assert_eq!(light_in(&earth), on_earth);
 }
 
 /// What a user's scene left in the depth buffer is not there in the next frame, also where the renderer drew

@@ -142,6 +142,26 @@ impl Texture {
     }
 }
 
+/// What an error of OpenGL is called, and what it may come from. Browsers tell more in their consoles.
+#[cfg(not(target_arch = "wasm32"))]
+fn gl_error(code: u32) -> &'static str {
+    match code {
+        glow::INVALID_ENUM => ", invalid enum (of the user's before, if not of this call)",
+        glow::INVALID_VALUE => ", invalid value (of the user's before, if not of this call)",
+        glow::INVALID_OPERATION => ", invalid operation (is the backend's context current?)",
+        glow::OUT_OF_MEMORY => ", out of memory",
+        glow::INVALID_FRAMEBUFFER_OPERATION => {
+            ", invalid framebuffer operation (is the output still there, and the backend's context current?)"
+        }
+        _ => "",
+    }
+}
+
+#[cfg(target_arch = "wasm32")]
+fn gl_error(_: u32) -> &'static str {
+    ""
+}
+
 /// Whether a context is one of OpenGL's and not of OpenGL ES or WebGL.
 fn is_desktop(gl: &glow::Context) -> bool {
     cfg!(not(target_arch = "wasm32")) && !gl.version().is_embedded
@@ -278,6 +298,11 @@ impl WebGlBackend {
         if let Some(reason) = &self.lost {
             return Err(Error::lost(NAME, reason.as_str()));
         }
+        if cfg!(debug_assertions) && self.users.is_some() {
+            // Debug builds ask for errors after every call: the user's before it are not ours.
+            // SAFETY: no arguments.
+            unsafe { self.gl.get_error() };
+        }
         let saved = self.users.map(|users| ((users.take)(&self.gl, self.web), users.restore));
         let result = f(self);
         if let Some((saved, restore)) = saved {
@@ -307,7 +332,7 @@ impl WebGlBackend {
                 self.lost = Some(reason.clone());
                 Err(Error::lost(NAME, reason))
             }
-            code => Err(driver(what, format!("GL error {code:#06x}"))),
+            code => Err(driver(what, format!("GL error {code:#06x}{}", gl_error(code)))),
         }
     }
 

@@ -35,6 +35,10 @@ impl Camera {
 
     /// From view space to clip space, such that a depth buffer holds what [`DepthConvention::encode`] says.
     ///
+    /// This is for WebGPU, Vulkan and Direct3D, and for OpenGL after `glClipControl(.., GL_ZERO_TO_ONE)`; of
+    /// [`DepthConvention::NegativeOneToOne`] for OpenGL as it is. Without `glClipControl`, and in WebGL, take
+    /// [`Self::projection_gl`].
+    ///
     /// [`DepthConvention::Logarithmic`] is no projection: a shader writes it, from the distance `w` as
     /// `log2(1 + w) / log2(1 + far)`. Its matrix keeps what is between 1 mm and `far`.
     ///
@@ -64,8 +68,25 @@ impl Camera {
         ))
     }
 
+    /// [`Self::projection`] for OpenGL and WebGL as they are, whose depth buffers hold `0.5 z / w + 0.5`:
+    /// they come to hold what [`DepthConvention::encode`] says, in every convention. (A reversed one loses
+    /// its extra digits that way.)
+    ///
+    /// # Errors
+    /// As for [`Self::projection`].
+    pub fn projection_gl(&self, depth: DepthConvention) -> Result<DMat4> {
+        let projection = self.projection(depth)?;
+        if let DepthConvention::NegativeOneToOne { .. } = depth {
+            return Ok(projection);
+        }
+        // 2 z - w in place of z.
+        let stretch = DMat4::from_cols(DVec4::X, DVec4::Y, DVec4::Z * 2.0, DVec4::new(0.0, 0.0, -1.0, 1.0));
+        Ok(stretch * projection)
+    }
+
     /// The camera of a view and a projection matrix: off-centre and jittered projections too, and left-handed
-    /// ones, which look along +z.
+    /// ones, which look along +z. One that turns the picture over, as some do for Vulkan, gives the same
+    /// camera as without: the sky is drawn upright.
     ///
     /// # Errors
     /// [`crate::ErrorKind::Invalid`] for a view that does more than turn and move (or mirror), and for a
@@ -159,6 +180,10 @@ mod tests {
                     _ => ndc.z,
                 };
                 assert!((stored - depth.encode(z)).abs() < 1e-9, "{depth:?} {z}: {stored}");
+                let clip = camera.projection_gl(depth).unwrap() * camera.view().unwrap();
+                let p = clip * point.extend(1.0);
+                let stored = 0.5 * p.z / p.w + 0.5;
+                assert!((stored - depth.encode(z)).abs() < 1e-9, "OpenGL: {depth:?} {z}: {stored}");
             }
         }
     }

@@ -79,6 +79,9 @@ impl Camera {
         pose: Pose,
         aspect: f64,
     ) -> Result<Self> {
+        use std::f64::consts::{FRAC_PI_2, PI};
+        in_range("pose.fov_y", pose.fov_y, 1e-9, PI - 1e-4, "radians")?;
+        in_range("pose.pitch", pose.pitch, -FRAC_PI_2, FRAC_PI_2, "radians")?;
         let up = direction("zenith", zenith)?;
         let east = direction("north (must not be parallel to zenith)", north.cross(up))?;
         let north = up.cross(east);

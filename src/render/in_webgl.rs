@@ -24,6 +24,17 @@ use crate::model::scene::Scene;
 /// }
 /// # }
 /// ```
+///
+/// Your scene sends linear radiance in the unit of
+/// [`AtmosphereParams::sun_intensity`](crate::AtmosphereParams::sun_intensity) per steradian: a
+/// matt surface `albedo / π × (sunlight × max(n · l, 0) + light of the sky)`, by
+/// [`sunlight`](crate::model::sunlight::sunlight) and the frame's `light`. The ground is yours to draw: where
+/// nothing is drawn below the horizon there is the air's light over black. OpenGL maps depth in its own way
+/// unless `glClipControl` says otherwise: project with
+/// [`Camera::projection_gl`](crate::Camera::projection_gl), or the air is laid at wrong distances.
+///
+/// **At night** the sky is darker than halves can hold (6e-8): where you expose by 1e4 or more, multiply
+/// `sun_intensity`, and what your scene sends, by that, and expose by as much less.
 pub struct WebGlSky {
     /// What is drawn and how; may be changed from frame to frame. Of
     /// [`terrain`](PictureSettings::terrain) nothing is drawn, and
@@ -49,7 +60,10 @@ pub struct WebGlFrame<'a> {
     /// Linear radiance in four halves, with the sky in it, and a depth buffer of 32-bit floats, cleared to
     /// [`DepthConvention::background`](crate::DepthConvention::background).
     pub framebuffer: Option<glow::Framebuffer>,
-    /// Light for your scene, from the sky that is drawn: `None` in the first frames, as nothing waits for it.
+    /// Light for your scene, from the sky that is drawn. `None` until it was read, a frame or three after the
+    /// medium's LUTs were made, as nothing waits for it; and for good where nothing makes them: in a march of
+    /// single scattering, or before a first frame with sunlit air in sight. Shade with
+    /// [`sunlight`](crate::model::sunlight::sunlight) alone then, or with a guess.
     pub light: Option<&'a SkyLight>,
     /// Which effects the frame has, and why.
     pub frame: &'a Frame,
@@ -62,15 +76,15 @@ impl WebGlSky {
     /// [`crate::ErrorKind::Invalid`] for settings that are out of range; [`crate::ErrorKind::Unavailable`] as
     /// for [`WebGlBackend::new`].
     pub fn new(gl: Rc<glow::Context>, settings: PictureSettings) -> Result<Self> {
-        settings.sky.validate()?;
+        settings.validate()?;
         let (renderer, light) = (PictureRenderer::default(), KeptLight::default());
         Ok(Self { settings, backend: WebGlBackend::new(gl)?, renderer, light, output: None })
     }
 
     /// Draws a whole frame to a framebuffer of yours (`None`: the default one) of so many pixels: `draw`
     /// draws your scene, with the projection that [`Scene::camera`] and [`Scene::depth`] stand for
-    /// ([`Camera::projection`](crate::Camera::projection)). Its colors have 8 bits, of no encoding of their
-    /// own: values come out as a display wants them.
+    /// ([`Camera::projection_gl`](crate::Camera::projection_gl), unless you call `glClipControl`). Its colors
+    /// have 8 bits, of no encoding of their own: values come out as a display wants them.
     ///
     /// # Errors
     /// [`crate::ErrorKind::Invalid`] for a scene, a setting or an output that cannot be drawn, before

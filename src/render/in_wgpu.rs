@@ -31,6 +31,15 @@ use crate::model::scene::Scene;
 /// }
 /// # Ok(()) }
 /// ```
+///
+/// Your scene sends linear radiance in the unit of
+/// [`AtmosphereParams::sun_intensity`](crate::AtmosphereParams::sun_intensity) per steradian: a
+/// matt surface `albedo / π × (sunlight × max(n · l, 0) + light of the sky)`, by
+/// [`sunlight`](crate::model::sunlight::sunlight) and the frame's `light`. The ground is yours to draw: where
+/// nothing is drawn below the horizon there is the air's light over black.
+///
+/// **At night** the sky is darker than halves can hold (6e-8): where you expose by 1e4 or more, multiply
+/// `sun_intensity`, and what your scene sends, by that, and expose by as much less.
 pub struct WgpuSky {
     /// What is drawn and how; may be changed from frame to frame. Of
     /// [`terrain`](PictureSettings::terrain) nothing is drawn, and
@@ -48,7 +57,10 @@ pub struct WgpuFrame<'a> {
     pub color: &'a wgpu::TextureView,
     /// Depth, format [`WgpuSky::DEPTH`], cleared to [`DepthConvention::background`](crate::DepthConvention).
     pub depth: &'a wgpu::TextureView,
-    /// Light for your scene, from the sky that is drawn: `None` in the first frames, as nothing waits for it.
+    /// Light for your scene, from the sky that is drawn. `None` until it was read, a frame or three after the
+    /// medium's LUTs were made, as nothing waits for it; and for good where nothing makes them: in a march of
+    /// single scattering, or before a first frame with sunlit air in sight. Shade with
+    /// [`sunlight`](crate::model::sunlight::sunlight) alone then, or with a guess.
     pub light: Option<&'a SkyLight>,
     /// Which effects the frame has, and why.
     pub frame: &'a Frame,
@@ -87,7 +99,7 @@ impl WgpuSky {
     /// # Errors
     /// [`crate::ErrorKind::Invalid`] for settings that are out of range.
     pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, settings: PictureSettings) -> Result<Self> {
-        settings.sky.validate()?;
+        settings.validate()?;
         let backend = WgpuBackend::from_device(device.clone(), queue.clone(), "the user's device")?;
         let (renderer, light) = (PictureRenderer::default(), KeptLight::default());
         Ok(Self { settings, backend, renderer, light })
@@ -98,7 +110,8 @@ impl WgpuSky {
     ///
     /// `output`: where the picture goes, for instance a view of the surface's texture: all of it is drawn.
     /// Its format is `Rgba8Unorm`, `Bgra8Unorm` or one of floats, not an sRGB format: values come out as a
-    /// display wants them.
+    /// display wants them. Of a surface that is `Bgra8UnormSrgb`, name `Bgra8Unorm` among its `view_formats`
+    /// and make a view of that format. Submit encoders in the order in which they were recorded.
     ///
     /// # Errors
     /// [`crate::ErrorKind::Invalid`] for a scene, a setting or an output that cannot be drawn, before
@@ -141,10 +154,16 @@ impl WgpuSky {
 }
 
 impl WgpuBackend {
-    /// Makes a user's view of a whole texture known.
+    /// Makes a user's view of a whole texture known, which is drawn to. The view of an sRGB texture may be
+    /// one of the format without.
     fn import_output(&mut self, view: &wgpu::TextureView) -> Result<crate::gpu::TextureId> {
         let texture = view.texture();
-        let format = crate::gpu::wgpu::known_format(texture.format())?;
+        let format = crate::gpu::wgpu::known_format(texture.format().remove_srgb_suffix())?;
+        if format.channels() != 4 || !texture.usage().contains(wgpu::TextureUsages::RENDER_ATTACHMENT) {
+            let value = format_args!("a view of {:?} for {:?}", texture.format(), texture.usage());
+            let allowed = "one of four channels, of a texture with the usage RENDER_ATTACHMENT";
+            return Err(Error::invalid("output", value, allowed));
+        }
         self.import_view(view.clone(), TextureDesc::new("output", texture.width(), texture.height(), format))
     }
 }

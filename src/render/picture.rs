@@ -31,7 +31,20 @@ pub struct PictureSettings {
     pub radiance: Format,
 }
 
+impl PictureSettings {
+    /// Checks the ranges.
+    ///
+    /// # Errors
+    /// [`crate::ErrorKind::Invalid`] for an exposure outside 0 to 1e9, and from [`SkySettings::validate`].
+    pub fn validate(&self) -> Result<()> {
+        in_range("exposure", self.exposure, 0.0, 1e9, "")?;
+        self.sky.validate()
+    }
+}
+
 impl Default for PictureSettings {
+    /// The sky's defaults, exposure 1 (for a sun of 22), the default [`ToneMap`], dither, the Earth's ground,
+    /// halves.
     fn default() -> Self {
         Self {
             sky: SkySettings::default(),

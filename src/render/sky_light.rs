@@ -136,7 +136,7 @@ pub(crate) struct KeptLight {
 
 #[cfg(any(feature = "wgpu", feature = "webgl"))]
 impl KeptLight {
-    /// The latest light; asks for it where it is another medium's.
+    /// Asks for the light of a medium where it is not there; another medium's is forgotten.
     pub fn step(
         &mut self,
         backend: &mut dyn Backend,
@@ -148,8 +148,13 @@ impl KeptLight {
         {
             (self.light, self.pending) = (Some(light), None);
         }
-        let is_of = |light: &SkyLight| light.params == *medium;
-        if self.pending.is_none() && !self.light.as_ref().is_some_and(is_of) {
+        // Light is in proportion to the sun's.
+        let sun_intensity = medium.sun_intensity;
+        self.light = self.light.take().and_then(|mut light| {
+            light.params.sun_intensity = sun_intensity;
+            (light.params == *medium).then_some(light)
+        });
+        if self.pending.is_none() && self.light.is_none() {
             self.pending = begin(backend)?;
         }
         Ok(())
