@@ -278,6 +278,7 @@ fn a_webgl2_user_gets_the_contexts_state_back() {
     // The user's framebuffer holds the picture upside down in memory, which is the right way up there.
     let imported =
         backend.import_texture(color, TextureDesc::new("user's texture", SIZE, SIZE, Format::Rgba8)).unwrap();
+    assert_eq!((backend.texture_name(imported), backend.texture_name(id)), (Some(color), None));
     let got = backend.read(imported).unwrap();
     let mut other = Headless::new().unwrap();
     let want = own(&mut other.backend);

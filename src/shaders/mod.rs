@@ -78,6 +78,39 @@ pub(crate) const fn bare<const LENGTH: usize>(text: &[u8]) -> ([u8; LENGTH], usi
 mod tests {
     use super::*;
 
+    /// Every program of this set of features is whole: the library's tests run with no feature, each backend
+    /// alone, and the default ones (`scripts/test --only unit`). One that a missing feature cut a module from
+    /// would be found by nobody but its user.
+    #[test]
+    #[cfg(any(feature = "wgpu", feature = "webgl"))]
+    fn every_program_is_whole_with_these_features() {
+        use crate::gpu::Program;
+        for info in PROGRAMS {
+            for constants in [info.all(), 0] {
+                let program = Program::new(info, constants);
+                #[cfg(feature = "wgpu")]
+                {
+                    use naga::valid::{Capabilities, ValidationFlags, Validator};
+                    let text = program.wgsl();
+                    let module = naga::front::wgsl::parse_str(&text);
+                    let module = module.unwrap_or_else(|e| panic!("{}: {e}", program.name()));
+                    Validator::new(ValidationFlags::all(), Capabilities::empty())
+                        .validate(&module)
+                        .unwrap_or_else(|e| panic!("{}: {e:?}", program.name()));
+                    let entries: Vec<_> = module.entry_points.iter().map(|e| e.name.as_str()).collect();
+                    assert_eq!(entries.len(), 2, "{}: {entries:?}", program.name());
+                }
+                #[cfg(feature = "webgl")]
+                for text in program.glsl() {
+                    let count = |c: char| text.chars().filter(|&found| found == c).count();
+                    let name = program.name();
+                    assert!(text.starts_with("#version 300 es") && text.contains("void main() {"), "{name}");
+                    assert_eq!((count('{'), count('(')), (count('}'), count(')')), "{name}");
+                }
+            }
+        }
+    }
+
     #[test]
     fn modules_are_bare() {
         let text = b"// a\n\n  //#include x // why\nlet a = b / c;  // d\n   \n    f();//\n/ 2";

@@ -77,6 +77,12 @@ impl WebGlBackend {
         })
     }
 
+    /// OpenGL's name of a texture, of the backend's own or imported, for your own shaders to read: a LUT, say,
+    /// or the radiance of a picture. `None` for a framebuffer, and for ids of nothing.
+    pub fn texture_name(&self, id: TextureId) -> Option<glow::Texture> {
+        self.textures.get(id)?.handle().ok()
+    }
+
     /// Calls `f` with a framebuffer of two textures bound and the viewport as large as they are, for a user
     /// to draw to; binds afterwards what was bound before. The framebuffer belongs to the backend.
     ///
