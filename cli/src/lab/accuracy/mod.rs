@@ -125,7 +125,7 @@ fn investigate(
 ) -> anyhow::Result<(Findings, ParetoFront)> {
     let start = Instant::now();
     let (frame, runs, settings) =
-        if quick { (Frame::QUICK, 2, Settings::QUICK) } else { (Frame::WHOLE, 2, Settings::FINE) };
+        if quick { (Frame::QUICK, 1, Settings::QUICK) } else { (Frame::WHOLE, 2, Settings::FINE) };
     let scenes: Vec<_> = SETUPS.into_iter().filter(|s| s.quick || !quick).collect();
     let mut missing = Vec::new();
     let mut gpus = Vec::new();
