@@ -77,8 +77,8 @@ impl WebGlBackend {
         })
     }
 
-    /// OpenGL's name of a texture, of the backend's own or imported, for your own shaders to read: a LUT, say,
-    /// or the radiance of a picture. `None` for a framebuffer, and for ids of nothing.
+    /// OpenGL's name of a texture, of the backend's own or imported, for your own shaders to read: a LUT,
+    /// say, or the radiance of a picture. `None` for a framebuffer, and for ids of nothing.
     pub fn texture_name(&self, id: TextureId) -> Option<glow::Texture> {
         self.textures.get(id)?.handle().ok()
     }
