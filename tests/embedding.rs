@@ -11,6 +11,7 @@ use welkin::gpu::{Backend, Format, Pass, Precision, RowOrder, Target, TextureDes
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
 use welkin::{Mode, PictureRenderer, PictureSettings, Quality, Scene, SkyRenderer, SkySettings};
 
+use crate::encoders::User as WgpuUser;
 use crate::harness::world::BEHIND;
 use crate::harness::{
     TINY, View, aerial_passes, assert_physical, background_passes, cleared, copy_pass, draw, earth, free,
@@ -324,28 +325,6 @@ trait User {
 const SIDE: u32 = 8;
 const TEXELS: usize = 64;
 
-struct WgpuUser {
-    device: wgpu::Device,
-    queue: wgpu::Queue,
-    backend: WgpuBackend,
-}
-
-impl WgpuUser {
-    fn new() -> Self {
-        let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
-        let adapter =
-            pollster::block_on(instance.request_adapter(&Default::default())).expect("a Vulkan driver");
-        let desc = wgpu::DeviceDescriptor {
-            required_features: adapter.features() & wgpu::Features::FLOAT32_BLENDABLE,
-            ..Default::default()
-        };
-        let (device, queue) = pollster::block_on(adapter.request_device(&desc)).unwrap();
-        let backend =
-            WgpuBackend::from_device(device.clone(), queue.clone(), &adapter.get_info().name).unwrap();
-        Self { device, queue, backend }
-    }
-}
-
 impl User for WgpuUser {
     fn backend(&mut self) -> &mut dyn Backend {
         &mut self.backend
@@ -379,9 +358,7 @@ impl User for WgpuUser {
     }
 
     fn frame(&mut self, passes: &[Pass]) {
-        let mut encoder = self.device.create_command_encoder(&Default::default());
-        self.backend.encode(&mut encoder, passes).unwrap();
-        self.queue.submit([encoder.finish()]);
+        self.frame(passes);
     }
 }
 

@@ -6,13 +6,14 @@ use crate::gpu::RowOrder;
 use crate::model::atmosphere::AtmosphereParams;
 use crate::model::scene::{Scene, ZenithView};
 
-/// How much a coordinate of the unit vector to the sun may change, and the camera's altitude (in proportion,
-/// or in km), before a view's LUTs are made again. Sunlight at the horizon changes by a factor e over 0.01
-/// radians, so by 1e-4 over this; a millimetre at the ground lowers the horizon from there by 1e-4 of a
-/// pixel.
+/// How much a coordinate of the unit vector to the sun may change before a view's LUTs are made again. By
+/// `docs/effects.md` ("Light for a scene of one's own") green light falls to a fifth from 1° to -2°, so by
+/// 3e-5 over this, a hundredth of an 8-bit step; two eyes see the sun 1e-8 radians apart.
 const SUN_TURNED: f32 = 1e-6;
+
+/// How much the camera's altitude may change, in proportion, before they are: rounding, as the horizon's dip
+/// changes by half of that.
 const CLIMBED: f32 = 1e-6;
-const CLIMBED_KM: f32 = 1e-6;
 
 /// Per-metre to per-kilometre, and metres to kilometres by division.
 const KM: f64 = 1000.0;
@@ -198,7 +199,7 @@ impl FrameUniform {
             let climbed = (fresh.altitude - kept.altitude).abs();
             bytemuck::bytes_of(&kept.medium) == bytemuck::bytes_of(&fresh.medium)
                 && turned <= SUN_TURNED
-                && climbed <= (CLIMBED * fresh.altitude).max(CLIMBED_KM)
+                && climbed <= CLIMBED * fresh.altitude
         };
         kept.filter(serves).copied().unwrap_or(fresh)
     }

@@ -197,7 +197,8 @@ impl WebGlBackend {
         let mut filters_f32 = has("OES_texture_float_linear");
         if is_desktop(&gl) {
             // It draws to float textures, and filters them, since 3.0. The shaders are those of ES.
-            if !has("ARB_ES3_compatibility") {
+            let version = gl.version();
+            if (version.major, version.minor) < (4, 3) && !has("ARB_ES3_compatibility") {
                 let reason = "the context has no shaders of OpenGL ES 3: it takes OpenGL 4.3, or \
                     ARB_ES3_compatibility";
                 return Err(Error::unavailable(NAME, reason));

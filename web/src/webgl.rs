@@ -13,8 +13,6 @@ use crate::surface::Surface;
 
 struct WebGl {
     backend: WebGlBackend,
-    /// The canvas at the size that it had last: asking a context about it takes time.
-    canvas: Option<([u32; 2], TextureId)>,
     context: WebGl2RenderingContext,
 }
 
@@ -48,7 +46,7 @@ pub fn open(canvas: &HtmlCanvasElement) -> Result<Box<dyn Surface>> {
     {
         backend.set_adapter_name(&name);
     }
-    Ok(Box::new(WebGl { backend, canvas: None, context }))
+    Ok(Box::new(WebGl { backend, context }))
 }
 
 impl Surface for WebGl {
@@ -71,22 +69,14 @@ impl Surface for WebGl {
 
     fn present(
         &mut self,
-        size: [u32; 2],
+        [width, height]: [u32; 2],
         draw: &mut dyn FnMut(&mut dyn Backend, TextureId) -> Result<()>,
     ) -> Result<()> {
-        let id = match self.canvas.filter(|(known, _)| *known == size) {
-            Some((_, id)) => id,
-            None => {
-                let desc = TextureDesc::new("canvas", size[0], size[1], Format::Rgba8);
-                let desc = TextureDesc { rows: RowOrder::BottomUp, ..desc };
-                let id = self.backend.import_framebuffer(None, desc)?;
-                if let Some((_, old)) = self.canvas.replace((size, id)) {
-                    self.backend.destroy_texture(old);
-                }
-                id
-            }
-        };
-        draw(&mut self.backend, id)
+        let desc = TextureDesc::new("canvas", width, height, Format::Rgba8);
+        let id = self.backend.import_framebuffer(None, TextureDesc { rows: RowOrder::BottomUp, ..desc })?;
+        let drawn = draw(&mut self.backend, id);
+        self.backend.destroy_texture(id);
+        drawn
     }
 
     fn lose(&mut self) {

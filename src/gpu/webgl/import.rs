@@ -69,10 +69,12 @@ impl WebGlBackend {
     ) -> Result<TextureId> {
         desc.validate(self.info.max_texture_size)?;
         self.guarded(|this| {
-            // SAFETY: the user's framebuffer, which the caller says is alive.
-            unsafe { this.gl.bind_framebuffer(glow::FRAMEBUFFER, framebuffer) };
-            let point = if framebuffer.is_some() { glow::COLOR_ATTACHMENT0 } else { glow::BACK };
-            this.users.map_or(Ok(()), |users| (users.compare)(&this.gl, point, &desc))?;
+            if let Some(users) = this.users {
+                // SAFETY: the user's framebuffer, which the caller says is alive.
+                unsafe { this.gl.bind_framebuffer(glow::FRAMEBUFFER, framebuffer) };
+                let point = if framebuffer.is_some() { glow::COLOR_ATTACHMENT0 } else { glow::BACK };
+                (users.compare)(&this.gl, point, &desc)?;
+            }
             Ok(this.textures.insert(Texture { desc, content: 0, source: Source::Framebuffer(framebuffer) }))
         })
     }

@@ -110,12 +110,12 @@ impl WgpuBackend {
             return Err(Error::invalid("usage", format_args!("{:?}", texture.usage()), allowed));
         }
         if drawn_to && let Some(reason) = self.try_to_draw(view, desc.format) {
-            let value = format_args!("a view of {}", desc.label);
             if reason.contains("Srgb") {
                 let wanted = format(desc.format);
                 let allowed = format_args!("one of {wanted:?}: passes write what a display wants already");
                 return Err(Error::invalid("view", "an sRGB view", allowed));
             }
+            let value = format_args!("a view of {}", desc.label);
             let allowed = format_args!("one that passes can draw to as {:?} ({reason})", desc.format);
             return Err(Error::invalid("view", value, allowed));
         }
