@@ -179,6 +179,8 @@ fn an_encoder_holds_any_number_of_passes() {
         .map(|chunk| {
             let mut encoder = user.encoder();
             user.backend.encode(&mut encoder, chunk).unwrap();
+            // What is run meanwhile, if only nothing, does not free what waits.
+            user.backend.run(&[]).unwrap();
             encoder.finish()
         })
         .collect();
