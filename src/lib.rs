@@ -34,6 +34,8 @@
 //! They have the examples; [`Camera::projection`] and [`Camera::from_matrices`] go between matrices and
 //! cameras.
 //!
+//! Glass, water and mirrors call the air in their own shaders: [`shaders::scene`].
+//!
 //! # In textures of your own
 //!
 //! [`SkyRenderer::frame`] gives the passes of a frame as data. Run its background first (depth ALWAYS, no
@@ -141,8 +143,9 @@ pub use reference::{clip_segment, compute_single_scatter};
 #[cfg(feature = "webgl")]
 pub use render::in_webgl::{WebGlFrame, WebGlSky};
 #[cfg(feature = "wgpu")]
-pub use render::in_wgpu::{WgpuFrame, WgpuSky};
+pub use render::in_wgpu::{AirGroup, WgpuFrame, WgpuSky};
 pub use render::picture::{Around, PictureRenderer, PictureSettings};
+pub use render::scene_air::SceneAir;
 pub use render::sky::{AerialTargets, FrameTargets, SkyFrame, SkyRenderer};
 pub use render::sky_light::{LightingContextUniform, SkyLight};
 pub use render::warm_up::{TargetFormats, WarmUp};

@@ -238,6 +238,7 @@ const BARE: SkySettings = SkySettings {
         limb_darkening: false,
         foreground: true,
         airglow: None,
+        scene_shaders: false,
     },
     quality: Quality::March { view_samples: 8, light_samples: 4 },
     render_scale: 1.0,

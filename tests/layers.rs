@@ -294,7 +294,7 @@ fn lines_are_short_enough_to_read() {
         let name = relative(&file);
         let web = name.starts_with("web/") && !name.starts_with("web/src/");
         // Written by `cargo lab shaders`.
-        let generated = name.ends_with("/generated.rs");
+        let generated = name.contains("/generated");
         if generated || (web && !name.ends_with(".js") && !name.ends_with(".mjs")) {
             continue;
         }

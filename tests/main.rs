@@ -32,6 +32,7 @@ mod plan;
 mod properties;
 mod random_use;
 mod rejects;
+mod scene_shaders;
 mod shaders;
 mod short_way;
 mod sky;

@@ -7,6 +7,7 @@ use welkin::frame::airglow::AirglowUniform;
 use welkin::frame::disks::DiskUniform;
 use welkin::frame::eclipse::{EclipseUniform, ShadowUniform};
 use welkin::frame::luts::{FrameLuts, LutsUniform, MediumLuts};
+use welkin::frame::scene_air::SceneAirUniform;
 use welkin::frame::terrain::TerrainUniform;
 use welkin::frame::tone_map::ToneUniform;
 use welkin::frame::uniforms::{DepthUniform, FrameUniform, MediumUniform};
@@ -31,7 +32,8 @@ fn committed_glsl_is_fresh() {
 
 /// Every program, the probe's included.
 fn programs() -> impl Iterator<Item = &'static ProgramInfo> {
-    PROGRAMS.iter().chain(welkin::probe::PROGRAMS).copied()
+    let scene = welkin::shaders::generated_scene::PROGRAMS;
+    PROGRAMS.iter().chain(scene).chain(welkin::probe::PROGRAMS).copied()
 }
 
 #[test]
@@ -102,12 +104,13 @@ fn no_shipped_shader_holds_a_struct_value() {
     // The same texts with a function that takes one of their blocks' structs fail.
     let mut seen = 0;
     for (name, text) in texts() {
-        let Some(struct_name) = text.lines().find_map(|l| l.strip_prefix("struct ")?.strip_suffix(" {"))
+        let Some(struct_name) =
+            text.lines().find_map(|l| Some(l.strip_prefix("struct ")?.split_once('{')?.0))
         else {
             continue;
         };
         let bad = text
-            .replace("void main() {", &format!("float f({struct_name} s) {{ return 1.0; }}\nvoid main() {{"));
+            .replace("void main(){", &format!("float f({struct_name} s) {{ return 1.0; }}\nvoid main(){{"));
         let line = 1 + bad.lines().position(|l| l.starts_with("float f(")).unwrap();
         let found: Vec<_> =
             struct_values_of([(name, bad.as_str())]).map(|(_, found)| found.to_string()).collect();
@@ -153,8 +156,8 @@ fn rust_layout(name: &str) -> (Vec<(String, u32)>, u32) {
     }
 }
 
-/// Blocks that are called `Uniforms` in every program that has one.
-fn whole_blocks() -> [(Vec<(String, u32)>, u32); 5] {
+/// Blocks that are called `Uniforms` in every program that has one, or `SceneAir`.
+fn whole_blocks() -> [(Vec<(String, u32)>, u32); 6] {
     let whole = |fields: Vec<(&str, u32)>, size: usize| {
         let mut out = Vec::new();
         for (name, offset) in fields {
@@ -178,14 +181,16 @@ fn whole_blocks() -> [(Vec<(String, u32)>, u32); 5] {
         whole(EclipseUniform::offsets(), size_of::<EclipseUniform>()),
         whole(DiskUniform::offsets(), size_of::<DiskUniform>()),
         whole(AirglowUniform::offsets(), size_of::<AirglowUniform>()),
+        whole(SceneAirUniform::offsets(), size_of::<SceneAirUniform>()),
     ]
 }
 
 #[test]
 fn whole_blocks_have_the_layout_that_naga_gives_them() {
-    let mut found = [0; 5];
+    let mut found = [0; 6];
     for info in programs() {
-        let Some(layout) = translate::struct_layout(info, "Uniforms").unwrap() else { continue };
+        let layout = |name| translate::struct_layout(info, name).unwrap();
+        let Some(layout) = layout("Uniforms").or_else(|| layout("SceneAir")) else { continue };
         assert_eq!(layout.1, info.uniform_size, "{}", info.name);
         let block = whole_blocks().iter().position(|ours| *ours == layout);
         found[block.unwrap_or_else(|| panic!("{}: no Rust block is like {layout:?}", info.name))] += 1;

@@ -1,18 +1,21 @@
 //! The short way to a frame: the examples' pictures against the f64 reference, and against each other.
 
+use glam::DVec3;
 use welkin::frame::tone_map::{srgb_encode, tone_map};
 use welkin::gpu::egl::Headless;
 use welkin::gpu::{Backend, Format};
-use welkin::reference::single::Tolerance;
+use welkin::reference::single::{RayQuery, Tolerance};
 use welkin::{AtmosphereParams, PictureRenderer, PictureSettings, Scene, WebGlSky, WgpuSky};
 
 use crate::encoders::User;
 use crate::harness::{TINY, allocations, earth, luts, on_both, query, texture};
 
-#[path = "../examples/gl_scene.rs"]
-mod gl_scene;
-#[path = "../examples/wgpu_scene.rs"]
-mod wgpu_scene;
+#[path = "../examples/gl_glass.rs"]
+mod gl_glass;
+#[path = "../examples/wgpu_glass.rs"]
+mod wgpu_glass;
+use gl_glass::gl_scene;
+use wgpu_glass::wgpu_scene;
 
 const SIZE: [u32; 2] = wgpu_scene::SIZE;
 
@@ -214,7 +217,8 @@ fn depth_is_cleared_around_every_scene() {
             assert_eq!(first.target.clear_depth, Some(0.0));
             b.run(around.before).unwrap();
             assert_eq!(b.content(around.depth), 0, "nobody knows what a user draws");
-            b.run(around.after).unwrap();
+            b.run(around.aerial).unwrap();
+            b.run(around.display).unwrap();
         }
         renderer.destroy(b);
     });
@@ -268,4 +272,66 @@ fn both_examples_draw_what_the_reference_says() {
     let (most, many) = (apart.clone().max().unwrap(), apart.filter(|d| *d > 1).count());
     println!("the backends differ by at most {most}, in {many} bytes by more than 1");
     assert!(many < 40, "{many}");
+}
+
+/// Compares a picture with the reference's: what the glass mirrors, behind the air before it, over the sky.
+fn compare_glass(name: &str, bytes: &[u8]) {
+    let scene = wgpu_scene::scene();
+    let view = scene.validate().unwrap();
+    let settings = PictureSettings::default();
+    let (middle, radius) = (view.world_to_zenith * DVec3::from(wgpu_glass::SPHERE.0), wgpu_glass::SPHERE.1);
+    let sun = scene.atmosphere.sun_intensity;
+    let light = |q| earth().radiance(&q, Tolerance { relative: 1e-4 }).unwrap();
+    let mut met = 0;
+    for (x, y) in (8..32).step_by(4).flat_map(|y| (8..40).step_by(4).map(move |x| (x, y))) {
+        let q = query(&scene, SIZE, (y * SIZE[0] + x) as usize);
+        let behind = light(q);
+        let mut radiance: [f64; 3] =
+            std::array::from_fn(|c| (behind.per_irradiance[c] - behind.ground[c]) * sun);
+        let along = q.direction.dot(middle);
+        let inside = radius * radius - (middle.length_squared() - along * along);
+        if inside > 0.0 {
+            met += 1;
+            let distance = along - inside.sqrt();
+            let normal = (q.direction * distance - middle) / radius;
+            let reflectance = 0.15 + 0.85 * (1.0 + q.direction.dot(normal)).powi(5);
+            let before = light(q.ended_at(distance));
+            let mirrored =
+                light(RayQuery { direction: q.direction - 2.0 * normal * q.direction.dot(normal), ..q });
+            for c in 0..3 {
+                let mirrored = mirrored.per_irradiance[c] - mirrored.ground[c];
+                let seen = mirrored * before.transmittance[c] + before.per_irradiance[c] - before.ground[c];
+                radiance[c] = radiance[c] * (1.0 - reflectance) + seen * sun * reflectance;
+            }
+        }
+        let want = tone_map(settings.tone_map, radiance.map(|v| v * settings.exposure)).map(srgb_encode);
+        let i = (y * SIZE[0] + x) as usize;
+        let got = [0, 1, 2].map(|c| f64::from(bytes[4 * i + c]) / 255.0);
+        println!("{name} {x} {y}: {got:.3?}, the reference {want:.3?}");
+        for c in 0..3 {
+            assert!((got[c] - want[c]).abs() < 0.02, "{name} {x} {y}: {got:?} is not {want:?}");
+        }
+    }
+    assert!((10..40).contains(&met), "{met} pixels of glass");
+}
+
+#[test]
+fn both_glass_examples_mirror_what_the_reference_says() {
+    let user = User::new();
+    let mut sky = WgpuSky::new(&user.device, &user.queue, wgpu_glass::settings()).unwrap();
+    let glass = wgpu_glass::glass(&mut sky, &user.device).unwrap();
+    let output = wgpu_scene::output(&user.device);
+    let view = output.create_view(&Default::default());
+    let mut encoder = user.encoder();
+    wgpu_glass::frame(&mut sky, &mut encoder, &view, &glass).unwrap();
+    user.queue.submit([encoder.finish()]);
+    compare_glass("webgpu", &wgpu_scene::read(&user.device, &user.queue, &output));
+    user.no_errors();
+
+    let window = Headless::new().unwrap();
+    let gl = window.backend.context().clone();
+    let mut sky = WebGlSky::new(gl.clone(), wgpu_glass::settings()).unwrap();
+    let (glass, output) = (gl_glass::glass(&gl).unwrap(), gl_scene::output(&gl));
+    gl_glass::frame(&mut sky, Some(output), glass).unwrap();
+    compare_glass("webgl2", &gl_scene::read(&gl, output));
 }

@@ -23,6 +23,7 @@ const FINE: SkySettings = SkySettings {
         limb_darkening: false,
         foreground: true,
         airglow: None,
+        scene_shaders: false,
     },
     quality: Quality::March { view_samples: 256, light_samples: 64 },
     render_scale: 1.0,

@@ -82,9 +82,9 @@ const int AIR_MIE = 1;
 const int AIR_BEAM = 2;
 const int AIR_TRANSMITTANCE = 3;
 const int AIR_KINDS = 4;
+const bool MIE_SINGLE = true;
 const float INV_4PI = 0.07957747;
 const bool CORNETTE_SHANKS = true;
-const bool MIE_SINGLE = true;
 
 layout(std140) uniform Uniforms_block_0Fragment { Uniforms _group_0_binding_0_fs; };
 
@@ -538,6 +538,68 @@ vec3 optical_path_to_top(highp sampler2D lut_5, float radius_10, float thickness
     return exp2(_e22.xyz);
 }
 
+void air_before(highp sampler2D aerial_lut, float m_rayleigh_inv_height_1, float m_mie_inv_height_1, float m_radius_1, float path_length_3, float path_excess_2, float path_r_mu_3, vec2 column_texel_1, vec2 column_size_1, float column_slices_1, float distance_4, vec3 smooth_light, vec3 mie_light, inout vec3 out_transmittance, inout vec3 out_inscatter) {
+    vec3 light = vec3(0.0);
+    vec3 mie = vec3(0.0);
+    float s_index = 0.0;
+    vec4 s_near_2 = vec4(0.0);
+    vec4 s_far_2 = vec4(0.0);
+    aerial_slice(aerial_lut, column_texel_1, column_size_1, column_slices_1, path_length_3, path_r_mu_3, distance_4, s_index, s_near_2, s_far_2);
+    float _e14 = s_index;
+    vec4 _e15 = s_near_2;
+    vec4 _e16 = s_far_2;
+    vec3 _e20 = slice_passed(_e15, _e16, path_length_3, path_excess_2, path_r_mu_3, distance_4, m_rayleigh_inv_height_1, m_mie_inv_height_1, m_radius_1);
+    vec3 _e21 = slice_depth(_e15, _e16);
+    vec3 _e24 = mean_transmittance((_e21 * _e20.x));
+    vec3 _e25 = mean_transmittance(_e21);
+    vec3 seen = (_e24 / _e25);
+    light = smooth_light;
+    mie = mie_light;
+    if ((distance_4 < path_length_3)) {
+        vec3 _e32 = light;
+        vec3 _e36 = aerial_light(aerial_lut, column_texel_1, column_size_1, column_slices_1, _e14, AIR_SMOOTH, (_e20.x * seen));
+        light = (_e32 * _e36);
+        if (MIE_SINGLE) {
+            vec3 mie_passed = min((_e20.y * seen), vec3(1.0));
+            vec3 _e44 = mie;
+            vec3 _e46 = aerial_light(aerial_lut, column_texel_1, column_size_1, column_slices_1, _e14, AIR_MIE, mie_passed);
+            mie = (_e44 * _e46);
+        }
+    }
+    if (MIE_SINGLE) {
+        vec3 _e49 = light;
+        vec3 _e50 = mie;
+        light = (_e49 + _e50);
+    }
+    vec3 _e58 = light;
+    out_transmittance = (_e15.xyz * exp((-(_e21) * _e20.x)));
+    out_inscatter = _e58;
+}
+
+vec3 whole_transmittance(highp sampler2D transmittance_lut, vec3 m_rayleigh_1, vec3 m_mie_extinction_1, vec3 m_ozone_1, float m_radius_2, float m_thickness, float path_excess_3, float path_r_mu_4) {
+    float _e7 = altitude_of(path_excess_3, m_radius_2);
+    vec3 _e9 = optical_path_to_top(transmittance_lut, m_radius_2, m_thickness, path_excess_3, _e7, path_r_mu_4);
+    mat3x3 _e10 = coefficients_of(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
+    vec3 _e11 = extinction(_e10, _e9);
+    return exp(-(_e11));
+}
+
+void path_light(highp sampler2D sky_view_lut, highp sampler2D mie_single_lut, vec2 uv, bool ground_4, float length_2, vec3 phase, inout vec3 out_smooth_light, inout vec3 out_mie_light) {
+    vec3 mie_light_1 = vec3(0.0);
+    float scale_1 = (ground_4 ? length_2 : 1.0);
+    vec4 _e12 = textureLod(sky_view_lut, vec2(uv), 0.0);
+    vec3 _e14 = decode_light(_e12.xyz);
+    vec3 smooth_light_1 = (_e14 * scale_1);
+    if (MIE_SINGLE) {
+        vec4 _e19 = textureLod(mie_single_lut, vec2(uv), 0.0);
+        vec3 _e21 = decode_light(_e19.xyz);
+        mie_light_1 = ((_e21 * scale_1) * phase);
+    }
+    vec3 _e26 = mie_light_1;
+    out_smooth_light = smooth_light_1;
+    out_mie_light = _e26;
+}
+
 vec3 henyey_greenstein_phase(float away, float toward, vec3 g) {
     vec3 rest_1 = (vec3(1.0) - abs(g));
     vec3 base = ((rest_1 * rest_1) + ((2.0 * abs(g)) * mix(vec3(toward), vec3(away), greaterThanEqual(g, vec3(0.0)))));
@@ -567,58 +629,11 @@ vec3 mie_phase_between(vec3 dir_2, vec3 sun, vec3 asymmetry_1) {
     return _e11;
 }
 
-void air_before(float m_rayleigh_inv_height_1, float m_mie_inv_height_1, float m_radius_1, float path_length_3, float path_excess_2, float path_r_mu_3, vec2 column_texel_1, vec2 column_size_1, float column_slices_1, float distance_4, vec3 smooth_light, vec3 mie_light_1, inout vec3 out_transmittance, inout vec3 out_inscatter) {
-    vec3 light = vec3(0.0);
-    vec3 mie = vec3(0.0);
-    float s_index = 0.0;
-    vec4 s_near_2 = vec4(0.0);
-    vec4 s_far_2 = vec4(0.0);
-    aerial_slice(_group_0_binding_4_fs, column_texel_1, column_size_1, column_slices_1, path_length_3, path_r_mu_3, distance_4, s_index, s_near_2, s_far_2);
-    float _e14 = s_index;
-    vec4 _e15 = s_near_2;
-    vec4 _e16 = s_far_2;
-    vec3 _e20 = slice_passed(_e15, _e16, path_length_3, path_excess_2, path_r_mu_3, distance_4, m_rayleigh_inv_height_1, m_mie_inv_height_1, m_radius_1);
-    vec3 _e21 = slice_depth(_e15, _e16);
-    vec3 _e24 = mean_transmittance((_e21 * _e20.x));
-    vec3 _e25 = mean_transmittance(_e21);
-    vec3 seen = (_e24 / _e25);
-    light = smooth_light;
-    mie = mie_light_1;
-    if ((distance_4 < path_length_3)) {
-        vec3 _e32 = light;
-        vec3 _e38 = aerial_light(_group_0_binding_4_fs, column_texel_1, column_size_1, column_slices_1, _e14, AIR_SMOOTH, (_e20.x * seen));
-        light = (_e32 * _e38);
-        if (MIE_SINGLE) {
-            vec3 mie_passed = min((_e20.y * seen), vec3(1.0));
-            vec3 _e46 = mie;
-            vec3 _e50 = aerial_light(_group_0_binding_4_fs, column_texel_1, column_size_1, column_slices_1, _e14, AIR_MIE, mie_passed);
-            mie = (_e46 * _e50);
-        }
-    }
-    if (MIE_SINGLE) {
-        vec3 _e53 = light;
-        vec3 _e54 = mie;
-        light = (_e53 + _e54);
-    }
-    vec3 _e62 = light;
-    out_transmittance = (_e15.xyz * exp((-(_e21) * _e20.x)));
-    out_inscatter = _e62;
-}
-
-vec3 whole_transmittance(vec3 m_rayleigh_1, vec3 m_mie_extinction_1, vec3 m_ozone_1, float m_radius_2, float m_thickness, float path_excess_3, float path_r_mu_4) {
-    float _e7 = altitude_of(path_excess_3, m_radius_2);
-    vec3 _e9 = optical_path_to_top(_group_0_binding_5_fs, m_radius_2, m_thickness, path_excess_3, _e7, path_r_mu_4);
-    mat3x3 _e10 = coefficients_of(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
-    vec3 _e11 = extinction(_e10, _e9);
-    return exp(-(_e11));
-}
-
 void main() {
     vec4 position = gl_FragCoord;
     vec4 scene = vec4(0.0);
     bool local = false;
     bool local_1 = false;
-    vec3 mie_light = vec3(0.0);
     vec3 air_transmittance = vec3(0.0);
     vec3 air_inscatter = vec3(0.0);
     bool local_2 = false;
@@ -633,6 +648,8 @@ void main() {
     float end_length = 0.0;
     float end_weight = 0.0;
     bool end_dims = false;
+    vec3 light_smooth_light = vec3(0.0);
+    vec3 light_mie_light = vec3(0.0);
     vec2 column_texel = vec2(0.0);
     vec2 column_size = vec2(0.0);
     float column_slices = 0.0;
@@ -664,87 +681,79 @@ void main() {
     ivec2 pixel_1 = ivec2(position.xy);
     if (BLEND) {
     } else {
-        vec4 _e66 = texelFetch(_group_0_binding_1_fs, pixel_1, 0);
-        scene = _e66;
+        vec4 _e64 = texelFetch(_group_0_binding_1_fs, pixel_1, 0);
+        scene = _e64;
     }
-    vec3 _e69 = pixel_ray(position.xy, f_size, f_ray_forward, f_ray_right, f_ray_up);
-    float ray_length_1 = length(_e69);
-    vec4 _e73 = texelFetch(_group_0_binding_2_fs, pixel_1, 0);
-    float _e75 = depth_distance(f_depth_scale, f_depth_bias, f_depth_log, f_depth_background, _e73.x, ray_length_1);
-    vec3 dir_3 = (_e69 / vec3(ray_length_1));
+    vec3 _e67 = pixel_ray(position.xy, f_size, f_ray_forward, f_ray_right, f_ray_up);
+    float ray_length_1 = length(_e67);
+    vec4 _e71 = texelFetch(_group_0_binding_2_fs, pixel_1, 0);
+    float _e73 = depth_distance(f_depth_scale, f_depth_bias, f_depth_log, f_depth_background, _e71.x, ray_length_1);
+    vec3 dir_3 = (_e67 / vec3(ray_length_1));
     line_past(dir_3, f_altitude, f_medium_radius, line_r_mu, line_perigee, line_perigee_excess, line_ground);
-    float _e82 = line_r_mu;
-    float _e83 = line_perigee;
-    float _e84 = line_perigee_excess;
-    bool _e85 = line_ground;
-    air_path(_e82, _e84, _e85, f_altitude, f_medium_radius, f_medium_thickness, path_start, path_length, path_excess, path_r_mu);
-    float _e90 = path_start;
-    float _e91 = path_length;
-    float _e92 = path_excess;
-    float _e93 = path_r_mu;
-    if (_e85) {
-        local = (_e91 >= 0.0);
+    float _e80 = line_r_mu;
+    float _e81 = line_perigee;
+    float _e82 = line_perigee_excess;
+    bool _e83 = line_ground;
+    air_path(_e80, _e82, _e83, f_altitude, f_medium_radius, f_medium_thickness, path_start, path_length, path_excess, path_r_mu);
+    float _e88 = path_start;
+    float _e89 = path_length;
+    float _e90 = path_excess;
+    float _e91 = path_r_mu;
+    if (_e83) {
+        local = (_e89 >= 0.0);
     } else {
         local = false;
     }
-    bool ground_4 = local;
-    ray_end(_e90, _e91, _e93, ground_4, _e75, f_medium_radius, f_pixel_angle, f_shell_weight, end_length, end_weight, end_dims);
-    float _e103 = end_length;
-    float _e104 = end_weight;
-    bool _e105 = end_dims;
-    if (!((_e103 <= 0.0))) {
-        local_1 = (_e104 <= 0.0);
+    bool ground_5 = local;
+    ray_end(_e88, _e89, _e91, ground_5, _e73, f_medium_radius, f_pixel_angle, f_shell_weight, end_length, end_weight, end_dims);
+    float _e101 = end_length;
+    float _e102 = end_weight;
+    bool _e103 = end_dims;
+    if (!((_e101 <= 0.0))) {
+        local_1 = (_e102 <= 0.0);
     } else {
         local_1 = true;
     }
-    bool _e114 = local_1;
-    if (_e114) {
-        vec4 _e115 = scene;
-        _fs2p_location0 = _e115;
+    bool _e112 = local_1;
+    if (_e112) {
+        vec4 _e113 = scene;
+        _fs2p_location0 = _e113;
         return;
     }
-    float _e116 = azimuth_to_u(dir_3);
-    float _e118 = zenith_to_v(_e82, _e83, _e84, _e85, dir_3.z, f_altitude, f_medium_radius, f_medium_thickness, f_sky_view_mapping);
+    float _e114 = azimuth_to_u(dir_3);
+    float _e116 = zenith_to_v(_e80, _e81, _e82, _e83, dir_3.z, f_altitude, f_medium_radius, f_medium_thickness, f_sky_view_mapping);
     vec2 size_5 = vec2(uvec2(textureSize(_group_0_binding_3_fs, 0).xy));
-    float _e123 = v_to_row(_e118, ground_4, size_5.y, luts_ground_rows);
-    vec2 _e124 = sky_view_uv(_e116, _e123, size_5);
-    float scale_1 = (ground_4 ? _e91 : 1.0);
-    vec4 _e130 = textureLod(_group_0_binding_3_fs, vec2(_e124), 0.0);
-    vec3 _e132 = decode_light(_e130.xyz);
-    vec3 smooth_light_1 = (_e132 * scale_1);
-    if (MIE_SINGLE) {
-        vec4 _e138 = textureLod(_group_0_binding_6_fs, vec2(_e124), 0.0);
-        vec3 _e140 = decode_light(_e138.xyz);
-        vec3 _e142 = mie_phase_between(dir_3, f_sun, f_medium_mie_asymmetry);
-        mie_light = ((_e140 * scale_1) * _e142);
-    }
-    vec3 _e147 = mie_light;
+    float _e121 = v_to_row(_e116, ground_5, size_5.y, luts_ground_rows);
+    vec2 _e122 = sky_view_uv(_e114, _e121, size_5);
+    vec3 _e123 = mie_phase_between(dir_3, f_sun, f_medium_mie_asymmetry);
+    path_light(_group_0_binding_3_fs, _group_0_binding_6_fs, _e122, ground_5, _e89, _e123, light_smooth_light, light_mie_light);
+    vec3 _e129 = light_smooth_light;
+    vec3 _e130 = light_mie_light;
     air_transmittance = vec3(1.0);
-    air_inscatter = (smooth_light_1 + _e147);
-    if (!(ground_4)) {
-        local_2 = (_e103 >= _e91);
+    air_inscatter = (_e129 + _e130);
+    if (!(ground_5)) {
+        local_2 = (_e101 >= _e89);
     } else {
         local_2 = false;
     }
-    bool _e156 = local_2;
-    if (_e156) {
-        if (_e105) {
-            vec3 _e157 = whole_transmittance(f_medium_rayleigh, f_medium_mie_extinction, f_medium_ozone, f_medium_radius, f_medium_thickness, _e92, _e93);
-            air_transmittance = _e157;
+    bool _e141 = local_2;
+    if (_e141) {
+        if (_e103) {
+            vec3 _e143 = whole_transmittance(_group_0_binding_5_fs, f_medium_rayleigh, f_medium_mie_extinction, f_medium_ozone, f_medium_radius, f_medium_thickness, _e90, _e91);
+            air_transmittance = _e143;
         }
     } else {
-        aerial_column(_group_0_binding_4_fs, luts_slices_1, luts_aerial_ground_rows_1, _e116, _e118, ground_4, column_texel, column_size, column_slices);
-        vec2 _e162 = column_texel;
-        vec2 _e163 = column_size;
-        float _e164 = column_slices;
-        vec3 _e165 = mie_light;
-        air_before(f_medium_rayleigh_inv_height, f_medium_mie_inv_height, f_medium_radius, _e91, _e92, _e93, _e162, _e163, _e164, _e103, smooth_light_1, _e165, air_transmittance, air_inscatter);
+        aerial_column(_group_0_binding_4_fs, luts_slices_1, luts_aerial_ground_rows_1, _e114, _e116, ground_5, column_texel, column_size, column_slices);
+        vec2 _e148 = column_texel;
+        vec2 _e149 = column_size;
+        float _e150 = column_slices;
+        air_before(_group_0_binding_4_fs, f_medium_rayleigh_inv_height, f_medium_mie_inv_height, f_medium_radius, _e89, _e90, _e91, _e148, _e149, _e150, _e101, _e129, _e130, air_transmittance, air_inscatter);
     }
-    vec4 _e166 = scene;
-    vec3 _e167 = air_transmittance;
-    vec3 _e168 = air_inscatter;
-    vec4 _e171 = compose(_e166, _e167, ((_e168 * f_medium_irradiance) * _e104));
-    _fs2p_location0 = _e171;
+    vec4 _e153 = scene;
+    vec3 _e154 = air_transmittance;
+    vec3 _e155 = air_inscatter;
+    vec4 _e158 = compose(_e153, _e154, ((_e155 * f_medium_irradiance) * _e102));
+    _fs2p_location0 = _e158;
     return;
 }
 

@@ -25,7 +25,8 @@ fn draws_sky(frame: &Frame) -> bool {
 
 /// Whether something may stand before the sky that the air dims.
 fn has_foreground(frame: &Frame) -> bool {
-    frame.settings.look.foreground || frame.visibility.ground || frame.settings.bound.is_none()
+    let seen = frame.visibility.air && (frame.settings.look.foreground || frame.visibility.ground);
+    seen || frame.settings.bound.is_none()
 }
 
 /// Whether the aerial pass is drawn at all.
@@ -85,12 +86,12 @@ impl Effect for AerialPerspective {
         let foreground = has_foreground(frame);
         let reason = if !over {
             Reason::of("the composition draws the sky alone")
+        } else if !foreground {
+            Reason::of("nothing lies before the sky")
         } else if frame.settings.look.foreground {
             Reason::of("a scene with depth")
-        } else if foreground {
-            Reason::of("the ground is in the picture")
         } else {
-            Reason::of("nothing lies before the sky")
+            Reason::of("the ground is in the picture")
         };
         (over && foreground, reason)
     }

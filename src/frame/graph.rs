@@ -373,12 +373,18 @@ impl Graph {
         frame.push_nodes(&mut self.nodes);
         scene.into_iter().for_each(|node| self.insert(node));
         self.nodes.retain(|n| matches!(n.writes, Resource::Pool(_)) || given(n.writes));
-        self.cull();
+        self.cull(frame);
     }
 
-    /// Leaves out what no target calls for.
-    fn cull(&mut self) {
+    /// Begins the list of what is read: by the scene's own shaders.
+    fn want(&mut self, frame: &super::Frame) {
         self.wanted.clear();
+        frame.push_scene_reads(&mut self.wanted);
+    }
+
+    /// Leaves out what no target calls for, and nobody reads.
+    fn cull(&mut self, frame: &super::Frame) {
+        self.want(frame);
         self.runs.clear();
         self.runs.resize(self.nodes.len(), false);
         for (i, node) in self.nodes.iter().enumerate().rev() {
@@ -435,7 +441,7 @@ impl Graph {
         pool.begin(backend);
         self.validate(backend)?;
         self.make_keys(backend);
-        self.choose(backend, pool);
+        self.choose(backend, pool, frame);
         let mut ends = StageEnds::default();
         // The first pass that draws to a target of the user's clears it as the user says.
         let mut cleared = [false; 3];
@@ -534,8 +540,8 @@ impl Graph {
 
     /// Chooses the nodes that run: those that draw to somebody's target, and those that make what these read
     /// unless it is there.
-    fn choose(&mut self, backend: &dyn Backend, pool: &mut TexturePool) {
-        self.wanted.clear();
+    fn choose(&mut self, backend: &dyn Backend, pool: &mut TexturePool, frame: &super::Frame) {
+        self.want(frame);
         self.runs.clear();
         self.runs.resize(self.nodes.len(), false);
         for (i, node) in self.nodes.iter().enumerate().rev() {
@@ -572,6 +578,11 @@ impl StageEnds {
         for i in 1..self.0.len() {
             self.0[i] = self.0[i].max(self.0[i - 1]);
         }
+    }
+
+    /// How many passes there are up to the end of a stage.
+    pub fn end(self, stage: Stage) -> usize {
+        self.0[stage as usize]
     }
 
     /// The passes of one stage.

@@ -188,7 +188,11 @@ impl Frame {
     /// The settings of the frame's LUTs, if it has air whose light comes from LUTs and a pass that draws it.
     pub(crate) fn luts(&self) -> Option<LutSettings> {
         match self.settings.quality {
-            Quality::Luts(luts) if background::is_drawn(self) || aerial::is_drawn(self) => Some(luts),
+            Quality::Luts(luts)
+                if background::is_drawn(self) || aerial::is_drawn(self) || self.is_read_by_scene() =>
+            {
+                Some(luts)
+            }
             _ => None,
         }
     }
@@ -349,7 +353,7 @@ impl Effect for SkyViewLut {
         match (frame.settings.quality, frame.luts()) {
             (Quality::March { .. }, _) => (false, Reason::of("the method marches along each ray")),
             (_, None) => (false, Reason::of("no pass reads it")),
-            (_, Some(_)) if eclipse => {
+            (_, Some(_)) if eclipse && !frame.is_read_by_scene() => {
                 (false, Reason::of("the sky is marched: a moon's shadow is not symmetric"))
             }
             (_, Some(_)) if frame.is_lit() => (true, Reason::of("holds the light of every direction")),
@@ -392,6 +396,7 @@ impl Effect for AerialLut {
         let luts = frame.luts().is_some();
         let drawn = luts && aerial::is_drawn(frame);
         match (drawn, frame.is_on(&super::eclipse::Eclipse)) {
+            _ if luts && frame.is_read_by_scene() => (true, Reason::of("the scene's own shaders read it")),
             (true, true) => (false, Reason::of("the air is marched under the moon's shadow")),
             (true, false) if frame.is_lit() => (true, Reason::of("holds the light up to the scene")),
             (true, false) => (true, Reason::of("holds the transmittance up to the scene")),

@@ -44,6 +44,7 @@ pub mod graph;
 pub mod luts;
 mod medium;
 mod omit;
+pub mod scene_air;
 pub mod terrain;
 pub mod tone_map;
 pub mod uniforms;
@@ -182,7 +183,7 @@ impl Frame {
             Some("switched off")
         } else if !Air::of(&scene.atmosphere).any() {
             Some("no constituent has a coefficient above 0")
-        } else if settings.bound.is_some() && !frame.visibility.air {
+        } else if settings.bound.is_some() && !frame.visibility.air && !settings.look.scene_shaders {
             Some("outside the picture")
         } else {
             None

@@ -513,10 +513,10 @@ pub(crate) fn check_texels(desc: &TextureDesc, texels: &[f32]) -> Result<()> {
 
 /// The error for a texture whose format or size does not suit what a pass does with it.
 #[cfg(any(feature = "wgpu", feature = "webgl"))]
-pub(crate) fn unsuitable(pass: &Pass, what: &str, desc: TextureDesc, allowed: &str) -> Error {
+pub(crate) fn unsuitable(pass: &str, what: &str, desc: TextureDesc, allowed: &str) -> Error {
     let TextureDesc { label, width, height, format, .. } = desc;
     Error::invalid(
-        format_args!("pass {}: {what}", pass.label),
+        format_args!("pass {pass}: {what}"),
         format_args!("{label} ({format:?}, {width} × {height})"),
         allowed,
     )
@@ -526,14 +526,7 @@ pub(crate) fn unsuitable(pass: &Pass, what: &str, desc: TextureDesc, allowed: &s
 /// slots.
 #[cfg(any(feature = "wgpu", feature = "webgl"))]
 pub(crate) fn check_pass(backend: &'static str, pass: &Pass, program: Program) -> Result<program::Bound> {
-    let fault = |reason| {
-        Error::driver(backend, format!("pass {} with program {}", pass.label, program.name()), reason)
-    };
-    let (given, needed) = (pass.uniform.bytes().len(), program.info().uniform_size as usize);
-    if given != needed {
-        return Err(fault(format!("{given} uniform bytes given, {needed} needed")));
-    }
-    let bound = pass.inputs.by_slot(program.info()).map_err(fault)?;
+    let bound = check_inputs(backend, pass.label, program, &pass.inputs, &pass.uniform)?;
     if bound.iter().flatten().any(|t| *t == pass.target.color || Some(*t) == pass.target.depth) {
         return Err(Error::invalid(
             format_args!("pass {}", pass.label),
@@ -542,6 +535,25 @@ pub(crate) fn check_pass(backend: &'static str, pass: &Pass, program: Program) -
         ));
     }
     Ok(bound)
+}
+
+/// Checks that a program is given what it reads, for a pass of that name; answers the textures in the order
+/// of the program's slots.
+#[cfg(any(feature = "wgpu", feature = "webgl"))]
+pub(crate) fn check_inputs(
+    backend: &'static str,
+    pass: &str,
+    program: Program,
+    inputs: &Inputs,
+    uniform: &Uniform,
+) -> Result<program::Bound> {
+    let fault =
+        |reason| Error::driver(backend, format!("pass {pass} with program {}", program.name()), reason);
+    let (given, needed) = (uniform.bytes().len(), program.info().uniform_size as usize);
+    if given != needed {
+        return Err(fault(format!("{given} uniform bytes given, {needed} needed")));
+    }
+    inputs.by_slot(program.info()).map_err(fault)
 }
 
 /// Reads texels of a format into f32.

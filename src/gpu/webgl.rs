@@ -9,6 +9,7 @@
 //! (which 4.3 includes): macOS' OpenGL has neither.
 #![allow(unsafe_code)] // Every OpenGL call is a foreign function; see the reason at each block.
 
+mod bindings;
 mod import;
 mod precision;
 mod state;
@@ -17,6 +18,8 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 use glow::HasContext as _;
+
+pub use bindings::Bindings;
 
 use super::arena::Arena;
 use super::map::Map;
@@ -341,7 +344,7 @@ impl WebGlBackend {
     fn check_targets(&self, pass: &Pass) -> Result<TextureDesc> {
         let color = self.textures.find(pass.target.color)?.desc;
         if color.format == Format::Depth32Float && pass.texels.is_none() {
-            return Err(unsuitable(pass, "color target", color, "a format of colors"));
+            return Err(unsuitable(pass.label, "color target", color, "a format of colors"));
         }
         if let Some(depth) = pass.target.depth {
             let depth = self.textures.find(depth)?.desc;
@@ -349,7 +352,7 @@ impl WebGlBackend {
                 || (depth.width, depth.height) != (color.width, color.height)
             {
                 let allowed = "Depth32Float and as large as the color target";
-                return Err(unsuitable(pass, "depth target", depth, allowed));
+                return Err(unsuitable(pass.label, "depth target", depth, allowed));
             }
         }
         Ok(color)
@@ -429,11 +432,14 @@ impl WebGlBackend {
             let Some(id) = id else { continue };
             let texture = self.textures.find(id)?;
             if slot.filtered && texture.desc.format == Format::Depth32Float {
-                return Err(unsuitable(pass, slot.name, texture.desc, "a format of colors"));
+                return Err(unsuitable(pass.label, slot.name, texture.desc, "a format of colors"));
             }
             *handle = Some(texture.handle()?);
         }
         let framebuffer = self.framebuffer(pass.target.color, pass.target.depth)?;
+        if program.is_some() && !pass.uniform.bytes().is_empty() {
+            self.upload_block(&pass.uniform);
+        }
         let gl = &self.gl;
         // SAFETY: all objects are alive (looked up above); the uniform range lies inside the ring and is at
         // least as large as the block (check_pass); vertex shaders make their own vertices.
@@ -473,20 +479,6 @@ impl WebGlBackend {
                     gl.bind_sampler(unit, Some(if slot.filtered { self.linear } else { self.nearest }));
                 }
             }
-            let bytes = pass.uniform.bytes();
-            if !bytes.is_empty() {
-                crate::count::one(|c| &mut c.uniform_uploads);
-                let offset = (self.ring_next * self.ring_stride) as i32;
-                gl.bind_buffer(glow::UNIFORM_BUFFER, Some(self.ring));
-                gl.buffer_sub_data_u8_slice(glow::UNIFORM_BUFFER, offset, bytes);
-                gl.bind_buffer_range(
-                    glow::UNIFORM_BUFFER,
-                    self.binding_point,
-                    Some(self.ring),
-                    offset,
-                    UNIFORM_MAX as i32,
-                );
-            }
             let vertices = program.info().vertices;
             let mode = if vertices == Vertices::Triangle { glow::TRIANGLES } else { glow::TRIANGLE_STRIP };
             gl.draw_arrays(mode, 0, vertices.count() as i32);
@@ -499,7 +491,6 @@ impl WebGlBackend {
                 }
             }
         }
-        self.ring_next = (self.ring_next + 1) % RING;
         Ok(())
     }
 

@@ -13,9 +13,10 @@ use std::sync::{Arc, Mutex, PoisonError};
 use super::arena::Arena;
 use super::map::Map;
 use super::{
-    AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, Precision, Program, ProgramId, ReadId,
-    SAMPLER_BINDING, TEXTURES_MAX, TextureDesc, TextureId, Ticket, TimerId, TimerKind, Vertices, check_pass,
-    check_texels, decode_texels, encode_texels, program::Bound, unsuitable,
+    AdapterInfo, Backend, DepthUse, Format, Inputs, Live, Pass, PassTime, Precision, Program, ProgramId,
+    ReadId, SAMPLER_BINDING, TEXTURES_MAX, TextureDesc, TextureId, Ticket, TimerId, TimerKind, Uniform,
+    Vertices, check_inputs, check_pass, check_texels, decode_texels, encode_texels, program::Bound,
+    unsuitable,
 };
 use crate::error::{Error, Result};
 pub(crate) use import::known_format;
@@ -100,6 +101,14 @@ pub struct WgpuBackend {
 
 fn lock<T>(slot: &Slot<T>) -> std::sync::MutexGuard<'_, Option<T>> {
     slot.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Writes a block to a slot of its own; answers its offset, bytes.
+fn upload(recordings: &mut Recordings, queue: &wgpu::Queue, uniform: &Uniform) -> u32 {
+    crate::count::one(|c| &mut c.uniform_uploads);
+    let offset = recordings.slot();
+    queue.write_buffer(&recordings.buffer, u64::from(offset), uniform.bytes());
+    offset
 }
 
 fn format(format: Format) -> wgpu::TextureFormat {
@@ -320,7 +329,7 @@ impl WgpuBackend {
         let color = self.target(pass, "color target", pass.target.color)?;
         let written_by_copy = pass.texels.is_some();
         if color.format == Format::Depth32Float && !written_by_copy {
-            return Err(unsuitable(pass, "color target", color, "a format of colors"));
+            return Err(unsuitable(pass.label, "color target", color, "a format of colors"));
         }
         if let Some(texels) = &pass.texels {
             check_texels(&color, texels)?;
@@ -331,21 +340,37 @@ impl WgpuBackend {
                 || (depth.width, depth.height) != (color.width, color.height)
             {
                 let allowed = "Depth32Float and as large as the color target";
-                return Err(unsuitable(pass, "depth target", depth, allowed));
+                return Err(unsuitable(pass.label, "depth target", depth, allowed));
             }
         }
         let Some(program) = pass.program else { return self.check() };
         let compiled = self.programs.find(program)?;
-        let info = compiled.program.info();
         let bound = check_pass(NAME, pass, compiled.program)?;
+        self.make_bind_group(program, pass.label, bound)?;
+        let compiled = self.programs.find(program)?;
+        let key = (program, color.format, pass.target.depth.map(|_| pass.depth));
+        if !self.pipelines.contains_key(&key) {
+            let (pipeline, refused) = self.trial(|| self.pipeline(compiled, color.format, key.2));
+            if let Some(reason) = refused {
+                return Err(Error::driver(NAME, format!("pipeline of {}", compiled.program.name()), reason));
+            }
+            self.pipelines.insert(key, pipeline);
+        }
+        self.check()
+    }
+
+    /// Makes the bind group of a pass's program and textures unless it is there.
+    fn make_bind_group(&mut self, program: ProgramId, label: &'static str, bound: Bound) -> Result<()> {
+        let compiled = self.programs.find(program)?;
+        let info = compiled.program.info();
         for (slot, id) in info.textures.iter().zip(bound) {
             let Some(id) = id else { continue };
             let texture = self.textures.find(id)?;
             if slot.filtered && texture.desc.format == Format::Depth32Float {
-                return Err(unsuitable(pass, slot.name, texture.desc, "a format of colors"));
+                return Err(unsuitable(label, slot.name, texture.desc, "a format of colors"));
             }
             if !texture.view.texture().usage().contains(wgpu::TextureUsages::TEXTURE_BINDING) {
-                return Err(import::lacks(pass, slot.name, "TEXTURE_BINDING"));
+                return Err(import::lacks(label, slot.name, "TEXTURE_BINDING"));
             }
         }
         if !self.bind_groups.contains_key(&(program, bound)) {
@@ -373,21 +398,47 @@ impl WgpuBackend {
                 entries.push(wgpu::BindGroupEntry { binding: slot.binding, resource });
             }
             let group = self.device.create_bind_group(&wgpu::BindGroupDescriptor {
-                label: Some(pass.label),
+                label: Some(label),
                 layout: &compiled.layout,
                 entries: &entries,
             });
             self.bind_groups.insert((program, bound), group);
         }
-        let key = (program, color.format, pass.target.depth.map(|_| pass.depth));
-        if !self.pipelines.contains_key(&key) {
-            let (pipeline, refused) = self.trial(|| self.pipeline(compiled, color.format, key.2));
-            if let Some(reason) = refused {
-                return Err(Error::driver(NAME, format!("pipeline of {}", compiled.program.name()), reason));
-            }
-            self.pipelines.insert(key, pipeline);
+        Ok(())
+    }
+
+    /// A program's bind group layout, for pipelines of a user's that read what the program reads.
+    ///
+    /// # Errors
+    /// Those of [`Backend::create_program`].
+    pub fn layout(&mut self, program: Program) -> Result<wgpu::BindGroupLayout> {
+        let id = self.create_program(program)?;
+        Ok(self.programs.find(id)?.layout.clone())
+    }
+
+    /// What a program reads, for a user's pipeline with its [`Self::layout`] and for a pass of the user's in
+    /// that encoder: a bind group and its one dynamic offset. `label`: for people and errors.
+    ///
+    /// # Errors
+    /// [`crate::ErrorKind::Invalid`] and [`crate::ErrorKind::Driver`] for textures and a block that are not
+    /// the program's, before anything is made; [`crate::ErrorKind::Lost`].
+    pub fn bind_group(
+        &mut self,
+        encoder: &wgpu::CommandEncoder,
+        label: &'static str,
+        program: Program,
+        inputs: &Inputs,
+        uniform: &Uniform,
+    ) -> Result<(wgpu::BindGroup, u32)> {
+        let id = self.create_program(program)?;
+        let bound = check_inputs(NAME, label, program, inputs, uniform)?;
+        if self.recordings.reserve(&self.device, encoder, 1, false)? {
+            self.bind_groups.retain(|_, _| false);
         }
-        self.check()
+        self.make_bind_group(id, label, bound)?;
+        let group = self.bind_groups.get(&(id, bound)).cloned().ok_or_else(|| self.programs.unknown(id))?;
+        self.check()?;
+        Ok((group, upload(&mut self.recordings, &self.queue, uniform)))
     }
 
     fn pipeline(&self, compiled: &Compiled, color: Format, depth: Option<DepthUse>) -> wgpu::RenderPipeline {
@@ -496,9 +547,7 @@ impl WgpuBackend {
         if pass.uniform.bytes().is_empty() {
             render.set_bind_group(0, group, &[]);
         } else {
-            crate::count::one(|c| &mut c.uniform_uploads);
-            let offset = self.recordings.slot();
-            self.queue.write_buffer(&self.recordings.buffer, u64::from(offset), pass.uniform.bytes());
+            let offset = upload(&mut self.recordings, &self.queue, &pass.uniform);
             render.set_bind_group(0, group, &[offset]);
         }
         render.draw(0..compiled.program.info().vertices.count(), 0..1);
@@ -540,7 +589,7 @@ impl WgpuBackend {
         let texture = self.textures.find(id)?;
         let usage = texture.view.texture().usage();
         if pass.texels.is_none() && !usage.contains(wgpu::TextureUsages::RENDER_ATTACHMENT) {
-            return Err(import::lacks(pass, what, "RENDER_ATTACHMENT"));
+            return Err(import::lacks(pass.label, what, "RENDER_ATTACHMENT"));
         }
         Ok(texture.desc)
     }

@@ -3,10 +3,11 @@
 use std::rc::Rc;
 
 use super::picture::{PictureRenderer, PictureSettings};
+use super::scene_air::SceneAir;
 use super::sky_light::{KeptLight, SkyLight};
 use crate::error::Result;
 use crate::frame::Frame;
-use crate::gpu::webgl::WebGlBackend;
+use crate::gpu::webgl::{Bindings, WebGlBackend};
 use crate::gpu::{Backend, Format, RowOrder, TextureDesc, TextureId};
 use crate::model::scene::Scene;
 
@@ -65,6 +66,9 @@ pub struct WebGlFrame<'a> {
     /// single scattering, or before a first frame with sunlit air in sight. Shade with
     /// [`sunlight`](crate::model::sunlight::sunlight) alone then, or with a guess.
     pub light: Option<&'a SkyLight>,
+    /// The air for your shaders, with [`Look::scene_shaders`](crate::Look::scene_shaders): set it in a
+    /// program of yours by [`Bindings::set`].
+    pub air: Option<Bindings>,
     /// Which effects the frame has, and why.
     pub frame: &'a Frame,
 }
@@ -96,17 +100,56 @@ impl WebGlSky {
         scene: &Scene,
         draw: impl FnOnce(&glow::Context, &WebGlFrame<'_>),
     ) -> Result<()> {
+        type None = fn(&glow::Context, &WebGlFrame<'_>);
+        self.layers(framebuffer, size, scene, draw, Option::<None>::None)
+    }
+
+    /// As [`Self::draw`], with a second layer that you draw once the air lies before the first: glass, water,
+    /// particles, which blend over the picture and lay the air before themselves
+    /// ([`shaders::scene`](crate::shaders::scene)).
+    ///
+    /// # Errors
+    /// As for [`Self::draw`].
+    pub fn draw_layers(
+        &mut self,
+        framebuffer: Option<glow::Framebuffer>,
+        size: [u32; 2],
+        scene: &Scene,
+        opaque: impl FnOnce(&glow::Context, &WebGlFrame<'_>),
+        transparent: impl FnOnce(&glow::Context, &WebGlFrame<'_>),
+    ) -> Result<()> {
+        self.layers(framebuffer, size, scene, opaque, Some(transparent))
+    }
+
+    fn layers(
+        &mut self,
+        framebuffer: Option<glow::Framebuffer>,
+        size: [u32; 2],
+        scene: &Scene,
+        opaque: impl FnOnce(&glow::Context, &WebGlFrame<'_>),
+        transparent: Option<impl FnOnce(&glow::Context, &WebGlFrame<'_>)>,
+    ) -> Result<()> {
         let display = self.output(framebuffer, size)?;
         let Self { settings, backend, renderer, light, .. } = self;
         light.step(backend, &scene.atmosphere, |b| renderer.begin_sky_light(b))?;
         let settings = PictureSettings { radiance: Format::Rgba16Float, ..*settings };
         let around = renderer.around(backend, scene, &settings, display)?;
         backend.run(around.before)?;
-        let (color, depth) = (around.color, around.depth);
-        backend.with_framebuffer(color, depth, |gl, framebuffer| {
-            draw(gl, &WebGlFrame { framebuffer, light: light.get(), frame: around.frame });
+        let (light, frame) = (light.get(), around.frame);
+        let air = around.air.map(|air| light.map_or(air, |light| air.with_light(light)));
+        let bindings = |backend: &mut WebGlBackend| air.map(|air| backend.scene_air(&air)).transpose();
+        let air = bindings(backend)?;
+        backend.with_framebuffer(around.color, around.depth, |gl, framebuffer| {
+            opaque(gl, &WebGlFrame { framebuffer, light, air, frame });
         })?;
-        backend.run(around.after)
+        backend.run(around.aerial)?;
+        if let Some(transparent) = transparent {
+            let air = bindings(backend)?;
+            backend.with_framebuffer(around.radiance, around.depth, |gl, framebuffer| {
+                transparent(gl, &WebGlFrame { framebuffer, light, air, frame });
+            })?;
+        }
+        backend.run(around.display)
     }
 
     /// The light of the sky for your scene, once it was read; see [`WebGlFrame::light`].
@@ -133,5 +176,18 @@ impl WebGlSky {
         let id = self.backend.import_framebuffer(framebuffer, desc)?;
         self.output = Some(Output { framebuffer, size, id });
         Ok(id)
+    }
+}
+
+impl WebGlBackend {
+    /// A frame's air for a program of a scene's own that was made with
+    /// [`shaders::scene::glsl`](crate::shaders::scene::glsl): [`Bindings::set`] sets it there.
+    ///
+    /// # Errors
+    /// [`crate::ErrorKind::Invalid`] for the air of another backend's frame, or of one whose textures are
+    /// gone; [`crate::ErrorKind::Lost`].
+    pub fn scene_air(&mut self, air: &SceneAir) -> Result<Bindings> {
+        let (inputs, block) = (air.textures(), air.block());
+        self.bindings("scene air", SceneAir::PROGRAM, crate::shaders::scene::GLSL_BLOCK, &inputs, &block)
     }
 }

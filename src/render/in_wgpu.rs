@@ -1,6 +1,7 @@
 //! The short way with wgpu: a frame around a scene of your own, in one call.
 
 use super::picture::{PictureRenderer, PictureSettings};
+use super::scene_air::SceneAir;
 use super::sky_light::{KeptLight, SkyLight};
 use crate::error::{Error, Result};
 use crate::frame::Frame;
@@ -62,8 +63,29 @@ pub struct WgpuFrame<'a> {
     /// single scattering, or before a first frame with sunlit air in sight. Shade with
     /// [`sunlight`](crate::model::sunlight::sunlight) alone then, or with a guess.
     pub light: Option<&'a SkyLight>,
+    /// The air for your shaders, with [`Look::scene_shaders`](crate::Look::scene_shaders): bind it with
+    /// [`AirGroup::bind`].
+    pub air: Option<&'a AirGroup>,
     /// Which effects the frame has, and why.
     pub frame: &'a Frame,
+}
+
+/// The air for a scene's own shaders: a bind group with the layout of [`WgpuBackend::air_layout`], for passes
+/// in the encoder that it was made for.
+#[derive(Clone, Debug)]
+pub struct AirGroup {
+    /// The group.
+    pub group: wgpu::BindGroup,
+    /// Its dynamic offset.
+    pub offset: u32,
+}
+
+impl AirGroup {
+    /// Binds it, as the group of a number that the shader was made with
+    /// ([`shaders::scene::wgsl`](crate::shaders::scene::wgsl)).
+    pub fn bind(&self, pass: &mut wgpu::RenderPass<'_>, group: u32) {
+        pass.set_bind_group(group, &self.group, &[self.offset]);
+    }
 }
 
 impl WgpuFrame<'_> {
@@ -123,6 +145,35 @@ impl WgpuSky {
         scene: &Scene,
         draw: impl FnOnce(&mut wgpu::CommandEncoder, &WgpuFrame<'_>),
     ) -> Result<()> {
+        type None = fn(&mut wgpu::CommandEncoder, &WgpuFrame<'_>);
+        self.layers(encoder, output, scene, draw, Option::<None>::None)
+    }
+
+    /// As [`Self::draw`], with a second layer that you draw once the air lies before the first: glass, water,
+    /// particles, which blend over the picture and lay the air before themselves
+    /// ([`shaders::scene`](crate::shaders::scene)).
+    ///
+    /// # Errors
+    /// As for [`Self::draw`].
+    pub fn draw_layers(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        output: &wgpu::TextureView,
+        scene: &Scene,
+        opaque: impl FnOnce(&mut wgpu::CommandEncoder, &WgpuFrame<'_>),
+        transparent: impl FnOnce(&mut wgpu::CommandEncoder, &WgpuFrame<'_>),
+    ) -> Result<()> {
+        self.layers(encoder, output, scene, opaque, Some(transparent))
+    }
+
+    fn layers(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        output: &wgpu::TextureView,
+        scene: &Scene,
+        opaque: impl FnOnce(&mut wgpu::CommandEncoder, &WgpuFrame<'_>),
+        transparent: Option<impl FnOnce(&mut wgpu::CommandEncoder, &WgpuFrame<'_>)>,
+    ) -> Result<()> {
         let Self { settings, backend, renderer, light } = self;
         light.step(backend, &scene.atmosphere, |b| renderer.begin_sky_light(b))?;
         let display = backend.import_output(output)?;
@@ -130,13 +181,20 @@ impl WgpuSky {
         let drawn = (|| {
             let around = renderer.around(backend, scene, &settings, display)?;
             backend.encode(encoder, around.before)?;
-            let view = |id| backend.view(id).cloned().ok_or_else(|| Error::invalid("view", "none", "one"));
-            let (color, depth) = (view(around.color)?, view(around.depth)?);
-            draw(
-                encoder,
-                &WgpuFrame { color: &color, depth: &depth, light: light.get(), frame: around.frame },
-            );
-            backend.encode(encoder, around.after)
+            let view = |b: &WgpuBackend, id| {
+                b.view(id).cloned().ok_or_else(|| Error::invalid("view", "none", "one"))
+            };
+            let (color, depth) = (view(backend, around.color)?, view(backend, around.depth)?);
+            let air = around.air.map(|air| light.get().map_or(air, |light| air.with_light(light)));
+            let air = air.map(|air| backend.air_group(encoder, &air)).transpose()?;
+            let (light, air, frame) = (light.get(), air.as_ref(), around.frame);
+            opaque(encoder, &WgpuFrame { color: &color, depth: &depth, light, air, frame });
+            backend.encode(encoder, around.aerial)?;
+            if let Some(transparent) = transparent {
+                let color = view(backend, around.radiance)?;
+                transparent(encoder, &WgpuFrame { color: &color, depth: &depth, light, air, frame });
+            }
+            backend.encode(encoder, around.display)
         })();
         backend.destroy_texture(display);
         drawn
@@ -154,6 +212,26 @@ impl WgpuSky {
 }
 
 impl WgpuBackend {
+    /// The layout of the bind group that a scene's own shaders read the air from: see
+    /// [`shaders::scene`](crate::shaders::scene).
+    ///
+    /// # Errors
+    /// [`crate::ErrorKind::Lost`].
+    pub fn air_layout(&mut self) -> Result<wgpu::BindGroupLayout> {
+        self.layout(SceneAir::PROGRAM)
+    }
+
+    /// A frame's air for a scene's own shaders, in passes of that encoder.
+    ///
+    /// # Errors
+    /// [`crate::ErrorKind::Invalid`] for the air of another backend's frame, or of one whose textures are
+    /// gone; [`crate::ErrorKind::Lost`].
+    pub fn air_group(&mut self, encoder: &wgpu::CommandEncoder, air: &SceneAir) -> Result<AirGroup> {
+        let (program, inputs, block) = (SceneAir::PROGRAM, air.textures(), air.block());
+        let (group, offset) = self.bind_group(encoder, "scene air", program, &inputs, &block)?;
+        Ok(AirGroup { group, offset })
+    }
+
     /// Makes a user's view of a whole texture known, which is drawn to. The view of an sRGB texture may be
     /// one of the format without.
     fn import_output(&mut self, view: &wgpu::TextureView) -> Result<crate::gpu::TextureId> {

@@ -8,6 +8,7 @@ pub mod in_webgl;
 pub mod in_wgpu;
 mod measure;
 pub mod picture;
+pub mod scene_air;
 pub mod sky;
 pub mod sky_light;
 pub mod warm_up;

@@ -8,6 +8,7 @@ use crate::frame::tone_map::{Display, is_8_bit};
 use crate::gpu::{Backend, Format, Pass, PoolKey, RowOrder, Target, TextureDesc, TextureId, known};
 use crate::model::atmosphere::AtmosphereParams;
 use crate::model::scene::Scene;
+use crate::render::scene_air::SceneAir;
 use crate::render::sky::SkyRenderer;
 use crate::render::sky_light::SkyLightRead;
 use crate::settings::{Bound, Composition, Look, SkySettings, ToneMap};
@@ -136,8 +137,8 @@ fn empty_depth(background: f32) -> u64 {
 pub struct PictureRenderer {
     sky: SkyRenderer,
     passes: Vec<Pass>,
-    /// Passes before the scene.
-    before: usize,
+    /// How many passes there are up to the scene, and up to the air before it.
+    stages: [usize; 2],
     /// What the scene is drawn to.
     color: Option<TextureId>,
 }
@@ -147,13 +148,21 @@ pub struct PictureRenderer {
 pub struct Around<'a> {
     /// Run these first: they clear [`Self::color`] and [`Self::depth`] and draw the sky behind the scene.
     pub before: &'a [Pass],
-    /// Run these after the scene: the air before it, then tone mapping.
-    pub after: &'a [Pass],
+    /// Run these after the scene: the air before it, which leaves the frame in [`Self::radiance`].
+    pub aerial: &'a [Pass],
+    /// Run these last: tone mapping.
+    pub display: &'a [Pass],
     /// What the scene is drawn to: linear radiance, in the unit of [`AtmosphereParams::sun_intensity`] per
     /// steradian.
     pub color: TextureId,
+    /// What holds the frame's radiance once the air lies before the scene: draw to it what is transparent and
+    /// lays the air before itself. It may be [`Self::color`].
+    pub radiance: TextureId,
     /// The depth buffer that the scene is drawn with, as [`Scene::depth`] says.
     pub depth: TextureId,
+    /// The air for the scene's own shaders, once [`Self::before`] has run, where
+    /// [`Look::scene_shaders`] asks for it.
+    pub air: Option<SceneAir>,
     /// What the frame has, and why.
     pub frame: &'a Frame,
 }
@@ -232,10 +241,15 @@ impl PictureRenderer {
         let (between, rows) = (Between::Users, desc.rows);
         let (size, display) = ([desc.width, desc.height], Some((display, desc)));
         let (_, drawn) = self.frame(backend, scene, settings, Canvas { between, size, rows, display })?;
-        let (before, after) = self.passes.split_at(self.before);
+        let (_, pool, last) = self.sky.parts();
+        let frame = last.as_ref().ok_or_else(|| Error::invalid("frame", "none", "one"))?;
+        let air = SceneAir::of(frame, backend, pool)?;
+        let [background, aerial] = self.stages;
+        let (before, after) = self.passes.split_at(background);
+        let (aerial, display) = after.split_at(aerial - background);
         let color = self.color.unwrap_or(drawn.radiance);
-        let frame = self.sky.last_frame().ok_or_else(|| Error::invalid("frame", "none", "one"))?;
-        Ok(Around { before, after, color, depth: drawn.depth, frame })
+        let Drawn { radiance, depth, .. } = drawn;
+        Ok(Around { before, aerial, display, color, radiance, depth, air, frame })
     }
 
     /// Asks for the light of the sky that was drawn last: see [`SkyRenderer::begin_sky_light`].
@@ -313,7 +327,7 @@ impl PictureRenderer {
         };
         self.passes.clear();
         let ends = graph.passes(backend, pool, frame, &bindings, &mut self.passes)?;
-        self.before = ends.of(Stage::Background, &self.passes).len();
+        self.stages = [Stage::Background, Stage::Aerial].map(|stage| ends.end(stage));
         self.color = Some(color);
         if settings.terrain.is_none() && !users {
             let first = self.passes.iter_mut().find(|p| p.target.clear_depth.is_some());

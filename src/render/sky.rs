@@ -5,6 +5,7 @@ use crate::frame::Frame;
 use crate::frame::graph::{Bindings, Graph, Node, Resource, Stage, StageEnds};
 use crate::gpu::{Backend, Format, Pass, Target, TextureDesc, TextureId, TexturePool, known};
 use crate::model::scene::Scene;
+use crate::render::scene_air::SceneAir;
 use crate::render::sky_light::SkyLightRead;
 use crate::settings::{Composition, SkySettings};
 
@@ -57,6 +58,9 @@ pub struct SkyFrame<'a> {
     /// The texture that holds the frame once all has run: the aerial target where a pass draws the air to it;
     /// else what the scene is drawn to, for there is no air before it (from space looking away, say).
     pub color: TextureId,
+    /// The air for the scene's own shaders, once [`Self::background`] has run, where
+    /// [`Look::scene_shaders`](crate::Look::scene_shaders) asks for it.
+    pub air: Option<SceneAir>,
     /// What the frame has, and why.
     pub frame: &'a Frame,
 }
@@ -151,18 +155,21 @@ impl SkyRenderer {
                 self.graph.insert(Node::clear("clear", stage, resource));
             }
         }
-        let air = self.graph.nodes.iter().any(|n| n.writes == Resource::Aerial && n.work.program().is_some());
+        let has_air =
+            self.graph.nodes.iter().any(|n| n.writes == Resource::Aerial && n.work.program().is_some());
         let scene_color = bindings.scene_color.or(targets.background.map(|t| t.color));
         let color = match &targets.aerial {
-            Some(aerial) if air => aerial.target.color,
+            Some(aerial) if has_air => aerial.target.color,
             aerial => scene_color.or(aerial.map(|a| a.target.color)).ok_or_else(no_targets)?,
         };
         self.passes.clear();
         self.ends = self.graph.passes(backend, &mut self.pool, frame, &bindings, &mut self.passes)?;
+        let air = SceneAir::of(frame, backend, &mut self.pool)?;
         Ok(SkyFrame {
             background: self.ends.of(Stage::Background, &self.passes),
             aerial: self.ends.of(Stage::Aerial, &self.passes),
             color,
+            air,
             frame,
         })
     }

@@ -55,6 +55,10 @@ pub struct Look {
     pub foreground: bool,
     /// The night sky's own light, for instance [`Airglow::EARTH`]; `None` draws none.
     pub airglow: Option<Airglow>,
+    /// Whether the scene's own shaders read the air ([`SceneAir`](crate::SceneAir)): its LUTs are then made
+    /// even where no pass of the frame reads them, for reflections look the other way. Wants
+    /// [`Quality::Luts`].
+    pub scene_shaders: bool,
 }
 
 impl Default for Look {
@@ -67,6 +71,7 @@ impl Default for Look {
             limb_darkening: false,
             foreground: true,
             airglow: None,
+            scene_shaders: false,
         }
     }
 }
@@ -139,6 +144,10 @@ impl SkySettings {
     pub fn validate(&self) -> Result<()> {
         crate::count::one(|c| &mut c.settings_checks);
         self.quality.validate()?;
+        if self.look.scene_shaders && matches!(self.quality, Quality::March { .. }) {
+            let allowed = "one with LUTs, which look.scene_shaders reads";
+            return Err(Error::invalid("quality", "a march", allowed));
+        }
         self.look.airglow.map_or(Ok(()), |airglow| airglow.validate())?;
         in_range("render_scale", self.render_scale, 0.125, 1.0, "")?;
         self.bound.map_or(Ok(()), |bound| bound.validate())

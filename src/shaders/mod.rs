@@ -23,6 +23,10 @@ pub(crate) use wgsl;
 
 #[rustfmt::skip]
 mod generated;
+/// The program that stands for what a scene's own shaders read: see [`scene`].
+#[rustfmt::skip]
+pub mod generated_scene;
+pub mod scene;
 #[cfg(feature = "translate")]
 pub mod split_structs;
 #[cfg(feature = "translate")]
@@ -85,7 +89,7 @@ mod tests {
     #[cfg(any(feature = "wgpu", feature = "webgl"))]
     fn every_program_is_whole_with_these_features() {
         use crate::gpu::Program;
-        for info in PROGRAMS {
+        for info in PROGRAMS.iter().chain(generated_scene::PROGRAMS) {
             for constants in [info.all(), 0] {
                 let program = Program::new(info, constants);
                 #[cfg(feature = "wgpu")]
@@ -104,7 +108,7 @@ mod tests {
                 for text in program.glsl() {
                     let count = |c: char| text.chars().filter(|&found| found == c).count();
                     let name = program.name();
-                    assert!(text.starts_with("#version 300 es") && text.contains("void main() {"), "{name}");
+                    assert!(text.starts_with("#version 300 es") && text.contains("void main(){"), "{name}");
                     assert_eq!((count('{'), count('(')), (count('}'), count(')')), "{name}");
                 }
             }

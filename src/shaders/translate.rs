@@ -22,7 +22,11 @@ const VERTICES: &str = "VERTICES";
 const FULLSCREEN: &str = "fullscreen";
 
 /// The folders of programs below `shaders/wgsl/pass/`, and the Rust file that tells of each, below `src/`.
-const TABLES: [(&str, &str); 2] = [("", "src/shaders/generated.rs"), ("probe", "src/probe/generated.rs")];
+const TABLES: [(&str, &str); 3] = [
+    ("", "src/shaders/generated.rs"),
+    ("scene", "src/shaders/generated_scene.rs"),
+    ("probe", "src/probe/generated.rs"),
+];
 
 fn driver_error(what: &str, program: &str, reason: impl ToString) -> Error {
     Error::driver("naga", format!("{what} {program}"), reason.to_string())
@@ -305,7 +309,7 @@ fn rust_table(programs: &[Source]) -> String {
     }
     out += "}\n\n#[cfg(feature = \"webgl\")]\nstatic PARTS: &[&str] = &[\n";
     for part in &parts.list {
-        let _ = writeln!(out, "    {part:?},");
+        let _ = writeln!(out, "    {:?},", tight(part));
     }
     out += "];\n";
     for (p, [vertex, fragment]) in programs.iter().zip(&parts.programs) {
@@ -429,6 +433,26 @@ fn pack(part: &str) -> String {
         rest = tail;
     }
     out + rest
+}
+
+/// A part on one line without the spaces that no compiler needs. Lines that are searched for when a program
+/// is compiled, and those that end a directive, stay as they are.
+fn tight(part: &str) -> String {
+    if part.starts_with('#') || part.contains("const bool ") {
+        return part.to_owned();
+    }
+    let all: Vec<char> = part.chars().filter(|c| *c != '\n').collect();
+    let mut out = String::new();
+    for (i, &c) in all.iter().enumerate() {
+        let (before, after) = (all[i.saturating_sub(1)], all.get(i + 1).copied().unwrap_or(c));
+        // `a - -b`, and words that would grow together.
+        let needed = is_word(before) && is_word(after) || before == after && "+-/".contains(before);
+        if c != ' ' || needed {
+            out.push(c);
+        }
+    }
+    out.push('\n');
+    out
 }
 
 fn is_word(c: char) -> bool {

@@ -3,12 +3,12 @@
 
 use super::{Texture, WgpuBackend, format};
 use crate::error::{Error, Result};
-use crate::gpu::{Format, Pass, TextureDesc, TextureId};
+use crate::gpu::{Format, TextureDesc, TextureId};
 
 /// The error for a pass whose texture was made without a usage.
-pub(super) fn lacks(pass: &Pass, what: &str, usage: &str) -> Error {
+pub(super) fn lacks(pass: &str, what: &str, usage: &str) -> Error {
     Error::invalid(
-        format_args!("pass {}: {what}", pass.label),
+        format_args!("pass {pass}: {what}"),
         format_args!("a texture without the usage {usage}"),
         format_args!("a texture that was made with wgpu::TextureUsages::{usage}"),
     )
