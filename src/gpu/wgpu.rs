@@ -55,6 +55,23 @@ impl Texture {
     }
 }
 
+/// What wgpu gives for a mapped buffer: 29 its bytes, and a panic if there are none; 30 an error then.
+trait Mapped {
+    fn mapped(self) -> Result<wgpu::BufferView>;
+}
+
+impl Mapped for wgpu::BufferView {
+    fn mapped(self) -> Result<wgpu::BufferView> {
+        Ok(self)
+    }
+}
+
+impl<E: ToString> Mapped for Result<wgpu::BufferView, E> {
+    fn mapped(self) -> Result<wgpu::BufferView> {
+        self.map_err(|e| Error::driver(NAME, "read back", e.to_string()))
+    }
+}
+
 type CheckImport = fn(&WgpuBackend, &wgpu::TextureView, &TextureDesc) -> Result<()>;
 
 type Slot<T> = Arc<Mutex<Option<T>>>;
@@ -554,26 +571,24 @@ impl WgpuBackend {
         Ok(())
     }
 
-    /// Records a copy of texels to a texture: written by the queue, they would be there for the whole
-    /// submission.
+    /// Records a copy of texels to a texture: written to it by the queue, they would be there for the whole
+    /// submission. They are written to a buffer that only this copy reads.
     fn record_texels(&self, encoder: &mut wgpu::CommandEncoder, to: &Texture, texels: &[f32]) {
-        let bytes = encode_texels(to.desc.format, texels);
-        let row = to.desc.width * to.desc.format.bytes() as u32;
-        let padded = row.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
-        let size = u64::from(padded) * u64::from(to.desc.height);
+        let row = to.desc.width as usize * to.desc.format.bytes();
+        let padded = row.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT as usize);
+        let mut bytes = vec![0; padded * to.desc.height as usize];
+        let lines = encode_texels(to.desc.format, texels);
+        for (line, at) in lines.chunks_exact(row).zip(bytes.chunks_exact_mut(padded)) {
+            at[..row].copy_from_slice(line);
+        }
         let buffer = self.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some(to.desc.label),
-            size,
-            usage: wgpu::BufferUsages::COPY_SRC,
-            mapped_at_creation: true,
+            size: bytes.len() as u64,
+            usage: wgpu::BufferUsages::COPY_SRC | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
         });
-        if let Ok(mut mapped) = buffer.get_mapped_range_mut(..) {
-            for (i, line) in bytes.chunks_exact(row as usize).enumerate() {
-                let at = i * padded as usize;
-                mapped.slice(at..at + line.len()).copy_from_slice(line);
-            }
-        }
-        buffer.unmap();
+        self.queue.write_buffer(&buffer, 0, &bytes);
+        let padded = padded as u32;
         let layout =
             wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(padded), rows_per_image: None };
         let texture = to.view.texture();
@@ -633,8 +648,7 @@ impl WgpuBackend {
     }
 
     fn mapped<T>(buffer: &wgpu::Buffer, f: impl FnOnce(&[u8]) -> T) -> Result<T> {
-        let failed = |reason: String| Error::driver(NAME, "read back", reason);
-        let range = buffer.get_mapped_range(..).map_err(|e| failed(e.to_string()))?;
+        let range = buffer.get_mapped_range(..).mapped()?;
         let value = f(&range);
         drop(range);
         buffer.unmap();
