@@ -3,6 +3,9 @@
 
 #![allow(unsafe_code)] // The test plays the user, who calls OpenGL.
 
+use std::rc::Rc;
+use std::sync::Arc;
+
 use glow::HasContext as _;
 use welkin::gpu::egl::Headless;
 use welkin::gpu::webgl::WebGlBackend;
@@ -309,6 +312,44 @@ fn a_desktop_user_gets_the_same_sky() {
     let mut backend = WebGlBackend::new(gl.clone()).unwrap();
     assert!(own(&mut backend) == got);
     assert_eq!(state(&gl), before, "drawing changed the state");
+}
+
+/// OpenGL's functions loaded once more, for the context that is current on this thread.
+fn loaded() -> glow::Context {
+    // SAFETY: the system's EGL, which `Headless` keeps loaded; the functions that it names are those of the
+    // context that is current.
+    unsafe {
+        let egl = khronos_egl::DynamicInstance::<khronos_egl::EGL1_5>::load_required().unwrap();
+        let find = |name: &str| egl.get_proc_address(name).map_or(std::ptr::null(), |p| p as *const _);
+        glow::Context::from_loader_function(find)
+    }
+}
+
+/// However a user owns a context, the backend draws the same with it and holds it as long as it is used.
+#[test]
+fn a_context_may_be_an_rc_an_arc_or_static() {
+    let _current = Headless::new().expect("EGL with OpenGL ES 3");
+    let (rc, arc) = (Rc::new(loaded()), Arc::new(loaded()));
+    let (of_rc, of_arc) = (Rc::downgrade(&rc), Arc::downgrade(&arc));
+    let leaked: &'static glow::Context = Box::leak(Box::new(loaded()));
+    let at = [Rc::as_ptr(&rc), Arc::as_ptr(&arc), std::ptr::from_ref(leaked)];
+    let held = || [of_rc.strong_count() > 0, of_arc.strong_count() > 0];
+
+    let made = [WebGlBackend::new(rc), WebGlBackend::new(arc), WebGlBackend::new(leaked)];
+    let mut backends = made.map(Result::unwrap);
+    assert_eq!(held(), [true; 2], "the backends own what their user has given away");
+    let [of_rc_drawn, of_arc_drawn, of_static_drawn] = backends.each_mut().map(|backend| own(backend));
+    assert!(of_rc_drawn[..3].iter().all(|v| *v > 0.0), "{:?}", &of_rc_drawn[..4]);
+    assert!(of_arc_drawn == of_rc_drawn && of_static_drawn == of_rc_drawn);
+    let contexts = backends.each_ref().map(|backend| backend.context().clone());
+    assert_eq!(contexts.each_ref().map(|gl| std::ptr::from_ref(&**gl)), at, "another context");
+
+    drop(backends);
+    assert_eq!(held(), [true; 2], "a clone of the backend's context keeps it");
+    for context in contexts {
+        assert!(own(&mut WebGlBackend::new(context).unwrap()) == of_rc_drawn);
+    }
+    assert_eq!(held(), [false; 2], "nobody has them any more");
 }
 
 // --- the four modes

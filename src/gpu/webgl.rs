@@ -10,11 +10,11 @@
 #![allow(unsafe_code)] // Every OpenGL call is a foreign function; see the reason at each block.
 
 mod bindings;
+mod context;
 mod import;
 mod precision;
 mod state;
 
-use std::rc::Rc;
 use std::sync::Arc;
 
 use glow::HasContext as _;
@@ -29,6 +29,7 @@ use super::{
     check_texels, encode_texels, unsuitable,
 };
 use crate::error::{Error, Result};
+pub use context::SharedContext;
 use state::{PLAIN_PIXELS, SWITCHES, Saved, store_pixels};
 
 const NAME: &str = "webgl2";
@@ -88,7 +89,7 @@ struct Timer {
 /// See the [module](self).
 pub struct WebGlBackend {
     epoch: u32,
-    gl: Rc<glow::Context>,
+    gl: SharedContext,
     info: AdapterInfo,
     /// On a user's context. A program without such a context has no code for it.
     users: Option<Users>,
@@ -176,23 +177,24 @@ fn driver(what: impl ToString, reason: impl ToString) -> Error {
 
 impl WebGlBackend {
     /// On a user's context, which must be current on this thread now and at every later call. Its state
-    /// is put back after each call; see the [module](self) for the one exception.
+    /// is put back after each call; see the [module](self) for the one exception. `gl` is an `Rc`, an `Arc`
+    /// or a `'static` reference: see [`SharedContext`].
     ///
     /// # Errors
     /// [`crate::ErrorKind::Unavailable`] if the context cannot draw to float textures or lacks the shaders of
     /// OpenGL ES 3, or if it computes fragment shaders with fewer than 32 bits: one pixel is drawn to find
     /// out.
-    pub fn new(gl: Rc<glow::Context>) -> Result<Self> {
+    pub fn new(gl: impl Into<SharedContext>) -> Result<Self> {
         let users = Users { take: Saved::take, restore: Saved::restore, compare: import::compare };
-        Self::make(gl, Some(users))
+        Self::make(gl.into(), Some(users))
     }
 
     /// As [`Self::new`], on a context that nobody else uses: its state is not saved and put back.
-    pub fn own(gl: Rc<glow::Context>) -> Result<Self> {
-        Self::make(gl, None)
+    pub fn own(gl: impl Into<SharedContext>) -> Result<Self> {
+        Self::make(gl.into(), None)
     }
 
-    fn make(gl: Rc<glow::Context>, users: Option<Users>) -> Result<Self> {
+    fn make(gl: SharedContext, users: Option<Users>) -> Result<Self> {
         let web = cfg!(target_arch = "wasm32");
         let extensions = gl.supported_extensions();
         // Natively the names begin with GL_.
@@ -282,8 +284,8 @@ impl WebGlBackend {
         Ok(made)
     }
 
-    /// The context that it draws with.
-    pub fn context(&self) -> &Rc<glow::Context> {
+    /// The context that it draws with; a clone shares it.
+    pub fn context(&self) -> &SharedContext {
         &self.gl
     }
 

@@ -1,13 +1,11 @@
 //! The short way with OpenGL: a frame around a scene of your own, in one call.
 
-use std::rc::Rc;
-
 use super::picture::{PictureRenderer, PictureSettings};
 use super::scene_air::SceneAir;
 use super::sky_light::{KeptLight, SkyLight};
 use crate::error::Result;
 use crate::frame::Frame;
-use crate::gpu::webgl::{Bindings, WebGlBackend};
+use crate::gpu::webgl::{Bindings, SharedContext, WebGlBackend};
 use crate::gpu::{Backend, Format, RowOrder, TextureDesc, TextureId};
 use crate::model::scene::Scene;
 
@@ -74,12 +72,13 @@ pub struct WebGlFrame<'a> {
 }
 
 impl WebGlSky {
-    /// In your context, which must be current on this thread now and at every later call.
+    /// In your context, which must be current on this thread now and at every later call. `gl` is an `Rc`, an
+    /// `Arc` or a `'static` reference: see [`SharedContext`].
     ///
     /// # Errors
     /// [`crate::ErrorKind::Invalid`] for settings that are out of range; [`crate::ErrorKind::Unavailable`] as
     /// for [`WebGlBackend::new`].
-    pub fn new(gl: Rc<glow::Context>, settings: PictureSettings) -> Result<Self> {
+    pub fn new(gl: impl Into<SharedContext>, settings: PictureSettings) -> Result<Self> {
         settings.validate()?;
         let (renderer, light) = (PictureRenderer::default(), KeptLight::default());
         Ok(Self { settings, backend: WebGlBackend::new(gl)?, renderer, light, output: None })
