@@ -60,6 +60,9 @@
 //! # Ok(()) }
 //! ```
 //!
+//! Inside a render pass of your own, with its samples and formats: `WgpuBackend::encode_in`. To a part of a
+//! target, on either backend: [`Target::viewport`](gpu::Target::viewport).
+//!
 //! With the air before the scene, without which there is none at all in views from above 50 km:
 //!
 //! ```no_run

@@ -25,6 +25,7 @@ mod encoders;
 mod frame;
 mod half_floats;
 mod harness;
+mod inside;
 mod layers;
 mod lifetime;
 mod lighting;

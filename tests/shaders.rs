@@ -58,7 +58,7 @@ fn every_constant_is_one_line_of_each_text_and_changes_no_other() {
         for (i, name) in info.constants.iter().enumerate() {
             let one_off = Program::new(info, info.all() & !(1 << i));
             let what = format!("{} {name}", info.name);
-            let lines = ["true", "false"].map(|value| format!("const {name}: bool = {value};"));
+            let lines = ["true", "false"].map(|value| format!("const {name}:bool={value};"));
             differs_in(&what, [&all.wgsl(), &one_off.wgsl()], lines.each_ref().map(String::as_str));
             // A shader whose stage does not ask for the constant has no such line; one of the two must.
             let lines = ["true", "false"].map(|value| format!("const bool {name} = {value};"));

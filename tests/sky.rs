@@ -177,8 +177,12 @@ fn planet_rays_draw_nothing_and_depth_is_left_alone() {
             .map(|format| texture(b, "shared", [16, 16], format));
         let mut sky = SkyRenderer::new(settings).unwrap();
         for stored in [0.0, 0.7, 1.0] {
-            let target =
-                Target { clear: Some(sentinel), clear_depth: Some(stored), depth: Some(depth), color };
+            let target = Target {
+                clear: Some(sentinel),
+                clear_depth: Some(stored),
+                depth: Some(depth),
+                ..Target::color(color)
+            };
             let mut passes = background_passes(b, &mut sky, &scene, target);
             let copy = copy_pass(b, depth, out);
             passes.push(Pass { target: Target::color(out), ..copy });

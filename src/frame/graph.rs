@@ -469,7 +469,9 @@ impl Graph {
                         }];
                         if std::mem::replace(slot, true) {
                             (target.clear, target.clear_depth) = (None, None);
-                        } else if let Some(program) = node.over_black.filter(|_| target.clear == BLACK) {
+                        } else if let Some(program) =
+                            node.over_black.filter(|_| target.clear == BLACK && target.viewport.is_none())
+                        {
                             node.work = Work::Draw(program);
                             target.clear = None;
                         }

@@ -174,6 +174,15 @@ impl FrameUniform {
         }
     }
 
+    /// The same block for a picture whose first pixel is not the target's: rays are by the target's pixels.
+    pub(crate) fn moved(self, view: &ZenithView, size: [u32; 2], rows: RowOrder, [x, y]: [u32; 2]) -> Self {
+        let flip = if rows == RowOrder::BottomUp { -1.0 } else { 1.0 };
+        let b = &view.basis;
+        let across = b.right * (2.0 * f64::from(x) / f64::from(size[0]));
+        let down = b.up * (flip * 2.0 * f64::from(y) / f64::from(size[1]));
+        Self { ray_forward: vec3(b.forward - across + down), ..self }
+    }
+
     /// The same block for a smaller picture of the same view, whose planet pixels are marked instead of
     /// discarded.
     pub(crate) fn reduced(self, view: &ZenithView, size: [u32; 2]) -> Self {

@@ -170,12 +170,45 @@ pub struct Target {
     pub clear: Option<[f32; 4]>,
     /// Depth to clear to first.
     pub clear_depth: Option<f32>,
+    /// The part of it that is drawn to; `None` for all. What is cleared is all of it either way.
+    pub viewport: Option<Viewport>,
+}
+
+/// A part of a target, in pixels from its first row and column on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Viewport {
+    /// Column of its first pixel.
+    pub x: u32,
+    /// Row of its first pixel, in the order of the target's rows: of the lowest one in a framebuffer of
+    /// OpenGL's.
+    pub y: u32,
+    /// Pixels, 1 or more.
+    pub width: u32,
+    /// Pixels, 1 or more.
+    pub height: u32,
+}
+
+impl Viewport {
+    /// Checks that it lies within a texture.
+    pub(crate) fn validate(&self, desc: &TextureDesc) -> Result<()> {
+        let sides = [("width", self.x, self.width, desc.width), ("height", self.y, self.height, desc.height)];
+        for (name, first, side, most) in sides {
+            if side == 0 || u64::from(first) + u64::from(side) > u64::from(most) {
+                return Err(Error::invalid(
+                    format_args!("{}.viewport.{name}", desc.label),
+                    format_args!("{side} from {first} on"),
+                    format_args!("1 pixel or more, within the target's {most}"),
+                ));
+            }
+        }
+        Ok(())
+    }
 }
 
 impl Target {
     /// A colour texture, kept as it is where the pass draws nothing.
     pub fn color(color: TextureId) -> Self {
-        Self { color, depth: None, clear: None, clear_depth: None }
+        Self { color, depth: None, clear: None, clear_depth: None, viewport: None }
     }
 }
 
@@ -394,6 +427,11 @@ pub trait Backend {
     /// What a texture was made with.
     fn texture(&self, id: TextureId) -> Option<TextureDesc>;
 
+    /// Whether a target may be cleared and have depth: not one that stands for a render pass of the user's.
+    fn is_texture(&self, _id: TextureId) -> bool {
+        true
+    }
+
     /// A number that no other backend of this process has. Ids mean nothing on a backend of another epoch,
     /// and are refused there.
     fn epoch(&self) -> u32;
@@ -520,6 +558,22 @@ pub(crate) fn unsuitable(pass: &str, what: &str, desc: TextureDesc, allowed: &st
         format_args!("{label} ({format:?}, {width} × {height})"),
         allowed,
     )
+}
+
+/// Checks that a target asks nothing of a render pass of the user's that only its beginning can do.
+pub(crate) fn check_open(target: &Target, label: &str) -> Result<()> {
+    let asked = [
+        ("clear", target.clear.is_some()),
+        ("clear_depth", target.clear_depth.is_some()),
+        ("depth", target.depth.is_some()),
+    ];
+    for (name, asked) in asked {
+        if asked {
+            let allowed = "none: a pass of the user's has its own attachments and is cleared when it begins";
+            return Err(Error::invalid(format_args!("{label}.{name}"), "one", allowed));
+        }
+    }
+    Ok(())
 }
 
 /// Checks that a pass gives its program what it reads; answers the textures in the order of the program's

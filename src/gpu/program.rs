@@ -147,7 +147,7 @@ impl Program {
     /// The complete WGSL with this choice of constants.
     #[cfg(any(feature = "wgpu", feature = "translate"))]
     pub fn wgsl(&self) -> String {
-        self.choose(self.info.wgsl.concat(), ["const ", ": bool = true;", ": bool = false;"])
+        self.choose(self.info.wgsl.concat(), ["const ", ":bool=true;", ":bool=false;"])
     }
 
     /// The vertex and the fragment shader in GLSL ES 3.00 with this choice of constants.

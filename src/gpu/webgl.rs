@@ -25,8 +25,8 @@ use super::arena::Arena;
 use super::map::Map;
 use super::{
     AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, Precision, Program, ProgramId, ReadId,
-    TEXTURES_MAX, TextureDesc, TextureId, Ticket, TimerId, TimerKind, UNIFORM_MAX, Vertices, check_pass,
-    check_texels, encode_texels, unsuitable,
+    TEXTURES_MAX, TextureDesc, TextureId, Ticket, TimerId, TimerKind, UNIFORM_MAX, Vertices, Viewport,
+    check_pass, check_texels, encode_texels, unsuitable,
 };
 use crate::error::{Error, Result};
 pub use context::SharedContext;
@@ -357,6 +357,7 @@ impl WebGlBackend {
                 return Err(unsuitable(pass.label, "depth target", depth, allowed));
             }
         }
+        pass.target.viewport.map_or(Ok(()), |viewport| viewport.validate(&color))?;
         Ok(color)
     }
 
@@ -447,7 +448,9 @@ impl WebGlBackend {
         // least as large as the block (check_pass); vertex shaders make their own vertices.
         unsafe {
             gl.bind_framebuffer(glow::DRAW_FRAMEBUFFER, framebuffer);
-            gl.viewport(0, 0, desc.width as i32, desc.height as i32);
+            let all = Viewport { x: 0, y: 0, width: desc.width, height: desc.height };
+            let Viewport { x, y, width, height } = pass.target.viewport.unwrap_or(all);
+            gl.viewport(x as i32, y as i32, width as i32, height as i32);
             for switch in SWITCHES {
                 gl.disable(switch);
             }

@@ -5,6 +5,7 @@
 //! own encoder with [`WgpuBackend::encode`].
 
 mod import;
+mod inside;
 mod recording;
 
 use std::num::NonZeroU64;
@@ -15,11 +16,13 @@ use super::map::Map;
 use super::{
     AdapterInfo, Backend, DepthUse, Format, Inputs, Live, Pass, PassTime, Precision, Program, ProgramId,
     ReadId, SAMPLER_BINDING, TEXTURES_MAX, TextureDesc, TextureId, Ticket, TimerId, TimerKind, Uniform,
-    Vertices, check_inputs, check_pass, check_texels, decode_texels, encode_texels, program::Bound,
-    unsuitable,
+    Vertices, Viewport, check_inputs, check_open, check_pass, check_texels, decode_texels, encode_texels,
+    program::Bound, unsuitable,
 };
 use crate::error::{Error, Result};
 pub(crate) use import::known_format;
+use inside::Draw;
+pub use inside::{InPass, OpenPass};
 use recording::{Fate, Recordings};
 
 const NAME: &str = "webgpu";
@@ -35,7 +38,13 @@ struct Texture {
     view: wgpu::TextureView,
     /// Whether it is the user's: it is neither written nor read back.
     imported: bool,
+    /// It is no texture but a pass of the user's, with pipelines of this shape; the view is a placeholder.
+    open: Option<Shape>,
 }
+
+/// What the pipelines of a render pass have in common: the format of its colour, that of its depth, and
+/// samples a pixel.
+type Shape = (wgpu::TextureFormat, Option<wgpu::TextureFormat>, u32);
 
 struct Compiled {
     program: Program,
@@ -101,7 +110,7 @@ pub struct WgpuBackend {
     info: AdapterInfo,
     textures: Arena<TextureId, Texture>,
     programs: Arena<ProgramId, Compiled>,
-    pipelines: Map<(ProgramId, Format, Option<DepthUse>), wgpu::RenderPipeline>,
+    pipelines: Map<(ProgramId, Shape, DepthUse), wgpu::RenderPipeline>,
     bind_groups: Map<(ProgramId, Bound), wgpu::BindGroup>,
     reads: Arena<ReadId, Read>,
     timers: Arena<TimerId, Timer>,
@@ -319,6 +328,10 @@ impl WgpuBackend {
         }
         for pass in passes {
             self.prepare(pass)?;
+            let target = self.textures.find(pass.target.color)?;
+            if target.open.is_some() {
+                return Err(Self::not_a_texture(pass.label, &target.desc));
+            }
         }
         for (index, pass) in passes.iter().enumerate() {
             self.record(encoder, pass, queries.map(|q| (q, index as u32)))?;
@@ -360,14 +373,15 @@ impl WgpuBackend {
                 return Err(unsuitable(pass.label, "depth target", depth, allowed));
             }
         }
+        pass.target.viewport.map_or(Ok(()), |viewport| viewport.validate(&color))?;
         let Some(program) = pass.program else { return self.check() };
         let compiled = self.programs.find(program)?;
         let bound = check_pass(NAME, pass, compiled.program)?;
         self.make_bind_group(program, pass.label, bound)?;
         let compiled = self.programs.find(program)?;
-        let key = (program, color.format, pass.target.depth.map(|_| pass.depth));
+        let key = (program, self.shape(pass)?, pass.depth);
         if !self.pipelines.contains_key(&key) {
-            let (pipeline, refused) = self.trial(|| self.pipeline(compiled, color.format, key.2));
+            let (pipeline, refused) = self.trial(|| self.pipeline(compiled, key.1, key.2));
             if let Some(reason) = refused {
                 return Err(Error::driver(NAME, format!("pipeline of {}", compiled.program.name()), reason));
             }
@@ -385,6 +399,9 @@ impl WgpuBackend {
             let texture = self.textures.find(id)?;
             if slot.filtered && texture.desc.format == Format::Depth32Float {
                 return Err(unsuitable(label, slot.name, texture.desc, "a format of colors"));
+            }
+            if texture.open.is_some() {
+                return Err(Self::not_a_texture(label, &texture.desc));
             }
             if !texture.view.texture().usage().contains(wgpu::TextureUsages::TEXTURE_BINDING) {
                 return Err(import::lacks(label, slot.name, "TEXTURE_BINDING"));
@@ -458,7 +475,19 @@ impl WgpuBackend {
         Ok((group, upload(&mut self.recordings, &self.queue, uniform)))
     }
 
-    fn pipeline(&self, compiled: &Compiled, color: Format, depth: Option<DepthUse>) -> wgpu::RenderPipeline {
+    /// The shape of the render pass that a pass draws in.
+    fn shape(&self, pass: &Pass) -> Result<Shape> {
+        let color = self.textures.find(pass.target.color)?;
+        let depth = pass.target.depth.map(|_| wgpu::TextureFormat::Depth32Float);
+        Ok(color.open.unwrap_or((format(color.desc.format), depth, 1)))
+    }
+
+    fn pipeline(
+        &self,
+        compiled: &Compiled,
+        (color, depth, count): Shape,
+        depth_use: DepthUse,
+    ) -> wgpu::RenderPipeline {
         let program = compiled.program;
         let label = program.name();
         self.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
@@ -477,10 +506,10 @@ impl WgpuBackend {
                 },
                 ..Default::default()
             },
-            depth_stencil: depth.map(|depth| wgpu::DepthStencilState {
-                format: wgpu::TextureFormat::Depth32Float,
-                depth_write_enabled: Some(depth != DepthUse::Always),
-                depth_compare: Some(match depth {
+            depth_stencil: depth.map(|format| wgpu::DepthStencilState {
+                format,
+                depth_write_enabled: Some(depth_use != DepthUse::Always),
+                depth_compare: Some(match depth_use {
                     DepthUse::Always => wgpu::CompareFunction::Always,
                     DepthUse::Nearer { reversed: false } => wgpu::CompareFunction::Less,
                     DepthUse::Nearer { reversed: true } => wgpu::CompareFunction::Greater,
@@ -488,13 +517,13 @@ impl WgpuBackend {
                 stencil: Default::default(),
                 bias: Default::default(),
             }),
-            multisample: Default::default(),
+            multisample: wgpu::MultisampleState { count, ..Default::default() },
             fragment: Some(wgpu::FragmentState {
                 module: &compiled.module,
                 entry_point: Some("fragment_main"),
                 compilation_options: Default::default(),
                 targets: &[Some(wgpu::ColorTargetState {
-                    format: format(color),
+                    format: color,
                     blend: program.blends().then_some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING),
                     write_mask: wgpu::ColorWrites::ALL,
                 })],
@@ -552,23 +581,33 @@ impl WgpuBackend {
             ..Default::default()
         });
         let Some(program) = pass.program else { return Ok(()) };
-        let key = (program, color.desc.format, depth.map(|_| pass.depth));
-        let (Some(pipeline), Some(compiled)) = (self.pipelines.get(&key), self.programs.get(program)) else {
-            return Err(self.programs.unknown(program));
-        };
-        let bound = check_pass(NAME, pass, compiled.program)?;
-        let Some(group) = self.bind_groups.get(&(program, bound)) else {
-            return Err(self.programs.unknown(program));
-        };
-        render.set_pipeline(pipeline);
-        if pass.uniform.bytes().is_empty() {
-            render.set_bind_group(0, group, &[]);
-        } else {
-            let offset = upload(&mut self.recordings, &self.queue, &pass.uniform);
-            render.set_bind_group(0, group, &[offset]);
+        let draw = self.draw(program, pass)?;
+        if let Some(Viewport { x, y, width, height }) = pass.target.viewport {
+            render.set_viewport(x as f32, y as f32, width as f32, height as f32, 0.0, 1.0);
         }
-        render.draw(0..compiled.program.info().vertices.count(), 0..1);
+        render.set_pipeline(&draw.pipeline);
+        render.set_bind_group(0, &draw.group, draw.offsets());
+        render.draw(0..draw.vertices, 0..1);
         Ok(())
+    }
+
+    /// What draws a pass that is prepared, its block written to a slot of its own.
+    fn draw(&mut self, program: ProgramId, pass: &Pass) -> Result<Draw> {
+        let key = (program, self.shape(pass)?, pass.depth);
+        let compiled = self.programs.find(program)?.program;
+        let bound = check_pass(NAME, pass, compiled)?;
+        let (Some(pipeline), Some(group)) =
+            (self.pipelines.get(&key), self.bind_groups.get(&(program, bound)))
+        else {
+            return Err(self.programs.unknown(program));
+        };
+        let has_block = !pass.uniform.bytes().is_empty();
+        Ok(Draw {
+            pipeline: pipeline.clone(),
+            group: group.clone(),
+            offset: has_block.then(|| upload(&mut self.recordings, &self.queue, &pass.uniform)),
+            vertices: compiled.info().vertices.count(),
+        })
     }
 
     /// Records a copy of texels to a texture: written to it by the queue, they would be there for the whole
@@ -602,6 +641,10 @@ impl WgpuBackend {
     /// What a pass draws to.
     fn target(&self, pass: &Pass, what: &str, id: TextureId) -> Result<TextureDesc> {
         let texture = self.textures.find(id)?;
+        if texture.open.is_some() {
+            check_open(&pass.target, texture.desc.label)?;
+            return Ok(texture.desc);
+        }
         let usage = texture.view.texture().usage();
         if pass.texels.is_none() && !usage.contains(wgpu::TextureUsages::RENDER_ATTACHMENT) {
             return Err(import::lacks(pass.label, what, "RENDER_ATTACHMENT"));
@@ -704,11 +747,16 @@ impl Backend for WgpuBackend {
             fate: None,
             view,
             imported: false,
+            open: None,
         }))
     }
 
     fn texture(&self, id: TextureId) -> Option<TextureDesc> {
         self.textures.get(id).map(|t| t.desc)
+    }
+
+    fn is_texture(&self, id: TextureId) -> bool {
+        self.textures.get(id).is_none_or(|t| t.open.is_none())
     }
 
     fn epoch(&self) -> u32 {

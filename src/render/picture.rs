@@ -316,6 +316,7 @@ impl PictureRenderer {
             clear: Some([0.0, 0.0, 0.0, 1.0]),
             // Of ours only terrain writes depth: an empty one stays so.
             clear_depth: (users || backend.content(depth) != empty).then_some(background),
+            viewport: None,
         };
         let bindings = Bindings {
             background: Some(target),

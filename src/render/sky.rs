@@ -3,7 +3,9 @@
 use crate::error::{Error, Result};
 use crate::frame::Frame;
 use crate::frame::graph::{Bindings, Graph, Node, Resource, Stage, StageEnds};
-use crate::gpu::{Backend, Format, Pass, Target, TextureDesc, TextureId, TexturePool, known};
+use crate::gpu::{
+    Backend, Format, Pass, Target, TextureDesc, TextureId, TexturePool, Viewport, check_open, known,
+};
 use crate::model::scene::Scene;
 use crate::render::scene_air::SceneAir;
 use crate::render::sky_light::SkyLightRead;
@@ -135,8 +137,12 @@ impl SkyRenderer {
         targets: &FrameTargets,
     ) -> Result<SkyFrame<'_>> {
         let desc = self.check(backend, targets)?;
-        let size = [desc.width, desc.height];
-        let frame = Frame::checked(scene, &self.settings, size, desc.rows, self.frame.as_ref())?;
+        let viewport = self.viewport(targets, &desc)?;
+        let size = viewport.map_or([desc.width, desc.height], |v| [v.width, v.height]);
+        let mut frame = Frame::checked(scene, &self.settings, size, desc.rows, self.frame.as_ref())?;
+        if let Some(Viewport { x, y, .. }) = viewport {
+            frame.uniform = frame.uniform.moved(&frame.view, size, desc.rows, [x, y]);
+        }
         let frame = self.frame.insert(frame);
         let bindings = Bindings {
             background: targets.background,
@@ -177,6 +183,11 @@ impl SkyRenderer {
     /// Checks the targets; answers what they have in common.
     fn check(&self, backend: &dyn Backend, targets: &FrameTargets) -> Result<TextureDesc> {
         let background = targets.background.map(|t| known(backend, "background", t.color)).transpose()?;
+        for target in targets.background.iter().chain(targets.aerial.iter().map(|a| &a.target)) {
+            if !backend.is_texture(target.color) {
+                check_open(target, known(backend, "target", target.color)?.label)?;
+            }
+        }
         let Some(aerial) = &targets.aerial else { return background.ok_or_else(no_targets) };
         let desc = known(backend, "aerial target", aerial.target.color)?;
         let depth = same_size(backend, "aerial depth", aerial.depth, &desc)?;
@@ -203,6 +214,23 @@ impl SkyRenderer {
             same_size(backend, "background", target.color, &desc)?;
         }
         Ok(desc)
+    }
+
+    /// The part of the targets that is drawn to, of which both have the same.
+    fn viewport(&self, targets: &FrameTargets, desc: &TextureDesc) -> Result<Option<Viewport>> {
+        let given = [targets.background, targets.aerial.map(|a| a.target)];
+        let mut given = given.into_iter().flatten().map(|target| target.viewport);
+        let viewport = given.next().flatten();
+        if given.any(|other| other != viewport) {
+            return Err(Error::invalid("aerial.viewport", "another", "that of the background"));
+        }
+        let Some(viewport) = viewport else { return Ok(None) };
+        viewport.validate(desc)?;
+        if self.settings.render_scale < 1.0 {
+            let allowed = "1 where a target has a viewport";
+            return Err(Error::invalid("render_scale", self.settings.render_scale, allowed));
+        }
+        Ok(Some(viewport))
     }
 
     /// Asks for the light of the sky that was drawn last, for a scene's own shading: see

@@ -40,7 +40,7 @@ pub use generated::*;
 /// includes them.
 pub const LIGHTING_WGSL: &str = wgsl!("lib/lighting");
 
-/// A text less comments, blank lines and the spaces around lines, and its length.
+/// A text less comments, blank lines, and spaces that no compiler needs; and its length.
 pub(crate) const fn bare<const LENGTH: usize>(text: &[u8]) -> ([u8; LENGTH], usize) {
     let mut out = [0; LENGTH];
     let (mut length, mut at) = (0, 0);
@@ -63,10 +63,12 @@ pub(crate) const fn bare<const LENGTH: usize>(text: &[u8]) -> ([u8; LENGTH], usi
         if end > start {
             let mut from = start;
             while from < end {
-                if LENGTH > 0 {
-                    out[length] = text[from];
+                if text[from] != b' ' || is_needed(text[from - 1], text[from + 1]) {
+                    if LENGTH > 0 {
+                        out[length] = text[from];
+                    }
+                    length += 1;
                 }
-                length += 1;
                 from += 1;
             }
             if LENGTH > 0 {
@@ -76,6 +78,17 @@ pub(crate) const fn bare<const LENGTH: usize>(text: &[u8]) -> ([u8; LENGTH], usi
         }
     }
     (out, length)
+}
+
+const fn is_word(c: u8) -> bool {
+    c.is_ascii_alphanumeric() || c == b'_'
+}
+
+/// Whether a space between these makes a difference: between words, in `a - -b`, and in `array<f32> = b`.
+const fn is_needed(before: u8, after: u8) -> bool {
+    is_word(before) && is_word(after)
+        || before == after && matches!(before, b'+' | b'-' | b'/')
+        || before == b'>' && after == b'='
 }
 
 #[cfg(test)]
@@ -117,8 +130,8 @@ mod tests {
 
     #[test]
     fn modules_are_bare() {
-        let text = b"// a\n\n  //#include x // why\nlet a = b / c;  // d\n   \n    f();//\n/ 2";
-        const BARE: &str = "let a = b / c;\nf();\n/ 2\n";
+        let text = b"// a\n\n  //#include x // why\nlet a = b / c - -d;  // d\n   \n    f();//\n/ 2 > =";
+        const BARE: &str = "let a=b/c- -d;\nf();\n/2> =\n";
         let (out, length) = bare::<{ BARE.len() }>(text);
         assert_eq!((std::str::from_utf8(&out), length), (Ok(BARE), BARE.len()));
     }

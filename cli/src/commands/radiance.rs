@@ -386,6 +386,7 @@ impl Textures {
                 depth: Some(depth),
                 clear: Some([0.0; 4]),
                 clear_depth: Some(scene.depth.background() as f32),
+                ..Target::color(behind)
             };
             let aerial = AerialTargets { color: Some(behind), depth, target: Target::color(front) };
             let targets = FrameTargets::background(Target::color(behind)).with_aerial(aerial);

@@ -82,6 +82,7 @@ impl WgpuBackend {
             fate: None,
             view,
             imported: true,
+            open: None,
         }))
     }
 

@@ -1,0 +1,181 @@
+//! Drawing inside a render pass, or a render bundle, that the user opened.
+
+use super::{Shape, Texture, WgpuBackend, known_format};
+use crate::error::{Error, Result};
+use crate::gpu::{Format, Pass, TextureDesc, TextureId};
+
+/// A render pass of the user's with one colour attachment: what pipelines have to fit to be drawn in it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct OpenPass {
+    /// Pixels of its attachments.
+    pub size: [u32; 2],
+    /// Format of the colour attachment's view, which the device can blend. What is written to one of sRGB is
+    /// encoded by the device: right for radiance, wrong for what a tone map wrote.
+    pub color: wgpu::TextureFormat,
+    /// Format of the depth attachment, if there is one: it is neither tested nor written.
+    pub depth: Option<wgpu::TextureFormat>,
+    /// Samples a pixel.
+    pub samples: u32,
+}
+
+/// One draw.
+#[derive(Clone, Debug)]
+pub(super) struct Draw {
+    pub pipeline: wgpu::RenderPipeline,
+    pub group: wgpu::BindGroup,
+    /// Where its block is, if it has one.
+    pub offset: Option<u32>,
+    pub vertices: u32,
+}
+
+impl Draw {
+    /// The group's dynamic offsets.
+    pub fn offsets(&self) -> &[u32] {
+        self.offset.as_slice()
+    }
+}
+
+/// What is to be drawn inside a pass of the user's, by [`WgpuBackend::encode_in`]: in the encoder that it was
+/// made for. Viewport and scissor stay as they are; the pipeline, bind group 0 and nothing else of the pass
+/// are others afterwards.
+#[derive(Clone, Debug)]
+#[must_use = "what is not drawn in the pass is not there"]
+pub struct InPass(Vec<Draw>);
+
+impl InPass {
+    /// Draws in a render pass.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
+        for draw in &self.0 {
+            pass.set_pipeline(&draw.pipeline);
+            pass.set_bind_group(0, &draw.group, draw.offsets());
+            pass.draw(0..draw.vertices, 0..1);
+        }
+    }
+
+    /// Draws in a render bundle, which is good for that encoder's pass and not for another frame's.
+    pub fn draw_in_bundle<'a>(&'a self, bundle: &mut wgpu::RenderBundleEncoder<'a>) {
+        for draw in &self.0 {
+            bundle.set_pipeline(&draw.pipeline);
+            bundle.set_bind_group(0, &draw.group, draw.offsets());
+            bundle.draw(0..draw.vertices, 0..1);
+        }
+    }
+
+    /// Whether there is nothing to draw.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+}
+
+impl WgpuBackend {
+    /// Makes a kind of render pass of the user's known as something to draw to: give it as the colour of a
+    /// [`Target`](crate::gpu::Target) without depth and without anything to clear, and record the passes
+    /// with [`Self::encode_in`]. One is enough for all passes of that kind; release it with
+    /// [`Backend::destroy_texture`](crate::gpu::Backend::destroy_texture).
+    ///
+    /// # Errors
+    /// [`crate::ErrorKind::Invalid`] for a size, formats or samples that the device does not have.
+    pub fn import_pass(&mut self, label: &'static str, pass: OpenPass) -> Result<TextureId> {
+        let [width, height] = pass.size;
+        let format = known_format(pass.color.remove_srgb_suffix()).unwrap_or(Format::Rgba16Float);
+        let desc = TextureDesc::new(label, width, height, format);
+        desc.validate(self.info.max_texture_size)?;
+        // Textures of that kind say what is wrong with it. A bundle does not.
+        let texture = |format| {
+            self.device.create_texture(&wgpu::TextureDescriptor {
+                label: Some(label),
+                size: wgpu::Extent3d { width: 4, height: 4, depth_or_array_layers: 1 },
+                mip_level_count: 1,
+                sample_count: pass.samples,
+                dimension: wgpu::TextureDimension::D2,
+                format,
+                usage: wgpu::TextureUsages::RENDER_ATTACHMENT,
+                view_formats: &[],
+            })
+        };
+        let (_, refused) = self.trial(|| (texture(pass.color), pass.depth.map(texture)));
+        let is_color =
+            |format: wgpu::TextureFormat| !format.has_depth_aspect() && !format.has_stencil_aspect();
+        let fits = is_color(pass.color) && pass.depth.is_none_or(|depth| !is_color(depth));
+        let refused = refused.or((!fits).then(|| "color and depth are of the other's kind".to_owned()));
+        if let Some(reason) = refused {
+            let OpenPass { color, depth, samples, .. } = pass;
+            let value = format_args!("{color:?} with depth {depth:?}, {samples} samples");
+            let allowed = format_args!("what the device can draw to ({reason})");
+            return Err(Error::invalid(format_args!("{label}.formats"), value, allowed));
+        }
+        let open: Option<Shape> = Some((pass.color, pass.depth, pass.samples));
+        let view = self.placeholder.clone();
+        let (content, generation, fate) = (0, 0, None);
+        Ok(self.textures.insert(Texture { desc, content, generation, fate, view, imported: true, open }))
+    }
+
+    /// Records those of the passes in a user's encoder that draw to textures, as [`Self::encode`] does, and
+    /// answers what those draw that are for a pass of the user's ([`Self::import_pass`]): begin it in the same
+    /// encoder, then call [`InPass::draw`].
+    ///
+    /// ```no_run
+    /// # fn frame(backend: &mut welkin::gpu::wgpu::WgpuBackend, sky: &mut welkin::SkyRenderer,
+    /// #          scene: &welkin::Scene, encoder: &mut wgpu::CommandEncoder,
+    /// #          mine: wgpu::RenderPassDescriptor) -> welkin::Result<()> {
+    /// use welkin::FrameTargets;
+    /// use welkin::gpu::{Target, wgpu::OpenPass};
+    ///
+    /// let (color, depth) = (wgpu::TextureFormat::Rg11b10Ufloat, Some(wgpu::TextureFormat::Depth24Plus));
+    /// let pass = OpenPass { size: [1280, 720], color, depth, samples: 4 };
+    /// let target = backend.import_pass("my pass", pass)?; // Once.
+    ///
+    /// let frame = sky.frame(backend, scene, &FrameTargets::background(Target::color(target)))?;
+    /// let background = backend.encode_in(encoder, frame.background)?;
+    /// let mut pass = encoder.begin_render_pass(&mine);
+    /// background.draw(&mut pass);
+    /// // Here draw your scene in the same pass.
+    /// # Ok(()) }
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`Self::encode`], before anything is recorded.
+    pub fn encode_in(&mut self, encoder: &mut wgpu::CommandEncoder, passes: &[Pass]) -> Result<InPass> {
+        self.check()?;
+        for pass in passes {
+            self.prepare(pass)?;
+        }
+        let mut draws = Vec::new();
+        let is_open =
+            |this: &Self, pass: &Pass| this.textures.get(pass.target.color).is_some_and(|t| t.open.is_some());
+        let mut rest = passes;
+        while let Some(first) = rest.first() {
+            let open = is_open(self, first);
+            let count = rest.iter().take_while(|pass| is_open(self, pass) == open).count();
+            let (run, others) = rest.split_at(count);
+            rest = others;
+            if open {
+                self.draws(encoder, run, &mut draws)?;
+            } else {
+                self.encode(encoder, run)?;
+            }
+        }
+        Ok(InPass(draws))
+    }
+
+    /// Prepares passes that draw in a pass of the user's.
+    fn draws(&mut self, encoder: &wgpu::CommandEncoder, passes: &[Pass], out: &mut Vec<Draw>) -> Result<()> {
+        if self.recordings.reserve(&self.device, encoder, passes.len() as u32, false)? {
+            self.bind_groups.retain(|_, _| false);
+        }
+        for pass in passes {
+            self.prepare(pass)?;
+            if let Some(program) = pass.program {
+                out.push(self.draw(program, pass)?);
+            }
+        }
+        self.check()
+    }
+
+    /// The error for a pass of the user's that is drawn to as if it were a texture.
+    pub(super) fn not_a_texture(pass: &str, desc: &TextureDesc) -> Error {
+        let value = format_args!("{} (a pass of the user's)", desc.label);
+        let allowed = "a texture; draw in a pass with WgpuBackend::encode_in";
+        Error::invalid(format_args!("pass {pass}"), value, allowed)
+    }
+}

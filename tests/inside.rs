@@ -1,0 +1,336 @@
+//! Drawing inside a render pass of the user's, and to a part of a target.
+
+use welkin::frame::tone_map::tone_pass;
+use welkin::gpu::wgpu::OpenPass;
+use welkin::gpu::{Backend, Format, RowOrder, Target, TextureDesc, TextureId, Viewport};
+use welkin::{AerialTargets, Composition, FrameTargets, Scene, SkyRenderer, SkySettings, ToneMap};
+
+use crate::encoders::User;
+use crate::harness::*;
+
+const SIZE: [u32; 2] = [24, 16];
+
+/// Views with the sun's disk in them, or a shell before the scene.
+fn scenes() -> [(&'static str, Scene, SkySettings); 2] {
+    let sunset = View { pitch: 4.0, sun_elevation: 5.0, ..View::default() }.scene();
+    let orbit = View { altitude: 4e5, pitch: -18.0, sun_elevation: 40.0, ..View::default() }.scene();
+    let dome = with_disk(true, composed(Composition::SkyDome, luts(TINY)));
+    [("sunset", sunset, dome), ("orbit", orbit, composed(Composition::Planet, luts(TINY)))]
+}
+
+/// Radiance of a frame that is drawn to textures of its own.
+fn alone(b: &mut dyn Backend, scene: &Scene, sky: SkySettings, size: [u32; 2]) -> Vec<f32> {
+    let mut renderer = SkyRenderer::new(sky).unwrap();
+    let [color, depth] = ["color", "depth"].map(|name| {
+        texture(b, name, size, if name == "color" { Format::Rgba32Float } else { Format::R32Float })
+    });
+    let stored = scene.depth.background() as f32;
+    b.run(&[clear_pass(depth, [stored; 4]), clear_pass(color, [0.0, 0.0, 0.0, 1.0])]).unwrap();
+    let targets = FrameTargets {
+        background: Some(Target::color(color)),
+        aerial: Some(AerialTargets { color: None, depth, target: Target::color(color) }),
+    };
+    // A dome draws nothing over the scene; what it would read of it is any other texture.
+    let other = target(b, size);
+    let aerial = targets.aerial.map(|a| AerialTargets { color: Some(other), ..a });
+    let frame = renderer.frame(b, scene, &FrameTargets { aerial, ..targets }).unwrap();
+    let passes: Vec<_> = frame.background.iter().chain(frame.aerial).cloned().collect();
+    b.run(&passes).unwrap();
+    let pixels = b.read(color).unwrap();
+    renderer.destroy(b);
+    free(b, [color, depth, other]);
+    pixels
+}
+
+/// A multisampled texture of the user's with depth, and the texture that it resolves to.
+struct Multisampled {
+    color: wgpu::TextureView,
+    depth: wgpu::TextureView,
+    resolved: wgpu::Texture,
+}
+
+impl Multisampled {
+    const COLOR: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
+    const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth24Plus;
+    const OPEN: OpenPass = OpenPass { size: SIZE, color: Self::COLOR, depth: Some(Self::DEPTH), samples: 4 };
+
+    fn new(user: &User) -> Self {
+        let texture = |format, sample_count| {
+            user.device.create_texture(&wgpu::TextureDescriptor {
+                label: None,
+                size: wgpu::Extent3d { width: SIZE[0], height: SIZE[1], depth_or_array_layers: 1 },
+                mip_level_count: 1,
+                sample_count,
+                dimension: wgpu::TextureDimension::D2,
+                format,
+                usage: wgpu::TextureUsages::RENDER_ATTACHMENT
+                    | if sample_count == 1 {
+                        wgpu::TextureUsages::TEXTURE_BINDING
+                    } else {
+                        wgpu::TextureUsages::empty()
+                    },
+                view_formats: &[],
+            })
+        };
+        let view = |texture: wgpu::Texture| texture.create_view(&Default::default());
+        Self {
+            color: view(texture(Self::COLOR, 4)),
+            depth: view(texture(Self::DEPTH, 4)),
+            resolved: texture(Self::COLOR, 1),
+        }
+    }
+
+    /// Begins the user's pass, cleared to opaque black, and draws in it.
+    fn pass(&self, encoder: &mut wgpu::CommandEncoder, draw: impl FnOnce(&mut wgpu::RenderPass<'_>)) {
+        let resolved = self.resolved.create_view(&Default::default());
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: None,
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: &self.color,
+                depth_slice: None,
+                resolve_target: Some(&resolved),
+                ops: wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(wgpu::Color::BLACK),
+                    store: wgpu::StoreOp::Store,
+                },
+            })],
+            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                view: &self.depth,
+                depth_ops: Some(wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(0.5),
+                    store: wgpu::StoreOp::Store,
+                }),
+                stencil_ops: None,
+            }),
+            ..Default::default()
+        });
+        draw(&mut pass);
+    }
+
+    /// What it resolved to.
+    fn read(&self, user: &mut User) -> Vec<f32> {
+        let id = user.backend.import_texture("resolved", &self.resolved).unwrap();
+        let copy = texture(&mut user.backend, "copy", SIZE, Format::Rgba32Float);
+        let pass = copy_pass(&mut user.backend, id, copy);
+        user.backend.run(&[pass]).unwrap();
+        let pixels = user.backend.read(copy).unwrap();
+        free(&mut user.backend, [id, copy]);
+        pixels
+    }
+}
+
+/// Fails unless two pictures are the same but for the rounding of halves.
+#[track_caller]
+fn assert_same(what: &str, a: &[f32], b: &[f32]) {
+    let (a, b) = (colors(a), colors(b));
+    let most = brightest(&b).into_iter().fold(0.0, f64::max);
+    assert!(most > 0.0, "{what}: all is black");
+    for (i, (p, q)) in a.iter().zip(&b).enumerate() {
+        for c in 0..3 {
+            let off = (p[c] - q[c].min(65504.0)).abs();
+            assert!(off < 2e-3 * q[c] + 1e-6 * most, "{what}: pixel {i} is {p:?}, not {q:?}");
+        }
+    }
+}
+
+/// The frame of a scene inside the user's pass: the sky behind, then the air of a shell.
+fn inside(user: &mut User, scene: &Scene, sky: SkySettings, bundled: bool) -> Vec<f32> {
+    let canvas = Multisampled::new(user);
+    let open = user.backend.import_pass("the user's pass", Multisampled::OPEN).unwrap();
+    let depth = texture(&mut user.backend, "depth", SIZE, Format::R32Float);
+    let other = target(&mut user.backend, SIZE);
+    user.backend.run(&[clear_pass(depth, [scene.depth.background() as f32; 4])]).unwrap();
+    let aerial = AerialTargets { color: Some(other), depth, target: Target::color(open) };
+    let targets = FrameTargets::background(Target::color(open)).with_aerial(aerial);
+    let mut renderer = SkyRenderer::new(sky).unwrap();
+    let mut encoder = user.encoder();
+    let frame = renderer.frame(&mut user.backend, scene, &targets).unwrap();
+    let before = user.backend.encode_in(&mut encoder, frame.background).unwrap();
+    let after = user.backend.encode_in(&mut encoder, frame.aerial).unwrap();
+    assert!(!(before.is_empty() && after.is_empty()));
+    let bundle = bundled.then(|| {
+        let mut bundle = user.device.create_render_bundle_encoder(&wgpu::RenderBundleEncoderDescriptor {
+            label: None,
+            color_formats: &[Some(Multisampled::COLOR)],
+            depth_stencil: Some(wgpu::RenderBundleDepthStencil {
+                format: Multisampled::DEPTH,
+                depth_read_only: false,
+                stencil_read_only: false,
+            }),
+            sample_count: 4,
+            multiview: None,
+        });
+        before.draw_in_bundle(&mut bundle);
+        after.draw_in_bundle(&mut bundle);
+        bundle.finish(&Default::default())
+    });
+    canvas.pass(&mut encoder, |pass| match &bundle {
+        Some(bundle) => pass.execute_bundles([bundle]),
+        None => {
+            before.draw(pass);
+            after.draw(pass);
+        }
+    });
+    user.queue.submit([encoder.finish()]);
+    let pixels = canvas.read(user);
+    user.no_errors();
+    renderer.destroy(&mut user.backend);
+    free(&mut user.backend, [open, depth, other]);
+    pixels
+}
+
+#[test]
+fn a_users_multisampled_pass_holds_what_a_texture_holds() {
+    let mut user = User::new();
+    for (name, scene, sky) in scenes() {
+        let wanted = alone(&mut user.backend, &scene, sky, SIZE);
+        for bundled in [false, true] {
+            let what = format!("{name}, {}", if bundled { "in a bundle" } else { "in the pass" });
+            assert_same(&what, &inside(&mut user, &scene, sky, bundled), &wanted);
+        }
+    }
+    // Nothing is left but what the user holds.
+    assert_eq!(user.backend.live().textures, 0);
+}
+
+/// Tones are mapped in a pass of the user's as to a texture.
+#[test]
+fn tones_are_mapped_inside_a_users_pass() {
+    let mut user = User::new();
+    let (_, scene, sky) = scenes()[0].clone();
+    let radiance = target(&mut user.backend, SIZE);
+    let mut renderer = SkyRenderer::new(sky).unwrap();
+    let passes = background_passes(&mut user.backend, &mut renderer, &scene, cleared(radiance));
+    user.backend.run(&passes).unwrap();
+    let shown = texture(&mut user.backend, "shown", SIZE, Format::Rgba16Float);
+    let to_texture = tone_pass(&mut user.backend, ToneMap::AgX, 0.7, false, radiance, shown).unwrap();
+    user.backend.run(&[to_texture]).unwrap();
+    let wanted = user.backend.read(shown).unwrap();
+
+    let canvas = Multisampled::new(&user);
+    let open = user.backend.import_pass("the user's pass", Multisampled::OPEN).unwrap();
+    let pass = tone_pass(&mut user.backend, ToneMap::AgX, 0.7, false, radiance, open).unwrap();
+    let mut encoder = user.encoder();
+    let inside = user.backend.encode_in(&mut encoder, &[pass]).unwrap();
+    canvas.pass(&mut encoder, |pass| inside.draw(pass));
+    user.queue.submit([encoder.finish()]);
+    assert_same("tones", &canvas.read(&mut user), &wanted);
+    user.no_errors();
+}
+
+/// What a pass of the user's cannot do is an error before anything is recorded.
+#[test]
+fn what_an_open_pass_cannot_do_is_refused() {
+    let mut user = User::new();
+    let (_, scene, sky) = scenes()[0].clone();
+    let open = user.backend.import_pass("mine", Multisampled::OPEN).unwrap();
+    let mut renderer = SkyRenderer::new(sky).unwrap();
+    let depth = texture(&mut user.backend, "depth", SIZE, Format::Depth32Float);
+    let asked = Target::color(open);
+    for (target, word) in [
+        (cleared(open), "mine.clear = one"),
+        (Target { clear_depth: Some(0.0), ..asked }, "mine.clear_depth = one"),
+        (Target { depth: Some(depth), ..asked }, "mine.depth = one"),
+    ] {
+        let targets = FrameTargets::background(target);
+        let error = renderer.frame(&mut user.backend, &scene, &targets).unwrap_err().to_string();
+        assert!(error.starts_with(word), "{error}");
+    }
+    let mut encoder = user.encoder();
+    let passes = background_passes(&mut user.backend, &mut renderer, &scene, asked);
+    let error = user.backend.encode(&mut encoder, &passes).unwrap_err().to_string();
+    assert!(error.contains("draw in a pass with WgpuBackend::encode_in"), "{error}");
+    let mut own = passes.clone();
+    own.iter_mut().for_each(|pass| pass.target.clear = Some([0.0; 4]));
+    let error = user.backend.encode_in(&mut encoder, &own).map(drop).unwrap_err().to_string();
+    assert!(error.starts_with("mine.clear = one"), "{error}");
+    let out = target(&mut user.backend, SIZE);
+    let reads = copy_pass(&mut user.backend, open, out);
+    let error = user.backend.encode(&mut encoder, &[reads]).unwrap_err().to_string();
+    assert!(error.contains("mine (a pass of the user's)"), "{error}");
+    assert!(user.backend.read(open).is_err());
+    for (bad, word) in [
+        (OpenPass { samples: 3, ..Multisampled::OPEN }, "3 samples"),
+        (OpenPass { color: wgpu::TextureFormat::Depth32Float, ..Multisampled::OPEN }, "bad.formats"),
+        (OpenPass { depth: Some(Multisampled::COLOR), ..Multisampled::OPEN }, "bad.formats"),
+        (OpenPass { size: [0, 4], ..Multisampled::OPEN }, "bad.width = 0"),
+    ] {
+        let error = user.backend.import_pass("bad", bad).unwrap_err().to_string();
+        assert!(error.contains(word), "{error}");
+    }
+    user.no_errors();
+}
+
+/// Two views beside each other in one target, in either order of rows, are the views alone.
+#[test]
+fn viewports_hold_what_a_target_of_their_size_holds() {
+    on_both(|b| {
+        for (rows, (name, scene, sky)) in [RowOrder::TopDown, RowOrder::BottomUp].into_iter().zip(scenes()) {
+            let size = [SIZE[0] + 7, SIZE[1] + 5];
+            let make = |b: &mut dyn Backend, format| {
+                b.create_texture(&TextureDesc { rows, ..TextureDesc::new("split", size[0], size[1], format) })
+                    .unwrap()
+            };
+            let (color, depth, other) =
+                (make(b, Format::Rgba32Float), make(b, Format::R32Float), make(b, Format::Rgba32Float));
+            let stored = scene.depth.background() as f32;
+            b.run(&[clear_pass(depth, [stored; 4]), clear_pass(color, [0.25, 0.5, 0.75, 1.0])]).unwrap();
+            let viewport = Viewport { x: 7, y: 3, width: SIZE[0], height: SIZE[1] };
+            let within = Target { viewport: Some(viewport), ..Target::color(color) };
+            let black = Target { clear: Some([0.0, 0.0, 0.0, 1.0]), ..within };
+            let aerial = AerialTargets { color: Some(other), depth, target: within };
+            let targets = FrameTargets::background(black).with_aerial(aerial);
+            let mut renderer = SkyRenderer::new(sky).unwrap();
+            let frame = renderer.frame(b, &scene, &targets).unwrap();
+            let passes: Vec<_> = frame.background.iter().chain(frame.aerial).cloned().collect();
+            b.run(&passes).unwrap();
+            let whole = b.read(color).unwrap();
+            let part: Vec<f32> = (0..SIZE[1])
+                .flat_map(|y| {
+                    // The viewport's rows in the target's order, the picture's from the top.
+                    let row = if rows == RowOrder::TopDown { y } else { SIZE[1] - 1 - y };
+                    let at = 4 * ((3 + row) * size[0] + 7) as usize;
+                    whole[at..at + 4 * SIZE[0] as usize].to_vec()
+                })
+                .collect();
+            let wanted = alone(b, &scene, sky, SIZE);
+            assert_same(&format!("{name}, {rows:?}"), &part, &wanted);
+            // Around it is what the clear left.
+            let outside = (0..size[0] * size[1]).filter(|i| {
+                let (x, y) = (i % size[0], i / size[0]);
+                !((7..7 + SIZE[0]).contains(&x) && (3..3 + SIZE[1]).contains(&y))
+            });
+            for i in outside {
+                assert_eq!(rgb(&whole, i as usize), [0.0; 3], "{name}: pixel {i}");
+            }
+            renderer.destroy(b);
+            free(b, [color, depth, other]);
+        }
+    });
+}
+
+#[test]
+fn viewports_out_of_range_are_refused() {
+    on_both(|b| {
+        let (_, scene, sky) = scenes()[0].clone();
+        let color: TextureId = target(b, SIZE);
+        let mut renderer = SkyRenderer::new(sky).unwrap();
+        let refusal = |b: &mut dyn Backend, renderer: &mut SkyRenderer, viewport| {
+            let within = Target { viewport: Some(viewport), ..Target::color(color) };
+            renderer.frame(b, &scene, &FrameTargets::background(within)).unwrap_err().to_string()
+        };
+        let whole = Viewport { x: 0, y: 0, width: SIZE[0], height: SIZE[1] };
+        for (viewport, word) in [
+            (Viewport { x: 1, ..whole }, "target.viewport.width = 24 from 1 on"),
+            (Viewport { height: 0, ..whole }, "target.viewport.height = 0 from 0 on"),
+            (Viewport { y: u32::MAX, ..whole }, "target.viewport.height = 16 from 4294967295 on"),
+        ] {
+            let error = refusal(b, &mut renderer, viewport);
+            assert!(error.starts_with(word), "{error}");
+        }
+        renderer.set_settings(SkySettings { render_scale: 0.5, ..sky }).unwrap();
+        let error = refusal(b, &mut renderer, whole);
+        assert!(error.starts_with("render_scale = 0.5"), "{error}");
+        b.destroy_texture(color);
+    });
+}
