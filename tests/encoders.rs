@@ -292,7 +292,7 @@ fn a_frame_says_where_it_is() {
             assert_eq!(sky.frame(b, scene, &targets).unwrap().color, want);
             sky.destroy(b);
         }
-        let alone = FrameTargets { background: None, aerial: Some(air) };
+        let alone = FrameTargets { aerial: Some(air), ..FrameTargets::default() };
         assert_eq!(sky().frame(b, &away, &alone).unwrap().color, color, "the scene's colour as it was read");
     });
 }

@@ -29,6 +29,7 @@ fn alone(b: &mut dyn Backend, scene: &Scene, sky: SkySettings, size: [u32; 2]) -
     let targets = FrameTargets {
         background: Some(Target::color(color)),
         aerial: Some(AerialTargets { color: None, depth, target: Target::color(color) }),
+        ..FrameTargets::default()
     };
     // A dome draws nothing over the scene; what it would read of it is any other texture.
     let other = target(b, size);

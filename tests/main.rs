@@ -29,6 +29,7 @@ mod inside;
 mod layers;
 mod lifetime;
 mod lighting;
+mod lit_fraction;
 mod plan;
 mod properties;
 mod random_use;

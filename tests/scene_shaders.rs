@@ -249,7 +249,7 @@ fn passed(b: &mut dyn Backend, sky: SkySettings, scene: &Scene, wall: Option<f64
     let shade = if wall.is_some() { [0.5, 0.4, 0.3, 1.0] } else { [0.0, 0.0, 0.0, 1.0] };
     let mut renderer = SkyRenderer::new(without_disk(sky)).unwrap();
     let air = AerialTargets { color: Some(color), depth, target: Target::color(out) };
-    let targets = FrameTargets { background: None, aerial: Some(air) };
+    let targets = FrameTargets { aerial: Some(air), ..FrameTargets::default() };
     let frame = renderer.frame(b, scene, &targets).unwrap();
     b.run(&[clear_pass(color, shade), clear_pass(depth, [stored as f32, 0.0, 0.0, 0.0])]).unwrap();
     let passes: Vec<_> = frame.background.iter().chain(frame.aerial).cloned().collect();

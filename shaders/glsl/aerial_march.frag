@@ -45,6 +45,7 @@ struct Frame {
 };
 const float HALF_MAX = 32000.0;
 const bool BLEND = true;
+const bool LIT_FRACTION = true;
 const float SUBPIXEL = 0.0625;
 const bool RAYLEIGH = true;
 const bool MIE = true;
@@ -58,6 +59,8 @@ layout(std140) uniform Frame_block_0Fragment { Frame _group_0_binding_0_fs; };
 uniform highp sampler2D _group_0_binding_1_fs;
 
 uniform highp sampler2D _group_0_binding_2_fs;
+
+uniform highp sampler2D _group_0_binding_3_fs;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
@@ -112,6 +115,15 @@ void ray_end(float start_1, float length_1, float r_mu_1, bool ground_1, float d
     out_length = length_1;
     out_weight = shell_weight;
     out_dims = (shell_weight >= 1.0);
+}
+
+float lit_fraction_at(highp sampler2D visibility, ivec2 pixel_1) {
+    if (LIT_FRACTION) {
+        vec4 _e4 = texelFetch(visibility, pixel_1, 0);
+        return clamp(_e4.x, 0.0, 1.0);
+    } else {
+        return 1.0;
+    }
 }
 
 vec4 compose(vec4 scene_1, vec3 transmittance_1, vec3 inscatter_1) {
@@ -700,10 +712,10 @@ void main() {
     float m_radius_1 = _group_0_binding_0_fs.medium.radius;
     vec3 m_irradiance = _group_0_binding_0_fs.medium.irradiance;
     float m_thickness_1 = _group_0_binding_0_fs.medium.thickness;
-    ivec2 pixel_1 = ivec2(position.xy);
+    ivec2 pixel_2 = ivec2(position.xy);
     if (BLEND) {
     } else {
-        vec4 _e34 = texelFetch(_group_0_binding_1_fs, pixel_1, 0);
+        vec4 _e34 = texelFetch(_group_0_binding_1_fs, pixel_2, 0);
         scene = _e34;
     }
     vec2 _e39 = _group_0_binding_0_fs.size;
@@ -716,7 +728,7 @@ void main() {
     float _e56 = _group_0_binding_0_fs.depth.bias;
     float _e58 = _group_0_binding_0_fs.depth.log_;
     float _e60 = _group_0_binding_0_fs.depth.background;
-    vec4 _e63 = texelFetch(_group_0_binding_2_fs, pixel_1, 0);
+    vec4 _e63 = texelFetch(_group_0_binding_2_fs, pixel_2, 0);
     float _e65 = depth_distance(_e54, _e56, _e58, _e60, _e63.x, ray_length_4);
     vec3 dir_6 = (_e49 / vec3(ray_length_4));
     float _e70 = _group_0_binding_0_fs.altitude;
@@ -759,9 +771,11 @@ void main() {
     vec3 _e135 = s_radiance;
     vec3 _e136 = s_transmittance;
     vec3 transmittance_2 = (_e109 ? _e136 : vec3(1.0));
-    vec4 _e140 = scene;
-    vec4 _e143 = compose(_e140, transmittance_2, ((_e135 * m_irradiance) * _e108));
-    _fs2p_location0 = _e143;
+    float _e142 = lit_fraction_at(_group_0_binding_3_fs, pixel_2);
+    vec3 light = ((_e135 * m_irradiance) * (_e108 * _e142));
+    vec4 _e145 = scene;
+    vec4 _e146 = compose(_e145, transmittance_2, light);
+    _fs2p_location0 = _e146;
     return;
 }
 

@@ -79,6 +79,7 @@ struct Uniforms {
 };
 const float HALF_MAX = 32000.0;
 const bool BLEND = true;
+const bool LIT_FRACTION = true;
 const float SUBPIXEL = 0.0625;
 const bool RAYLEIGH = true;
 const bool MIE = true;
@@ -108,6 +109,8 @@ uniform highp sampler2D _group_0_binding_2_fs;
 uniform highp sampler2D _group_0_binding_4_fs;
 
 uniform highp sampler2D _group_0_binding_5_fs;
+
+uniform highp sampler2D _group_0_binding_6_fs;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
@@ -162,6 +165,15 @@ void ray_end(float start_1, float length_1, float r_mu_1, bool ground_1, float d
     out_length = length_1;
     out_weight = shell_weight;
     out_dims = (shell_weight >= 1.0);
+}
+
+float lit_fraction_at(highp sampler2D visibility, ivec2 pixel_1) {
+    if (LIT_FRACTION) {
+        vec4 _e4 = texelFetch(visibility, pixel_1, 0);
+        return clamp(_e4.x, 0.0, 1.0);
+    } else {
+        return 1.0;
+    }
 }
 
 vec4 compose(vec4 scene_1, vec3 transmittance_1, vec3 inscatter_1) {
@@ -1164,15 +1176,15 @@ void main() {
     float f_depth_background = _group_0_binding_0_fs.frame.depth.background;
     uint f_view_samples = _group_0_binding_0_fs.frame.view_samples;
     uint f_light_samples = _group_0_binding_0_fs.frame.light_samples;
-    ivec2 pixel_1 = ivec2(position.xy);
+    ivec2 pixel_2 = ivec2(position.xy);
     if (BLEND) {
     } else {
-        vec4 _e64 = texelFetch(_group_0_binding_1_fs, pixel_1, 0);
+        vec4 _e64 = texelFetch(_group_0_binding_1_fs, pixel_2, 0);
         scene = _e64;
     }
     vec3 _e67 = pixel_ray(position.xy, f_size, f_ray_forward, f_ray_right, f_ray_up);
     float ray_length_6 = length(_e67);
-    vec4 _e71 = texelFetch(_group_0_binding_2_fs, pixel_1, 0);
+    vec4 _e71 = texelFetch(_group_0_binding_2_fs, pixel_2, 0);
     float _e73 = depth_distance(f_depth_scale, f_depth_bias, f_depth_log, f_depth_background, _e71.x, ray_length_6);
     vec3 dir_11 = (_e67 / vec3(ray_length_6));
     air_ray(dir_11, f_altitude, f_medium_radius, f_medium_thickness, f_sun, ray_start, ray_length, ray_excess, ray_r_mu, ray_perigee_excess, ray_sun_r_mu, ray_nu, ray_sin2_, ray_shadow_b, ray_shadow_c, ray_shadow_half2_, ray_ground);
@@ -1218,9 +1230,11 @@ void main() {
     vec3 _e144 = s_radiance;
     vec3 _e145 = s_transmittance;
     vec3 transmittance_2 = (_e105 ? _e145 : vec3(1.0));
-    vec4 _e149 = scene;
-    vec4 _e152 = compose(_e149, transmittance_2, ((_e144 * f_medium_irradiance) * _e104));
-    _fs2p_location0 = _e152;
+    float _e151 = lit_fraction_at(_group_0_binding_6_fs, pixel_2);
+    vec3 light = ((_e144 * f_medium_irradiance) * (_e104 * _e151));
+    vec4 _e154 = scene;
+    vec4 _e155 = compose(_e154, transmittance_2, light);
+    _fs2p_location0 = _e155;
     return;
 }
 

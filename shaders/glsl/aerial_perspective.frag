@@ -70,6 +70,7 @@ struct Uniforms {
 };
 const float HALF_MAX = 32000.0;
 const bool BLEND = true;
+const bool LIT_FRACTION = true;
 const float SUBPIXEL = 0.0625;
 const float LOG_FLOOR = -100.0;
 const float PI = 3.1415927;
@@ -99,6 +100,8 @@ uniform highp sampler2D _group_0_binding_4_fs;
 uniform highp sampler2D _group_0_binding_5_fs;
 
 uniform highp sampler2D _group_0_binding_6_fs;
+
+uniform highp sampler2D _group_0_binding_7_fs;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
@@ -153,6 +156,15 @@ void ray_end(float start_1, float length_1, float r_mu_1, bool ground_1, float d
     out_length = length_1;
     out_weight = shell_weight;
     out_dims = (shell_weight >= 1.0);
+}
+
+float lit_fraction_at(highp sampler2D visibility, ivec2 pixel_1) {
+    if (LIT_FRACTION) {
+        vec4 _e4 = texelFetch(visibility, pixel_1, 0);
+        return clamp(_e4.x, 0.0, 1.0);
+    } else {
+        return 1.0;
+    }
 }
 
 vec4 compose(vec4 scene_1, vec3 transmittance_1, vec3 inscatter_1) {
@@ -648,8 +660,8 @@ void main() {
     float end_length = 0.0;
     float end_weight = 0.0;
     bool end_dims = false;
-    vec3 light_smooth_light = vec3(0.0);
-    vec3 light_mie_light = vec3(0.0);
+    vec3 whole_smooth_light = vec3(0.0);
+    vec3 whole_mie_light = vec3(0.0);
     vec2 column_texel = vec2(0.0);
     vec2 column_size = vec2(0.0);
     float column_slices = 0.0;
@@ -678,15 +690,15 @@ void main() {
     float luts_ground_rows = _group_0_binding_0_fs.luts.ground_rows;
     uint luts_slices_1 = _group_0_binding_0_fs.luts.slices;
     float luts_aerial_ground_rows_1 = _group_0_binding_0_fs.luts.aerial_ground_rows;
-    ivec2 pixel_1 = ivec2(position.xy);
+    ivec2 pixel_2 = ivec2(position.xy);
     if (BLEND) {
     } else {
-        vec4 _e64 = texelFetch(_group_0_binding_1_fs, pixel_1, 0);
+        vec4 _e64 = texelFetch(_group_0_binding_1_fs, pixel_2, 0);
         scene = _e64;
     }
     vec3 _e67 = pixel_ray(position.xy, f_size, f_ray_forward, f_ray_right, f_ray_up);
     float ray_length_1 = length(_e67);
-    vec4 _e71 = texelFetch(_group_0_binding_2_fs, pixel_1, 0);
+    vec4 _e71 = texelFetch(_group_0_binding_2_fs, pixel_2, 0);
     float _e73 = depth_distance(f_depth_scale, f_depth_bias, f_depth_log, f_depth_background, _e71.x, ray_length_1);
     vec3 dir_3 = (_e67 / vec3(ray_length_1));
     line_past(dir_3, f_altitude, f_medium_radius, line_r_mu, line_perigee, line_perigee_excess, line_ground);
@@ -726,9 +738,9 @@ void main() {
     float _e121 = v_to_row(_e116, ground_5, size_5.y, luts_ground_rows);
     vec2 _e122 = sky_view_uv(_e114, _e121, size_5);
     vec3 _e123 = mie_phase_between(dir_3, f_sun, f_medium_mie_asymmetry);
-    path_light(_group_0_binding_3_fs, _group_0_binding_6_fs, _e122, ground_5, _e89, _e123, light_smooth_light, light_mie_light);
-    vec3 _e129 = light_smooth_light;
-    vec3 _e130 = light_mie_light;
+    path_light(_group_0_binding_3_fs, _group_0_binding_6_fs, _e122, ground_5, _e89, _e123, whole_smooth_light, whole_mie_light);
+    vec3 _e129 = whole_smooth_light;
+    vec3 _e130 = whole_mie_light;
     air_transmittance = vec3(1.0);
     air_inscatter = (_e129 + _e130);
     if (!(ground_5)) {
@@ -749,11 +761,13 @@ void main() {
         float _e150 = column_slices;
         air_before(_group_0_binding_4_fs, f_medium_rayleigh_inv_height, f_medium_mie_inv_height, f_medium_radius, _e89, _e90, _e91, _e148, _e149, _e150, _e101, _e129, _e130, air_transmittance, air_inscatter);
     }
-    vec4 _e153 = scene;
-    vec3 _e154 = air_transmittance;
-    vec3 _e155 = air_inscatter;
-    vec4 _e158 = compose(_e153, _e154, ((_e155 * f_medium_irradiance) * _e102));
-    _fs2p_location0 = _e158;
+    vec3 _e153 = air_inscatter;
+    float _e156 = lit_fraction_at(_group_0_binding_7_fs, pixel_2);
+    vec3 light_1 = ((_e153 * f_medium_irradiance) * (_e102 * _e156));
+    vec4 _e159 = scene;
+    vec3 _e160 = air_transmittance;
+    vec4 _e161 = compose(_e159, _e160, light_1);
+    _fs2p_location0 = _e161;
     return;
 }
 

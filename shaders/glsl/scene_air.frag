@@ -85,6 +85,7 @@ struct SceneAir {
 };
 const float HALF_MAX = 32000.0;
 const bool BLEND = true;
+const bool LIT_FRACTION = true;
 const float SUBPIXEL = 0.0625;
 const float LOG_FLOOR = -100.0;
 const float PI = 3.1415927;

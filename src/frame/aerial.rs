@@ -108,13 +108,15 @@ fn aerial(frame: &Frame) -> Node {
     let phase = phase_constant(frame);
     let scene_color = ("scene_color", (!blend).then_some(Resource::SceneColor));
     let scene_depth = ("scene_depth", Some(Resource::SceneDepth));
-    let blended = ("BLEND", blend);
+    let lit_fraction = ("lit_fraction", frame.lit_fraction.then_some(Resource::LitFraction));
+    let (blended, hidden) = (("BLEND", blend), ("LIT_FRACTION", frame.lit_fraction));
     let (program, uniform, reads) = if frame.is_on(&Eclipse) {
         let light = frame.multi_scattering();
-        let constants = [phase, blended, ("SUNLIGHT", true), ("MULTI_SCATTERING", light.is_some())];
+        let constants = [phase, blended, hidden, ("SUNLIGHT", true), ("MULTI_SCATTERING", light.is_some())];
         let list = reads([
             scene_color,
             scene_depth,
+            lit_fraction,
             ("moon_shadow_lut", Some(MOON_SHADOW)),
             ("transmittance_lut", light.map(|_| TRANSMITTANCE)),
             ("multi_scattering_lut", light),
@@ -125,16 +127,19 @@ fn aerial(frame: &Frame) -> Node {
         let list = reads([
             scene_color,
             scene_depth,
+            lit_fraction,
             ("sky_view_lut", Some(SKY_VIEW)),
             ("aerial_lut", frame.aerial_lut()),
             ("transmittance_lut", Some(TRANSMITTANCE)),
             ("mie_single_lut", single.then_some(MIE_SINGLE)),
         ]);
-        let program = Air::ALL.program(&aerial_perspective::INFO, [phase, blended, ("MIE_SINGLE", single)]);
+        let program =
+            Air::ALL.program(&aerial_perspective::INFO, [phase, blended, hidden, ("MIE_SINGLE", single)]);
         (program, frame.with_luts(frame.uniform), list)
     } else {
-        let program = air.program(&aerial_march::INFO, [phase, blended, ("SUNLIGHT", frame.sends_light())]);
-        (program, Uniform::new(&frame.uniform), reads([scene_color, scene_depth]))
+        let program =
+            air.program(&aerial_march::INFO, [phase, blended, hidden, ("SUNLIGHT", frame.sends_light())]);
+        (program, Uniform::new(&frame.uniform), reads([scene_color, scene_depth, lit_fraction]))
     };
     let label = if blend { "planet shell" } else { "aerial perspective" };
     let program = if blend { program.blended() } else { program };

@@ -60,6 +60,8 @@ pub enum Resource {
     SceneColor,
     /// The scene's depth, as it is read.
     SceneDepth,
+    /// How much of the sunlight along each ray is not hidden, as it is read.
+    LitFraction,
     /// The target of the air before the scene.
     Aerial,
     /// The radiance of the finished picture, as it is read.
@@ -81,6 +83,7 @@ impl Resource {
             Self::Background => "background",
             Self::SceneColor => "scene_color",
             Self::SceneDepth => "scene_depth",
+            Self::LitFraction => "lit_fraction",
             Self::Aerial => "aerial",
             Self::Radiance => "radiance",
             Self::Display => "display",
@@ -286,6 +289,7 @@ pub(crate) struct Bindings {
     pub background: Option<Target>,
     pub scene_color: Option<TextureId>,
     pub scene_depth: Option<TextureId>,
+    pub lit_fraction: Option<TextureId>,
     pub aerial: Option<Target>,
     pub radiance: Option<TextureId>,
     pub display: Option<TextureId>,
@@ -301,6 +305,7 @@ impl Bindings {
         match resource {
             Resource::SceneColor => self.scene_color,
             Resource::SceneDepth => self.scene_depth,
+            Resource::LitFraction => self.lit_fraction,
             Resource::Radiance => self.radiance,
             _ => None,
         }

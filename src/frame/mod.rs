@@ -84,6 +84,8 @@ pub struct Frame {
     pub(crate) omission: Omission,
     /// Fraction of the sky's light that the background pass draws; the aerial pass draws the rest.
     pub(crate) background_weight: f64,
+    /// Whether the user says how much of the sunlight along each ray is not hidden.
+    pub(crate) lit_fraction: bool,
     /// The block of every pass of the atmosphere, for the whole picture.
     pub(crate) uniform: FrameUniform,
     /// What of it the LUTs of the view are made of: the previous frame's, where the difference cannot be
@@ -175,6 +177,7 @@ impl Frame {
             no_air: None,
             omission: Omission::default(),
             background_weight,
+            lit_fraction: false,
             effects: EFFECTS.map(|effect| EffectReport { name: effect.name(), ..off }),
         };
         frame.sun = SkyDisk::sun(&frame);

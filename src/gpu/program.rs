@@ -12,7 +12,7 @@ use super::{Error, Result, TextureId};
 use crate::error::Quoted;
 
 /// Most textures that a program reads.
-pub const TEXTURES_MAX: usize = 6;
+pub const TEXTURES_MAX: usize = 7;
 
 /// The binding at which shaders find the sampler: bilinear, clamped to the edges.
 #[cfg(any(feature = "wgpu", feature = "translate"))]

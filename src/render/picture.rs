@@ -322,6 +322,7 @@ impl PictureRenderer {
             background: Some(target),
             scene_color: Some(color),
             scene_depth: Some(depth),
+            lit_fraction: None,
             aerial: Some(Target::color(radiance)),
             radiance: Some(radiance),
             display: Some(display),

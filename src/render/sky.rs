@@ -35,17 +35,31 @@ pub struct FrameTargets {
     pub background: Option<Target>,
     /// What the air before the scene reads and draws to, after the scene.
     pub aerial: Option<AerialTargets>,
+    /// A texture as large as the targets that says in its red how much of the light is there that the air
+    /// sends into a pixel's ray up to the scene, 0 to 1: less where clouds or mountains hide the sun from a
+    /// part of the ray, by a shadow map along it, say. The aerial pass dims its light by that; what lies
+    /// behind is dimmed as before. [`Composition::AtmospherePost`] draws the sky there too, for shafts before
+    /// it.
+    ///
+    /// It dims all light that is drawn: light scattered once in a march, light of all orders from LUTs, of
+    /// which a shadow leaves what was scattered before. Say so in the texture, which need not go down to 0.
+    pub lit_fraction: Option<TextureId>,
 }
 
 impl FrameTargets {
     /// The sky behind the scene alone.
     pub fn background(target: Target) -> Self {
-        Self { background: Some(target), aerial: None }
+        Self { background: Some(target), ..Self::default() }
     }
 
     /// The same with the air before the scene.
     pub fn with_aerial(self, aerial: AerialTargets) -> Self {
         Self { aerial: Some(aerial), ..self }
+    }
+
+    /// The same with a texture that says how much of the light along each ray is there.
+    pub fn with_lit_fraction(self, texture: TextureId) -> Self {
+        Self { lit_fraction: Some(texture), ..self }
     }
 }
 
@@ -143,11 +157,13 @@ impl SkyRenderer {
         if let Some(Viewport { x, y, .. }) = viewport {
             frame.uniform = frame.uniform.moved(&frame.view, size, desc.rows, [x, y]);
         }
+        frame.lit_fraction = targets.lit_fraction.is_some();
         let frame = self.frame.insert(frame);
         let bindings = Bindings {
             background: targets.background,
             scene_color: targets.aerial.and_then(|a| a.color),
             scene_depth: targets.aerial.map(|a| a.depth),
+            lit_fraction: targets.lit_fraction,
             aerial: targets.aerial.map(|a| a.target),
             ..Bindings::default()
         };
@@ -188,7 +204,12 @@ impl SkyRenderer {
                 check_open(target, known(backend, "target", target.color)?.label)?;
             }
         }
-        let Some(aerial) = &targets.aerial else { return background.ok_or_else(no_targets) };
+        let Some(aerial) = &targets.aerial else {
+            if targets.lit_fraction.is_some() {
+                return Err(Error::invalid("lit fraction", "a texture", "none without an aerial target"));
+            }
+            return background.ok_or_else(no_targets);
+        };
         let desc = known(backend, "aerial target", aerial.target.color)?;
         let depth = same_size(backend, "aerial depth", aerial.depth, &desc)?;
         if !matches!(depth.format, Format::Depth32Float | Format::R32Float) {
@@ -209,6 +230,9 @@ impl SkyRenderer {
                 let allowed = format_args!("a texture to read, as composition {composition:?} wants");
                 return Err(Error::invalid("aerial color", "none", allowed));
             }
+        }
+        if let Some(visibility) = targets.lit_fraction {
+            same_size(backend, "lit fraction", visibility, &desc)?;
         }
         if let Some(target) = targets.background {
             same_size(backend, "background", target.color, &desc)?;

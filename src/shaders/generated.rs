@@ -65,9 +65,9 @@ static PARTS: &[&str] = &[
     "const bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst int ZENITHS = 16;\nconst int AZIMUTHS = 8;\n",
     "const float HALF_MAX=32000.0;\n",
     "const float HALF_MAX = 32000.0;\nconst bool BEFORE = true;\nconst vec4 NODES = vec4(0.06943184, 0.3300095, 0.66999054, 0.93056816);\nconst vec4 WEIGHTS = vec4(0.17392743, 0.32607257, 0.32607257, 0.17392743);\n",
-    "const float HALF_MAX = 32000.0;\nconst bool BLEND = true;\nconst float SUBPIXEL = 0.0625;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool SUNLIGHT = true;\n",
-    "const float HALF_MAX = 32000.0;\nconst bool BLEND = true;\nconst float SUBPIXEL = 0.0625;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst bool MULTI_SCATTERING = true;\nconst float PI = 3.1415927;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool SUNLIGHT = true;\nconst float SQRT_HALF = 0.70710677;\n",
-    "const float HALF_MAX = 32000.0;\nconst bool BLEND = true;\nconst float SUBPIXEL = 0.0625;\nconst float LOG_FLOOR = -100.0;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst int AIR_SMOOTH = 0;\nconst int AIR_MIE = 1;\nconst int AIR_BEAM = 2;\nconst int AIR_TRANSMITTANCE = 3;\nconst int AIR_KINDS = 4;\nconst bool MIE_SINGLE = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\n",
+    "const float HALF_MAX = 32000.0;\nconst bool BLEND = true;\nconst bool LIT_FRACTION = true;\nconst float SUBPIXEL = 0.0625;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool SUNLIGHT = true;\n",
+    "const float HALF_MAX = 32000.0;\nconst bool BLEND = true;\nconst bool LIT_FRACTION = true;\nconst float SUBPIXEL = 0.0625;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst bool MULTI_SCATTERING = true;\nconst float PI = 3.1415927;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool SUNLIGHT = true;\nconst float SQRT_HALF = 0.70710677;\n",
+    "const float HALF_MAX = 32000.0;\nconst bool BLEND = true;\nconst bool LIT_FRACTION = true;\nconst float SUBPIXEL = 0.0625;\nconst float LOG_FLOOR = -100.0;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst int AIR_SMOOTH = 0;\nconst int AIR_MIE = 1;\nconst int AIR_BEAM = 2;\nconst int AIR_TRANSMITTANCE = 3;\nconst int AIR_KINDS = 4;\nconst bool MIE_SINGLE = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\n",
     "const float HALF_MAX = 32000.0;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst bool AIR = true;\nconst uint DISK_STEPS = 128u;\nconst uint VERTICES = 4u;\n",
     "const float HALF_MAX = 32000.0;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst bool AIR = true;\nconst uint DISK_STEPS = 128u;\nconst uint VERTICES = 4u;\nconst bool LIMB_DARKENING = true;\nconst bool MOON = true;\n",
     "const float HALF_MAX = 32000.0;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool SUNLIGHT = true;\n",
@@ -104,6 +104,7 @@ static PARTS: &[&str] = &[
     "uniform highp sampler2D _group_0_binding_4_fs;\n",
     "uniform highp sampler2D _group_0_binding_5_fs;\n",
     "uniform highp sampler2D _group_0_binding_6_fs;\n",
+    "uniform highp sampler2D _group_0_binding_7_fs;\n",
     "vec3 aces(vec3 a){mat3x3 b=mat3x3(vec3(0.59719,0.076,0.0284),vec3(0.35458,0.90834,0.13383),vec3(0.04823,0.01566,0.83777));mat3x3 c=mat3x3(vec3(1.60475,-0.10208,-0.00327),vec3(-0.53108,1.10813,-0.07276),vec3(-0.07367,-0.00605,1.07602));vec3 d=(b*a);vec3 e=((d*(d+vec3(0.0245786)))-vec3(9.0537e-5));vec3 f=((d*((0.983729*d)+vec3(0.432951)))+vec3(0.238081));return(c*(e/f));}\n",
     "vec4 aerial_at(highp sampler2D a,vec2 b,vec2 c,float d,float e,int f,float g){if((e<0.0)){return vec4(vec3(g),0.0);}vec2 h=(vec2(1.0)/vec2((c.x*d),(c.y*4.0)));vec2 i=((b+(c*vec2(e,float(f))))+vec2(0.5));vec4 j=textureLod(a,vec2((i*h)),0.0);return j;}\n",
     "void aerial_column(highp sampler2D a,uint b,float c,float d,float e,bool f,inout vec2 g,inout vec2 h,inout float i){float j=float(b);vec2 k=(vec2(uvec2(textureSize(a,0).xy))/vec2(j,4.0));float l=v_to_row(e,f,k.y,c);g=vec2((d*(k.x-1.0)),l);h=k;i=j;}\n",
@@ -166,6 +167,7 @@ static PARTS: &[&str] = &[
     "void line_past(vec3 a,float b,float c,inout bool d){bool e=false;float f=(c+b);float g=(f*a.z);float h=(f*sqrt(dot(a.xy,a.xy)));float i=excess_of(b,c);float j=half_chord2_(g,i,(c-h),h);if((g<0.0)){e=(j>=0.0);}else{e=false;}bool k=e;d=k;}\n",
     "void line_past(vec3 a,float b,float c,inout float d,inout float e,inout bool f){bool g=false;float h=(c+b);float i=(h*a.z);float j=(h*sqrt(dot(a.xy,a.xy)));float k=excess_of(b,c);float l=half_chord2_(i,k,(c-j),j);if((i<0.0)){g=(l>=0.0);}else{g=false;}bool m=g;d=i;e=-(l);f=m;}\n",
     "void line_past(vec3 a,float b,float c,inout float d,inout float e,inout float f,inout bool g){bool h=false;float i=(c+b);float j=(i*a.z);float k=(i*sqrt(dot(a.xy,a.xy)));float l=excess_of(b,c);float m=half_chord2_(j,l,(c-k),k);if((j<0.0)){h=(m>=0.0);}else{h=false;}bool n=h;d=j;e=k;f=-(m);g=n;}\n",
+    "float lit_fraction_at(highp sampler2D a,ivec2 b){if(LIT_FRACTION){vec4 c=texelFetch(a,b,0);return clamp(c.x,0.0,1.0);}else{return 1.0;}}\n",
     "float lit_middle(vec3 a,float b,float c,float d){bool e=((a.x-c)>(d-a.y));float f=(e?c:a.y);float g=(e?a.x:d);float h=distance_to_u(b,f);float i=distance_to_u(b,g);float j=u_to_distance(b,(0.5*(h+i)));return j;}\n",
     "float lommel_seeliger(vec3 a,vec3 b,vec3 c,float d,float e){float f=max(-(dot(a,b)),0.0001);float g=max(dot(a,c),0.0);return(d*(((2.0*g)/(g+f))+e));}\n",
     "void main(){uint a=uint(gl_VertexID);float b=_group_0_binding_0_vs.rectangle.x;float c=_group_0_binding_0_vs.rectangle.z;float d=(((a&1u)!=0u)?c:b);float e=_group_0_binding_0_vs.rectangle.y;float f=_group_0_binding_0_vs.rectangle.w;float g=(((a&2u)!=0u)?f:e);gl_Position=vec4(d,g,0.0,1.0);gl_Position.yz=vec2(-gl_Position.y,gl_Position.z*2.0-gl_Position.w);return;}\n",
@@ -186,9 +188,9 @@ static PARTS: &[&str] = &[
     "void main(){vec4 a=gl_FragCoord;vec3 b=vec3(0.0);vec3 c=vec3(0.0);int d=0;int e=0;int f=0;int g=0;int h=0;int i=0;vec3 j=vec3(0.0);float k=0.0;float l=0.0;float m=0.0;float n=0.0;float o=0.0;float p=0.0;float q=0.0;float r=0.0;float s=0.0;float t=0.0;float u=0.0;bool v=false;float w=0.0;float x=0.0;float y=0.0;vec3 z=vec3(0.0);vec3 aa=vec3(0.0);vec3 ab=vec3(0.0);vec3 ac=_group_0_binding_0_fs.frame.medium.rayleigh;float ad=_group_0_binding_0_fs.frame.medium.rayleigh_inv_height;vec3 ae=_group_0_binding_0_fs.frame.medium.mie_scattering;float af=_group_0_binding_0_fs.frame.medium.mie_inv_height;vec3 ag=_group_0_binding_0_fs.frame.medium.mie_extinction;float ah=_group_0_binding_0_fs.frame.medium.ozone_center;float ai=_group_0_binding_0_fs.frame.medium.ozone_inv_half_width;vec3 aj=_group_0_binding_0_fs.frame.medium.ozone;float ak=_group_0_binding_0_fs.frame.medium.radius;float al=_group_0_binding_0_fs.frame.medium.thickness;float am=_group_0_binding_0_fs.frame.altitude;vec3 an=_group_0_binding_0_fs.frame.sun;vec4 ao=_group_0_binding_0_fs.frame.sky_view_mapping;vec3 ap=_group_0_binding_0_fs.luts.mie_extinction;float aq=_group_0_binding_0_fs.luts.altitude_steepness;vec3 ar=_group_0_binding_0_fs.luts.mie_moment0_;float as=_group_0_binding_0_fs.luts.altitude_growth;vec3 at=_group_0_binding_0_fs.luts.mie_moment1_;float au=_group_0_binding_0_fs.luts.sun_middle;vec3 av=_group_0_binding_0_fs.luts.mie_moment2_;float aw=_group_0_binding_0_fs.luts.sun_width;float ax=_group_0_binding_0_fs.luts.sun_first;float ay=_group_0_binding_0_fs.luts.sun_span;float az=_group_0_binding_0_fs.luts.ground_rows;uvec2 ba=_group_0_binding_0_fs.luts.size;uint bb=_group_0_binding_0_fs.luts.steps;uint bc=_group_0_binding_0_fs.luts.slices;aerial_texel(a.xy,ba,bc,d,e,f,g,h,i);int bd=d;int be=e;int bf=f;int bg=g;int bh=h;int bi=i;float bj=(float(bf)/float((bi-1)));vec2 bk=row_to_v(be,bh,int(az));sky_view_ray(bj,bk.x,(bk.y>0.5),am,ak,al,ao,an,j,k,l,m,n,o,p,q,r,s,t,u,v);vec3 bl=j;float bm=k;float bn=l;float bo=m;float bp=n;float bq=o;float br=p;float bs=q;float bt=r;float bu=s;float bv=t;float bw=u;bool bx=v;if((bn<=0.0)){_fs2p_location0=vec4(vec3(((bd>=AIR_BEAM)?1.0:0.0)),(float((bg+1))/float(bc)));return;}perigee_of(bn,bo,bp,bq,bx,bn,ak,w,x,y);float by=w;float bz=x;float ca=y;float cb=distance_to_u(by,0.0);float cc=distance_to_u(by,bn);float cd=((cc-cb)/float(bc));float ce=(cb+(cd*float(bg)));float cf=u_to_distance(by,(ce+cd));float cg=(cf/bn);if((bd==AIR_SMOOTH)){float ch=rayleigh_phase(bs);b=(ac*ch);}else{c=ae;}float ci=((bd==AIR_SMOOTH)?1.0:0.0);vec3 cj=b;vec3 ck=c;gather(_group_0_binding_1_fs,_group_0_binding_2_fs,ac,ad,ae,af,ah,ai,aj,ak,al,ap,aq,ar,as,at,au,av,aw,ax,ay,bb,bm,br,bs,bt,bu,bv,bw,bl,by,bz,ca,ce,(ce+cd),cj,ck,ci,z,aa,ab);vec3 cl=z;vec3 cm=aa;vec3 cn=ab;switch(bd){case 2:{_fs2p_location0=vec4(cm,cg);return;}case 3:{mat3x3 co=coefficients_of(ac,ag,aj);vec3 cp=extinction(co,cn);_fs2p_location0=vec4(exp(-(cp)),cg);return;}default:{_fs2p_location0=vec4(max(cl,vec3(0.0)),cg);return;}}}\n",
     "void main(){vec4 a=gl_FragCoord;vec3 b=vec3(0.0);vec3 c=vec3(0.0);vec3 d=vec3(0.0);float e=0.0;float f=0.0;float g=0.0;float h=0.0;float i=0.0;float j=0.0;float k=0.0;float l=0.0;float m=0.0;float n=0.0;float o=0.0;bool p=false;float q=0.0;float r=0.0;float s=0.0;vec3 t=vec3(0.0);vec3 u=vec3(0.0);vec3 v=vec3(0.0);vec3 w=_group_0_binding_0_fs.frame.medium.rayleigh;float x=_group_0_binding_0_fs.frame.medium.rayleigh_inv_height;vec3 y=_group_0_binding_0_fs.frame.medium.mie_scattering;float z=_group_0_binding_0_fs.frame.medium.mie_inv_height;vec3 aa=_group_0_binding_0_fs.frame.medium.mie_extinction;float ab=_group_0_binding_0_fs.frame.medium.ozone_center;float ac=_group_0_binding_0_fs.frame.medium.ozone_inv_half_width;vec3 ad=_group_0_binding_0_fs.frame.medium.ozone;float ae=_group_0_binding_0_fs.frame.medium.radius;float af=_group_0_binding_0_fs.frame.medium.thickness;float ag=_group_0_binding_0_fs.frame.altitude;vec3 ah=_group_0_binding_0_fs.frame.sun;vec4 ai=_group_0_binding_0_fs.frame.sky_view_mapping;vec3 aj=_group_0_binding_0_fs.luts.mie_extinction;float ak=_group_0_binding_0_fs.luts.altitude_steepness;vec3 al=_group_0_binding_0_fs.luts.mie_moment0_;float am=_group_0_binding_0_fs.luts.altitude_growth;vec3 an=_group_0_binding_0_fs.luts.mie_moment1_;float ao=_group_0_binding_0_fs.luts.sun_middle;vec3 ap=_group_0_binding_0_fs.luts.mie_moment2_;float aq=_group_0_binding_0_fs.luts.sun_width;float ar=_group_0_binding_0_fs.luts.sun_first;float as=_group_0_binding_0_fs.luts.sun_span;float at=_group_0_binding_0_fs.luts.ground_rows;uvec2 au=_group_0_binding_0_fs.luts.size;uint av=_group_0_binding_0_fs.luts.steps;ivec2 aw=ivec2(a.xy);ivec2 ax=ivec2(au);float ay=(float(aw.x)/float((ax.x-1)));vec2 az=row_to_v(aw.y,ax.y,int(at));bool ba=(az.y>0.5);sky_view_ray(ay,az.x,ba,ag,ae,af,ai,ah,d,e,f,g,h,i,j,k,l,m,n,o,p);vec3 bb=d;float bc=e;float bd=f;float be=g;float bf=h;float bg=i;float bh=j;float bi=k;float bj=l;float bk=m;float bl=n;float bm=o;bool bn=p;if((bd<=0.0)){_fs2p_location0=vec4(0.0,0.0,0.0,1.0);return;}perigee_of(bd,be,bf,bg,bn,bd,ae,q,r,s);float bo=q;float bp=r;float bq=s;float br=distance_to_u(bo,0.0);float bs=distance_to_u(bo,bd);if(MIE_SINGLE){c=y;}else{float bt=rayleigh_phase(bi);b=(w*bt);}vec3 bu=b;vec3 bv=c;gather(_group_0_binding_1_fs,_group_0_binding_2_fs,w,x,y,z,ab,ac,ad,ae,af,aj,ak,al,am,an,ao,ap,aq,ar,as,av,bc,bh,bi,bj,bk,bl,bm,bb,bo,bp,bq,br,bs,bu,bv,1.0,t,u,v);vec3 bw=t;vec3 bx=v;mat3x3 by=coefficients_of(w,aa,ad);vec3 bz=extinction(by,bx);float ca=dot(exp(-(bz)),vec3(0.33333334));float cb=(ba?(1.0/bd):1.0);vec3 cc=encode_light((max(bw,vec3(0.0))*cb));_fs2p_location0=vec4(cc,ca);return;}\n",
     "void main(){vec4 a=gl_FragCoord;vec4 b=texelFetch(_group_0_binding_1_fs,ivec2(a.xy),0);_fs2p_location0=b;return;}\n",
-    "void main(){vec4 a=gl_FragCoord;vec4 b=vec4(0.0);bool c=false;bool d=false;vec3 e=vec3(0.0);vec3 f=vec3(0.0);bool g=false;float h=0.0;float i=0.0;float j=0.0;bool k=false;float l=0.0;float m=0.0;float n=0.0;float o=0.0;float p=0.0;float q=0.0;bool r=false;vec3 s=vec3(0.0);vec3 t=vec3(0.0);vec2 u=vec2(0.0);vec2 v=vec2(0.0);float w=0.0;vec3 x=_group_0_binding_0_fs.frame.medium.rayleigh;float y=_group_0_binding_0_fs.frame.medium.rayleigh_inv_height;float z=_group_0_binding_0_fs.frame.medium.mie_inv_height;vec3 aa=_group_0_binding_0_fs.frame.medium.mie_extinction;vec3 ab=_group_0_binding_0_fs.frame.medium.mie_asymmetry;vec3 ac=_group_0_binding_0_fs.frame.medium.ozone;float ad=_group_0_binding_0_fs.frame.medium.radius;vec3 ae=_group_0_binding_0_fs.frame.medium.irradiance;float af=_group_0_binding_0_fs.frame.medium.thickness;vec3 ag=_group_0_binding_0_fs.frame.ray_forward;float ah=_group_0_binding_0_fs.frame.altitude;vec3 ai=_group_0_binding_0_fs.frame.ray_right;vec3 aj=_group_0_binding_0_fs.frame.ray_up;float ak=_group_0_binding_0_fs.frame.shell_weight;vec3 al=_group_0_binding_0_fs.frame.sun;vec2 am=_group_0_binding_0_fs.frame.size;float an=_group_0_binding_0_fs.frame.pixel_angle;float ao=_group_0_binding_0_fs.frame.depth.scale;float ap=_group_0_binding_0_fs.frame.depth.bias;float aq=_group_0_binding_0_fs.frame.depth.log_;float ar=_group_0_binding_0_fs.frame.depth.background;vec4 as=_group_0_binding_0_fs.frame.sky_view_mapping;float at=_group_0_binding_0_fs.luts.ground_rows;uint au=_group_0_binding_0_fs.luts.slices;float av=_group_0_binding_0_fs.luts.aerial_ground_rows;ivec2 aw=ivec2(a.xy);if(BLEND){}else{vec4 ax=texelFetch(_group_0_binding_1_fs,aw,0);b=ax;}vec3 ay=pixel_ray(a.xy,am,ag,ai,aj);float az=length(ay);vec4 ba=texelFetch(_group_0_binding_2_fs,aw,0);float bb=depth_distance(ao,ap,aq,ar,ba.x,az);vec3 bc=(ay/vec3(az));line_past(bc,ah,ad,h,i,j,k);float bd=h;float be=i;float bf=j;bool bg=k;air_path(bd,bf,bg,ah,ad,af,l,m,n,o);float bh=l;float bi=m;float bj=n;float bk=o;if(bg){c=(bi>=0.0);}else{c=false;}bool bl=c;ray_end(bh,bi,bk,bl,bb,ad,an,ak,p,q,r);float bm=p;float bn=q;bool bo=r;if(!((bm<=0.0))){d=(bn<=0.0);}else{d=true;}bool bp=d;if(bp){vec4 bq=b;_fs2p_location0=bq;return;}float br=azimuth_to_u(bc);float bs=zenith_to_v(bd,be,bf,bg,bc.z,ah,ad,af,as);vec2 bt=vec2(uvec2(textureSize(_group_0_binding_3_fs,0).xy));float bu=v_to_row(bs,bl,bt.y,at);vec2 bv=sky_view_uv(br,bu,bt);vec3 bw=mie_phase_between(bc,al,ab);path_light(_group_0_binding_3_fs,_group_0_binding_6_fs,bv,bl,bi,bw,s,t);vec3 bx=s;vec3 by=t;e=vec3(1.0);f=(bx+by);if(!(bl)){g=(bm>=bi);}else{g=false;}bool bz=g;if(bz){if(bo){vec3 ca=whole_transmittance(_group_0_binding_5_fs,x,aa,ac,ad,af,bj,bk);e=ca;}}else{aerial_column(_group_0_binding_4_fs,au,av,br,bs,bl,u,v,w);vec2 cb=u;vec2 cc=v;float cd=w;air_before(_group_0_binding_4_fs,y,z,ad,bi,bj,bk,cb,cc,cd,bm,bx,by,e,f);}vec4 ce=b;vec3 cf=e;vec3 cg=f;vec4 ch=compose(ce,cf,((cg*ae)*bn));_fs2p_location0=ch;return;}\n",
-    "void main(){vec4 a=gl_FragCoord;vec4 b=vec4(0.0);bool c=false;float d=0.0;float e=0.0;float f=0.0;float g=0.0;float h=0.0;float i=0.0;float j=0.0;float k=0.0;float l=0.0;float m=0.0;float n=0.0;bool o=false;float p=0.0;float q=0.0;bool r=false;vec3 s=vec3(0.0);vec3 t=vec3(0.0);vec3 u=_group_0_binding_0_fs.frame.medium.rayleigh;float v=_group_0_binding_0_fs.frame.medium.rayleigh_inv_height;vec3 w=_group_0_binding_0_fs.frame.medium.mie_scattering;float x=_group_0_binding_0_fs.frame.medium.mie_inv_height;vec3 y=_group_0_binding_0_fs.frame.medium.mie_extinction;float z=_group_0_binding_0_fs.frame.medium.ozone_center;vec3 aa=_group_0_binding_0_fs.frame.medium.mie_asymmetry;float ab=_group_0_binding_0_fs.frame.medium.ozone_inv_half_width;vec3 ac=_group_0_binding_0_fs.frame.medium.ozone;float ad=_group_0_binding_0_fs.frame.medium.radius;vec3 ae=_group_0_binding_0_fs.frame.medium.irradiance;float af=_group_0_binding_0_fs.frame.medium.thickness;vec3 ag=_group_0_binding_0_fs.frame.ray_forward;float ah=_group_0_binding_0_fs.frame.altitude;vec3 ai=_group_0_binding_0_fs.frame.ray_right;vec3 aj=_group_0_binding_0_fs.frame.ray_up;float ak=_group_0_binding_0_fs.frame.shell_weight;vec3 al=_group_0_binding_0_fs.frame.sun;vec2 am=_group_0_binding_0_fs.frame.size;float an=_group_0_binding_0_fs.frame.pixel_angle;float ao=_group_0_binding_0_fs.frame.depth.scale;float ap=_group_0_binding_0_fs.frame.depth.bias;float aq=_group_0_binding_0_fs.frame.depth.log_;float ar=_group_0_binding_0_fs.frame.depth.background;uint as=_group_0_binding_0_fs.frame.view_samples;uint at=_group_0_binding_0_fs.frame.light_samples;ivec2 au=ivec2(a.xy);if(BLEND){}else{vec4 av=texelFetch(_group_0_binding_1_fs,au,0);b=av;}vec3 aw=pixel_ray(a.xy,am,ag,ai,aj);float ax=length(aw);vec4 ay=texelFetch(_group_0_binding_2_fs,au,0);float az=depth_distance(ao,ap,aq,ar,ay.x,ax);vec3 ba=(aw/vec3(ax));air_ray(ba,ah,ad,af,al,d,e,f,g,h,i,j,k,l,m,n,o);float bb=d;float bc=e;float bd=f;float be=g;float bf=h;float bg=i;float bh=j;float bi=k;float bj=l;float bk=m;float bl=n;bool bm=o;ray_end(bb,bc,be,bm,az,ad,an,ak,p,q,r);float bn=p;float bo=q;bool bp=r;if(!((bn<=0.0))){c=(bo<=0.0);}else{c=true;}bool bq=c;if(bq){vec4 br=b;_fs2p_location0=br;return;}vec3 bs=_group_0_binding_0_fs.luts.mie_extinction;float bt=_group_0_binding_0_fs.luts.altitude_steepness;vec3 bu=_group_0_binding_0_fs.luts.mie_moment0_;float bv=_group_0_binding_0_fs.luts.altitude_growth;vec3 bw=_group_0_binding_0_fs.luts.mie_moment1_;float bx=_group_0_binding_0_fs.luts.sun_middle;vec3 by=_group_0_binding_0_fs.luts.mie_moment2_;float bz=_group_0_binding_0_fs.luts.sun_width;float ca=_group_0_binding_0_fs.luts.sun_first;float cb=_group_0_binding_0_fs.luts.sun_span;uint cc=_group_0_binding_0_fs.luts.steps;eclipsed_light(_group_0_binding_4_fs,_group_0_binding_5_fs,u,v,w,x,y,z,aa,ab,ac,ad,af,bs,bt,bu,bv,bw,bx,by,bz,ca,cb,cc,bb,bc,bd,be,bf,bg,bh,bi,bj,bk,bl,bm,ba,al,bn,as,at,s,t);vec3 cd=s;vec3 ce=t;vec3 cf=(bp?ce:vec3(1.0));vec4 cg=b;vec4 ch=compose(cg,cf,((cd*ae)*bo));_fs2p_location0=ch;return;}\n",
-    "void main(){vec4 a=gl_FragCoord;vec4 b=vec4(0.0);bool c=false;float d=0.0;float e=0.0;float f=0.0;float g=0.0;float h=0.0;float i=0.0;float j=0.0;float k=0.0;float l=0.0;float m=0.0;float n=0.0;bool o=false;float p=0.0;float q=0.0;bool r=false;vec3 s=vec3(0.0);vec3 t=vec3(0.0);vec3 u=_group_0_binding_0_fs.medium.rayleigh;float v=_group_0_binding_0_fs.medium.rayleigh_inv_height;vec3 w=_group_0_binding_0_fs.medium.mie_scattering;float x=_group_0_binding_0_fs.medium.mie_inv_height;vec3 y=_group_0_binding_0_fs.medium.mie_extinction;float z=_group_0_binding_0_fs.medium.ozone_center;vec3 aa=_group_0_binding_0_fs.medium.mie_asymmetry;float ab=_group_0_binding_0_fs.medium.ozone_inv_half_width;vec3 ac=_group_0_binding_0_fs.medium.ozone;float ad=_group_0_binding_0_fs.medium.radius;vec3 ae=_group_0_binding_0_fs.medium.irradiance;float af=_group_0_binding_0_fs.medium.thickness;ivec2 ag=ivec2(a.xy);if(BLEND){}else{vec4 ah=texelFetch(_group_0_binding_1_fs,ag,0);b=ah;}vec2 ai=_group_0_binding_0_fs.size;vec3 aj=_group_0_binding_0_fs.ray_forward;vec3 ak=_group_0_binding_0_fs.ray_right;vec3 al=_group_0_binding_0_fs.ray_up;vec3 am=pixel_ray(a.xy,ai,aj,ak,al);float an=length(am);float ao=_group_0_binding_0_fs.depth.scale;float ap=_group_0_binding_0_fs.depth.bias;float aq=_group_0_binding_0_fs.depth.log_;float ar=_group_0_binding_0_fs.depth.background;vec4 as=texelFetch(_group_0_binding_2_fs,ag,0);float at=depth_distance(ao,ap,aq,ar,as.x,an);vec3 au=(am/vec3(an));float av=_group_0_binding_0_fs.altitude;vec3 aw=_group_0_binding_0_fs.sun;air_ray(au,av,ad,af,aw,d,e,f,g,h,i,j,k,l,m,n,o);float ax=d;float ay=e;float az=f;float ba=g;float bb=h;float bc=i;float bd=j;float be=k;float bf=l;float bg=m;float bh=n;bool bi=o;float bj=_group_0_binding_0_fs.pixel_angle;float bk=_group_0_binding_0_fs.shell_weight;ray_end(ax,ay,ba,bi,at,ad,bj,bk,p,q,r);float bl=p;float bm=q;bool bn=r;if(!((bl<=0.0))){c=(bm<=0.0);}else{c=true;}bool bo=c;if(bo){vec4 bp=b;_fs2p_location0=bp;return;}vec3 bq=_group_0_binding_0_fs.sun;vec3 br=(au-bq);uint bs=_group_0_binding_0_fs.view_samples;uint bt=_group_0_binding_0_fs.light_samples;single_scattering(u,v,w,x,y,z,aa,ab,ac,ad,af,ax,ay,az,ba,bb,bc,bd,be,bf,bg,bh,bi,au,bl,(0.5*dot(br,br)),bs,bt,s,t);vec3 bu=s;vec3 bv=t;vec3 bw=(bn?bv:vec3(1.0));vec4 bx=b;vec4 by=compose(bx,bw,((bu*ae)*bm));_fs2p_location0=by;return;}\n",
+    "void main(){vec4 a=gl_FragCoord;vec4 b=vec4(0.0);bool c=false;bool d=false;vec3 e=vec3(0.0);vec3 f=vec3(0.0);bool g=false;float h=0.0;float i=0.0;float j=0.0;bool k=false;float l=0.0;float m=0.0;float n=0.0;float o=0.0;float p=0.0;float q=0.0;bool r=false;vec3 s=vec3(0.0);vec3 t=vec3(0.0);vec2 u=vec2(0.0);vec2 v=vec2(0.0);float w=0.0;vec3 x=_group_0_binding_0_fs.frame.medium.rayleigh;float y=_group_0_binding_0_fs.frame.medium.rayleigh_inv_height;float z=_group_0_binding_0_fs.frame.medium.mie_inv_height;vec3 aa=_group_0_binding_0_fs.frame.medium.mie_extinction;vec3 ab=_group_0_binding_0_fs.frame.medium.mie_asymmetry;vec3 ac=_group_0_binding_0_fs.frame.medium.ozone;float ad=_group_0_binding_0_fs.frame.medium.radius;vec3 ae=_group_0_binding_0_fs.frame.medium.irradiance;float af=_group_0_binding_0_fs.frame.medium.thickness;vec3 ag=_group_0_binding_0_fs.frame.ray_forward;float ah=_group_0_binding_0_fs.frame.altitude;vec3 ai=_group_0_binding_0_fs.frame.ray_right;vec3 aj=_group_0_binding_0_fs.frame.ray_up;float ak=_group_0_binding_0_fs.frame.shell_weight;vec3 al=_group_0_binding_0_fs.frame.sun;vec2 am=_group_0_binding_0_fs.frame.size;float an=_group_0_binding_0_fs.frame.pixel_angle;float ao=_group_0_binding_0_fs.frame.depth.scale;float ap=_group_0_binding_0_fs.frame.depth.bias;float aq=_group_0_binding_0_fs.frame.depth.log_;float ar=_group_0_binding_0_fs.frame.depth.background;vec4 as=_group_0_binding_0_fs.frame.sky_view_mapping;float at=_group_0_binding_0_fs.luts.ground_rows;uint au=_group_0_binding_0_fs.luts.slices;float av=_group_0_binding_0_fs.luts.aerial_ground_rows;ivec2 aw=ivec2(a.xy);if(BLEND){}else{vec4 ax=texelFetch(_group_0_binding_1_fs,aw,0);b=ax;}vec3 ay=pixel_ray(a.xy,am,ag,ai,aj);float az=length(ay);vec4 ba=texelFetch(_group_0_binding_2_fs,aw,0);float bb=depth_distance(ao,ap,aq,ar,ba.x,az);vec3 bc=(ay/vec3(az));line_past(bc,ah,ad,h,i,j,k);float bd=h;float be=i;float bf=j;bool bg=k;air_path(bd,bf,bg,ah,ad,af,l,m,n,o);float bh=l;float bi=m;float bj=n;float bk=o;if(bg){c=(bi>=0.0);}else{c=false;}bool bl=c;ray_end(bh,bi,bk,bl,bb,ad,an,ak,p,q,r);float bm=p;float bn=q;bool bo=r;if(!((bm<=0.0))){d=(bn<=0.0);}else{d=true;}bool bp=d;if(bp){vec4 bq=b;_fs2p_location0=bq;return;}float br=azimuth_to_u(bc);float bs=zenith_to_v(bd,be,bf,bg,bc.z,ah,ad,af,as);vec2 bt=vec2(uvec2(textureSize(_group_0_binding_3_fs,0).xy));float bu=v_to_row(bs,bl,bt.y,at);vec2 bv=sky_view_uv(br,bu,bt);vec3 bw=mie_phase_between(bc,al,ab);path_light(_group_0_binding_3_fs,_group_0_binding_6_fs,bv,bl,bi,bw,s,t);vec3 bx=s;vec3 by=t;e=vec3(1.0);f=(bx+by);if(!(bl)){g=(bm>=bi);}else{g=false;}bool bz=g;if(bz){if(bo){vec3 ca=whole_transmittance(_group_0_binding_5_fs,x,aa,ac,ad,af,bj,bk);e=ca;}}else{aerial_column(_group_0_binding_4_fs,au,av,br,bs,bl,u,v,w);vec2 cb=u;vec2 cc=v;float cd=w;air_before(_group_0_binding_4_fs,y,z,ad,bi,bj,bk,cb,cc,cd,bm,bx,by,e,f);}vec3 ce=f;float cf=lit_fraction_at(_group_0_binding_7_fs,aw);vec3 cg=((ce*ae)*(bn*cf));vec4 ch=b;vec3 ci=e;vec4 cj=compose(ch,ci,cg);_fs2p_location0=cj;return;}\n",
+    "void main(){vec4 a=gl_FragCoord;vec4 b=vec4(0.0);bool c=false;float d=0.0;float e=0.0;float f=0.0;float g=0.0;float h=0.0;float i=0.0;float j=0.0;float k=0.0;float l=0.0;float m=0.0;float n=0.0;bool o=false;float p=0.0;float q=0.0;bool r=false;vec3 s=vec3(0.0);vec3 t=vec3(0.0);vec3 u=_group_0_binding_0_fs.frame.medium.rayleigh;float v=_group_0_binding_0_fs.frame.medium.rayleigh_inv_height;vec3 w=_group_0_binding_0_fs.frame.medium.mie_scattering;float x=_group_0_binding_0_fs.frame.medium.mie_inv_height;vec3 y=_group_0_binding_0_fs.frame.medium.mie_extinction;float z=_group_0_binding_0_fs.frame.medium.ozone_center;vec3 aa=_group_0_binding_0_fs.frame.medium.mie_asymmetry;float ab=_group_0_binding_0_fs.frame.medium.ozone_inv_half_width;vec3 ac=_group_0_binding_0_fs.frame.medium.ozone;float ad=_group_0_binding_0_fs.frame.medium.radius;vec3 ae=_group_0_binding_0_fs.frame.medium.irradiance;float af=_group_0_binding_0_fs.frame.medium.thickness;vec3 ag=_group_0_binding_0_fs.frame.ray_forward;float ah=_group_0_binding_0_fs.frame.altitude;vec3 ai=_group_0_binding_0_fs.frame.ray_right;vec3 aj=_group_0_binding_0_fs.frame.ray_up;float ak=_group_0_binding_0_fs.frame.shell_weight;vec3 al=_group_0_binding_0_fs.frame.sun;vec2 am=_group_0_binding_0_fs.frame.size;float an=_group_0_binding_0_fs.frame.pixel_angle;float ao=_group_0_binding_0_fs.frame.depth.scale;float ap=_group_0_binding_0_fs.frame.depth.bias;float aq=_group_0_binding_0_fs.frame.depth.log_;float ar=_group_0_binding_0_fs.frame.depth.background;uint as=_group_0_binding_0_fs.frame.view_samples;uint at=_group_0_binding_0_fs.frame.light_samples;ivec2 au=ivec2(a.xy);if(BLEND){}else{vec4 av=texelFetch(_group_0_binding_1_fs,au,0);b=av;}vec3 aw=pixel_ray(a.xy,am,ag,ai,aj);float ax=length(aw);vec4 ay=texelFetch(_group_0_binding_2_fs,au,0);float az=depth_distance(ao,ap,aq,ar,ay.x,ax);vec3 ba=(aw/vec3(ax));air_ray(ba,ah,ad,af,al,d,e,f,g,h,i,j,k,l,m,n,o);float bb=d;float bc=e;float bd=f;float be=g;float bf=h;float bg=i;float bh=j;float bi=k;float bj=l;float bk=m;float bl=n;bool bm=o;ray_end(bb,bc,be,bm,az,ad,an,ak,p,q,r);float bn=p;float bo=q;bool bp=r;if(!((bn<=0.0))){c=(bo<=0.0);}else{c=true;}bool bq=c;if(bq){vec4 br=b;_fs2p_location0=br;return;}vec3 bs=_group_0_binding_0_fs.luts.mie_extinction;float bt=_group_0_binding_0_fs.luts.altitude_steepness;vec3 bu=_group_0_binding_0_fs.luts.mie_moment0_;float bv=_group_0_binding_0_fs.luts.altitude_growth;vec3 bw=_group_0_binding_0_fs.luts.mie_moment1_;float bx=_group_0_binding_0_fs.luts.sun_middle;vec3 by=_group_0_binding_0_fs.luts.mie_moment2_;float bz=_group_0_binding_0_fs.luts.sun_width;float ca=_group_0_binding_0_fs.luts.sun_first;float cb=_group_0_binding_0_fs.luts.sun_span;uint cc=_group_0_binding_0_fs.luts.steps;eclipsed_light(_group_0_binding_4_fs,_group_0_binding_5_fs,u,v,w,x,y,z,aa,ab,ac,ad,af,bs,bt,bu,bv,bw,bx,by,bz,ca,cb,cc,bb,bc,bd,be,bf,bg,bh,bi,bj,bk,bl,bm,ba,al,bn,as,at,s,t);vec3 cd=s;vec3 ce=t;vec3 cf=(bp?ce:vec3(1.0));float cg=lit_fraction_at(_group_0_binding_6_fs,au);vec3 ch=((cd*ae)*(bo*cg));vec4 ci=b;vec4 cj=compose(ci,cf,ch);_fs2p_location0=cj;return;}\n",
+    "void main(){vec4 a=gl_FragCoord;vec4 b=vec4(0.0);bool c=false;float d=0.0;float e=0.0;float f=0.0;float g=0.0;float h=0.0;float i=0.0;float j=0.0;float k=0.0;float l=0.0;float m=0.0;float n=0.0;bool o=false;float p=0.0;float q=0.0;bool r=false;vec3 s=vec3(0.0);vec3 t=vec3(0.0);vec3 u=_group_0_binding_0_fs.medium.rayleigh;float v=_group_0_binding_0_fs.medium.rayleigh_inv_height;vec3 w=_group_0_binding_0_fs.medium.mie_scattering;float x=_group_0_binding_0_fs.medium.mie_inv_height;vec3 y=_group_0_binding_0_fs.medium.mie_extinction;float z=_group_0_binding_0_fs.medium.ozone_center;vec3 aa=_group_0_binding_0_fs.medium.mie_asymmetry;float ab=_group_0_binding_0_fs.medium.ozone_inv_half_width;vec3 ac=_group_0_binding_0_fs.medium.ozone;float ad=_group_0_binding_0_fs.medium.radius;vec3 ae=_group_0_binding_0_fs.medium.irradiance;float af=_group_0_binding_0_fs.medium.thickness;ivec2 ag=ivec2(a.xy);if(BLEND){}else{vec4 ah=texelFetch(_group_0_binding_1_fs,ag,0);b=ah;}vec2 ai=_group_0_binding_0_fs.size;vec3 aj=_group_0_binding_0_fs.ray_forward;vec3 ak=_group_0_binding_0_fs.ray_right;vec3 al=_group_0_binding_0_fs.ray_up;vec3 am=pixel_ray(a.xy,ai,aj,ak,al);float an=length(am);float ao=_group_0_binding_0_fs.depth.scale;float ap=_group_0_binding_0_fs.depth.bias;float aq=_group_0_binding_0_fs.depth.log_;float ar=_group_0_binding_0_fs.depth.background;vec4 as=texelFetch(_group_0_binding_2_fs,ag,0);float at=depth_distance(ao,ap,aq,ar,as.x,an);vec3 au=(am/vec3(an));float av=_group_0_binding_0_fs.altitude;vec3 aw=_group_0_binding_0_fs.sun;air_ray(au,av,ad,af,aw,d,e,f,g,h,i,j,k,l,m,n,o);float ax=d;float ay=e;float az=f;float ba=g;float bb=h;float bc=i;float bd=j;float be=k;float bf=l;float bg=m;float bh=n;bool bi=o;float bj=_group_0_binding_0_fs.pixel_angle;float bk=_group_0_binding_0_fs.shell_weight;ray_end(ax,ay,ba,bi,at,ad,bj,bk,p,q,r);float bl=p;float bm=q;bool bn=r;if(!((bl<=0.0))){c=(bm<=0.0);}else{c=true;}bool bo=c;if(bo){vec4 bp=b;_fs2p_location0=bp;return;}vec3 bq=_group_0_binding_0_fs.sun;vec3 br=(au-bq);uint bs=_group_0_binding_0_fs.view_samples;uint bt=_group_0_binding_0_fs.light_samples;single_scattering(u,v,w,x,y,z,aa,ab,ac,ad,af,ax,ay,az,ba,bb,bc,bd,be,bf,bg,bh,bi,au,bl,(0.5*dot(br,br)),bs,bt,s,t);vec3 bu=s;vec3 bv=t;vec3 bw=(bn?bv:vec3(1.0));float bx=lit_fraction_at(_group_0_binding_3_fs,ag);vec3 by=((bu*ae)*(bm*bx));vec4 bz=b;vec4 ca=compose(bz,bw,by);_fs2p_location0=ca;return;}\n",
     "void main(){vec4 a=gl_FragCoord;vec4 b=vec4(0.0);float c=0.0;int d=-1;int e=0;vec2 f=_group_0_binding_0_fs.size;vec3 g=_group_0_binding_0_fs.ray_forward;vec3 h=_group_0_binding_0_fs.ray_right;vec3 i=_group_0_binding_0_fs.ray_up;vec3 j=pixel_ray(a.xy,f,g,h,i);vec3 k=normalize(j);float l=_group_0_binding_0_fs.altitude;float m=_group_0_binding_0_fs.medium.radius;bool n=hits_planet(k,l,m);if(n){discard;}ivec2 o=ivec2(uvec2(textureSize(_group_0_binding_1_fs,0).xy));vec2 p=_group_0_binding_0_fs.size;vec2 q=(((a.xy/p)*vec2(o))-vec2(0.5));ivec2 r=ivec2(floor(q));vec2 s=(q-floor(q));bool t=true;while(true){if(!t){int u=d;d=(u+1);}t=false;int v=d;if((v<=2)){}else{break;}{e=-1;bool w=true;while(true){if(!w){int x=e;e=(x+1);}w=false;int y=e;if((y<=2)){}else{break;}{int z=e;int aa=d;vec4 ab=texelFetch(_group_0_binding_1_fs,min(max((r+ivec2(z,aa)),ivec2(0)),(o-ivec2(1))),0);int ac=e;int ad=d;vec2 ae=max((vec2(1.0)-abs((vec2(float(ac),float(ad))-s))),vec2(0.0001));if((ab.w>=0.0)){vec4 af=b;b=(af+((ab*ae.x)*ae.y));float ag=c;c=(ag+(ae.x*ae.y));}}}}}vec4 ah=b;float ai=c;_fs2p_location0=(ah/vec4(max(ai,1e-12)));return;}\n",
     "vec3 mean_transmittance(vec3 a){vec3 b=(vec3(1.0)-(a*(vec3(0.5)-(a*0.16666667))));return mix(((vec3(1.0)-exp(-(a)))/a),b,lessThan(a,vec3(0.01)));}\n",
     "vec3 mie_phase(float a,float b,vec3 c){if(CORNETTE_SHANKS){vec3 d=cornette_shanks_phase(a,b,c);return d;}else{vec3 e=henyey_greenstein_phase(a,b,c);return e;}}\n",
@@ -287,8 +289,8 @@ pub mod aerial_lut_scan {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 112],
-            fragment: &[0, 26, 31, 32, 29, 30, 37, 18, 24, 41, 19, 53, 51, 121],
+            vertex: &[0, 26, 114],
+            fragment: &[0, 26, 31, 32, 29, 30, 37, 18, 24, 41, 19, 54, 52, 123],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs"],
         },
@@ -331,8 +333,8 @@ pub mod aerial_lut_slices {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 112],
-            fragment: &[0, 26, 32, 29, 30, 31, 37, 4, 24, 41, 42, 19, 61, 84, 60, 79, 95, 163, 173, 174, 78, 101, 153, 164, 103, 66, 73, 85, 189, 80, 133, 71, 109, 68, 64, 187, 150, 62, 172, 143, 145, 96, 144, 176, 179, 87, 188, 191, 166, 160, 53, 157, 126],
+            vertex: &[0, 26, 114],
+            fragment: &[0, 26, 32, 29, 30, 31, 37, 4, 24, 41, 42, 19, 62, 85, 61, 80, 96, 165, 175, 176, 79, 102, 155, 166, 104, 67, 74, 86, 191, 81, 135, 72, 111, 69, 65, 189, 152, 63, 174, 145, 147, 97, 146, 178, 181, 88, 190, 193, 168, 162, 54, 159, 128],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs", "_group_0_binding_2_fs"],
         },
@@ -346,32 +348,34 @@ pub mod aerial_march {
 
     /// Laid over the scene, dimmed by a grey mean; off: its colour is read.
     pub const BLEND: u32 = 1 << 0;
+    /// A texture says how much of the sunlight along each ray is there.
+    pub const LIT_FRACTION: u32 = 1 << 1;
     /// The air holds gas that scatters light like Rayleigh's molecules.
-    pub const RAYLEIGH: u32 = 1 << 1;
+    pub const RAYLEIGH: u32 = 1 << 2;
     /// The air holds an aerosol.
-    pub const MIE: u32 = 1 << 2;
+    pub const MIE: u32 = 1 << 3;
     /// The air holds an absorber.
-    pub const OZONE: u32 = 1 << 3;
+    pub const OZONE: u32 = 1 << 4;
     /// The aerosol scatters after Cornette & Shanks; off: Henyey & Greenstein.
-    pub const CORNETTE_SHANKS: u32 = 1 << 4;
+    pub const CORNETTE_SHANKS: u32 = 1 << 5;
     /// Sunlight reaches the air; off: it dims what lies behind and sends no light.
-    pub const SUNLIGHT: u32 = 1 << 5;
+    pub const SUNLIGHT: u32 = 1 << 6;
     /// The row of the table.
     pub static INFO: ProgramInfo = ProgramInfo {
         name: "aerial_march",
         uniform_size: 224,
-        textures: &[TextureSlot { name: "scene_color", binding: 1, filtered: false }, TextureSlot { name: "scene_depth", binding: 2, filtered: false }],
-        constants: &["BLEND", "RAYLEIGH", "MIE", "OZONE", "CORNETTE_SHANKS", "SUNLIGHT"],
+        textures: &[TextureSlot { name: "scene_color", binding: 1, filtered: false }, TextureSlot { name: "scene_depth", binding: 2, filtered: false }, TextureSlot { name: "lit_fraction", binding: 3, filtered: false }],
+        constants: &["BLEND", "LIT_FRACTION", "RAYLEIGH", "MIE", "OZONE", "CORNETTE_SHANKS", "SUNLIGHT"],
         vertices: Vertices::Triangle,
         #[cfg(any(feature = "wgpu", feature = "translate"))]
         wgsl: &[text::LIB_FULLSCREEN, text::LIB_FRAME, text::LIB_VIEW, text::LIB_AERIAL, text::LIB_GEOMETRY, text::LIB_MEDIUM, text::LIB_PATH, text::LIB_PHASE, text::LIB_SINGLE_SCATTERING, text::LIB_OPEN_SUN, text::PASS_AERIAL_MARCH],
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 112],
-            fragment: &[0, 26, 32, 29, 30, 8, 20, 41, 42, 19, 154, 74, 194, 161, 156, 67, 61, 84, 60, 79, 95, 163, 173, 174, 107, 185, 78, 57, 58, 153, 164, 103, 66, 73, 85, 189, 80, 151, 133, 71, 109, 157, 98, 69, 134, 175, 176, 165, 131],
+            vertex: &[0, 26, 114],
+            fragment: &[0, 26, 32, 29, 30, 8, 20, 41, 42, 43, 19, 156, 75, 196, 163, 158, 110, 68, 62, 85, 61, 80, 96, 165, 175, 176, 108, 187, 79, 58, 59, 155, 166, 104, 67, 74, 86, 191, 81, 153, 135, 72, 111, 159, 99, 70, 136, 177, 178, 167, 133],
             blocks: ["", "Frame_block_0Fragment"],
-            samplers: &["_group_0_binding_1_fs", "_group_0_binding_2_fs"],
+            samplers: &["_group_0_binding_1_fs", "_group_0_binding_2_fs", "_group_0_binding_3_fs"],
         },
     };
 }
@@ -383,18 +387,20 @@ pub mod aerial_march_eclipse {
 
     /// Laid over the scene, dimmed by a grey mean; off: its colour is read.
     pub const BLEND: u32 = 1 << 0;
+    /// A texture says how much of the sunlight along each ray is there.
+    pub const LIT_FRACTION: u32 = 1 << 1;
     /// The air holds gas that scatters light like Rayleigh's molecules.
-    pub const RAYLEIGH: u32 = 1 << 1;
+    pub const RAYLEIGH: u32 = 1 << 2;
     /// The air holds an aerosol.
-    pub const MIE: u32 = 1 << 2;
+    pub const MIE: u32 = 1 << 3;
     /// The air holds an absorber.
-    pub const OZONE: u32 = 1 << 3;
+    pub const OZONE: u32 = 1 << 4;
     /// Light is scattered again; off: sunlight alone.
-    pub const MULTI_SCATTERING: u32 = 1 << 4;
+    pub const MULTI_SCATTERING: u32 = 1 << 5;
     /// The aerosol scatters after Cornette & Shanks; off: Henyey & Greenstein.
-    pub const CORNETTE_SHANKS: u32 = 1 << 5;
+    pub const CORNETTE_SHANKS: u32 = 1 << 6;
     /// Sunlight reaches the air; off: it dims what lies behind and sends no light.
-    pub const SUNLIGHT: u32 = 1 << 6;
+    pub const SUNLIGHT: u32 = 1 << 7;
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
@@ -405,18 +411,18 @@ pub mod aerial_march_eclipse {
     pub static INFO: ProgramInfo = ProgramInfo {
         name: "aerial_march_eclipse",
         uniform_size: 384,
-        textures: &[TextureSlot { name: "scene_color", binding: 1, filtered: false }, TextureSlot { name: "scene_depth", binding: 2, filtered: false }, TextureSlot { name: "moon_shadow_lut", binding: 3, filtered: false }, TextureSlot { name: "transmittance_lut", binding: 4, filtered: false }, TextureSlot { name: "multi_scattering_lut", binding: 5, filtered: false }],
-        constants: &["BLEND", "RAYLEIGH", "MIE", "OZONE", "MULTI_SCATTERING", "CORNETTE_SHANKS", "SUNLIGHT"],
+        textures: &[TextureSlot { name: "scene_color", binding: 1, filtered: false }, TextureSlot { name: "scene_depth", binding: 2, filtered: false }, TextureSlot { name: "moon_shadow_lut", binding: 3, filtered: false }, TextureSlot { name: "transmittance_lut", binding: 4, filtered: false }, TextureSlot { name: "multi_scattering_lut", binding: 5, filtered: false }, TextureSlot { name: "lit_fraction", binding: 6, filtered: false }],
+        constants: &["BLEND", "LIT_FRACTION", "RAYLEIGH", "MIE", "OZONE", "MULTI_SCATTERING", "CORNETTE_SHANKS", "SUNLIGHT"],
         vertices: Vertices::Triangle,
         #[cfg(any(feature = "wgpu", feature = "translate"))]
         wgsl: &[text::LIB_FULLSCREEN, text::LIB_FRAME, text::LIB_VIEW, text::LIB_AERIAL, text::LIB_GEOMETRY, text::LIB_MEDIUM, text::LIB_PATH, text::LIB_LUTS, text::LIB_TRANSMITTANCE_LUT, text::LIB_MULTI_SCATTERING_LUT, text::LIB_GATHER, text::LIB_PHASE, text::LIB_SINGLE_SCATTERING, text::LIB_ALL_ORDERS, text::LIB_CONSTANTS, text::LIB_DISK_OVERLAP, text::LIB_MOON_SHADOW, text::LIB_ECLIPSED_SUN, text::PASS_AERIAL_MARCH_ECLIPSE],
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 112],
-            fragment: &[0, 26, 32, 29, 30, 31, 33, 36, 9, 43, 24, 41, 42, 44, 45, 19, 154, 74, 194, 161, 156, 67, 61, 84, 60, 79, 95, 163, 173, 174, 107, 185, 78, 57, 58, 153, 164, 103, 66, 73, 85, 189, 80, 151, 133, 71, 109, 68, 64, 187, 150, 62, 172, 143, 145, 96, 144, 137, 94, 155, 162, 195, 140, 138, 141, 178, 142, 181, 87, 157, 98, 69, 134, 135, 175, 165, 59, 82, 130],
+            vertex: &[0, 26, 114],
+            fragment: &[0, 26, 32, 29, 30, 31, 33, 36, 9, 43, 24, 41, 42, 44, 45, 46, 19, 156, 75, 196, 163, 158, 110, 68, 62, 85, 61, 80, 96, 165, 175, 176, 108, 187, 79, 58, 59, 155, 166, 104, 67, 74, 86, 191, 81, 153, 135, 72, 111, 69, 65, 189, 152, 63, 174, 145, 147, 97, 146, 139, 95, 157, 164, 197, 142, 140, 143, 180, 144, 183, 88, 159, 99, 70, 136, 137, 177, 167, 60, 83, 132],
             blocks: ["", "Uniforms_block_0Fragment"],
-            samplers: &["_group_0_binding_1_fs", "_group_0_binding_2_fs", "_group_0_binding_3_fs", "_group_0_binding_4_fs", "_group_0_binding_5_fs"],
+            samplers: &["_group_0_binding_1_fs", "_group_0_binding_2_fs", "_group_0_binding_3_fs", "_group_0_binding_4_fs", "_group_0_binding_5_fs", "_group_0_binding_6_fs"],
         },
     };
 }
@@ -429,16 +435,18 @@ pub mod aerial_perspective {
 
     /// Laid over the scene, dimmed by a grey mean; off: its colour is read.
     pub const BLEND: u32 = 1 << 0;
+    /// A texture says how much of the sunlight along each ray is there.
+    pub const LIT_FRACTION: u32 = 1 << 1;
     /// The air holds gas that scatters light like Rayleigh's molecules.
-    pub const RAYLEIGH: u32 = 1 << 1;
+    pub const RAYLEIGH: u32 = 1 << 2;
     /// The air holds an aerosol.
-    pub const MIE: u32 = 1 << 2;
+    pub const MIE: u32 = 1 << 3;
     /// The air holds an absorber.
-    pub const OZONE: u32 = 1 << 3;
+    pub const OZONE: u32 = 1 << 4;
     /// With sunlight scattered once by the aerosol, which has a LUT of its own.
-    pub const MIE_SINGLE: u32 = 1 << 4;
+    pub const MIE_SINGLE: u32 = 1 << 5;
     /// The aerosol scatters after Cornette & Shanks; off: Henyey & Greenstein.
-    pub const CORNETTE_SHANKS: u32 = 1 << 5;
+    pub const CORNETTE_SHANKS: u32 = 1 << 6;
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
@@ -453,18 +461,18 @@ pub mod aerial_perspective {
     pub static INFO: ProgramInfo = ProgramInfo {
         name: "aerial_perspective",
         uniform_size: 352,
-        textures: &[TextureSlot { name: "scene_color", binding: 1, filtered: false }, TextureSlot { name: "scene_depth", binding: 2, filtered: false }, TextureSlot { name: "sky_view_lut", binding: 3, filtered: true }, TextureSlot { name: "aerial_lut", binding: 4, filtered: true }, TextureSlot { name: "transmittance_lut", binding: 5, filtered: false }, TextureSlot { name: "mie_single_lut", binding: 6, filtered: true }],
-        constants: &["BLEND", "RAYLEIGH", "MIE", "OZONE", "MIE_SINGLE", "CORNETTE_SHANKS"],
+        textures: &[TextureSlot { name: "scene_color", binding: 1, filtered: false }, TextureSlot { name: "scene_depth", binding: 2, filtered: false }, TextureSlot { name: "sky_view_lut", binding: 3, filtered: true }, TextureSlot { name: "aerial_lut", binding: 4, filtered: true }, TextureSlot { name: "transmittance_lut", binding: 5, filtered: false }, TextureSlot { name: "mie_single_lut", binding: 6, filtered: true }, TextureSlot { name: "lit_fraction", binding: 7, filtered: false }],
+        constants: &["BLEND", "LIT_FRACTION", "RAYLEIGH", "MIE", "OZONE", "MIE_SINGLE", "CORNETTE_SHANKS"],
         vertices: Vertices::Triangle,
         #[cfg(any(feature = "wgpu", feature = "translate"))]
         wgsl: &[text::LIB_FULLSCREEN, text::LIB_FRAME, text::LIB_VIEW, text::LIB_AERIAL, text::LIB_LUTS, text::LIB_CONSTANTS, text::LIB_GEOMETRY, text::LIB_SKY_VIEW_LUT, text::LIB_MEDIUM, text::LIB_PATH, text::LIB_AERIAL_LUT, text::LIB_TRANSMITTANCE_LUT, text::LIB_LUT_AIR, text::LIB_PHASE, text::PASS_AERIAL_PERSPECTIVE],
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 112],
-            fragment: &[0, 26, 32, 29, 30, 31, 37, 10, 24, 41, 42, 43, 44, 45, 46, 19, 154, 74, 194, 161, 156, 67, 68, 64, 61, 84, 60, 79, 95, 108, 185, 78, 57, 70, 63, 197, 193, 167, 72, 66, 85, 80, 133, 49, 48, 52, 169, 170, 168, 50, 187, 150, 55, 196, 152, 98, 69, 134, 135, 129],
+            vertex: &[0, 26, 114],
+            fragment: &[0, 26, 32, 29, 30, 31, 37, 10, 24, 41, 42, 43, 44, 45, 46, 47, 19, 156, 75, 196, 163, 158, 110, 68, 69, 65, 62, 85, 61, 80, 96, 109, 187, 79, 58, 71, 64, 199, 195, 169, 73, 67, 86, 81, 135, 50, 49, 53, 171, 172, 170, 51, 189, 152, 56, 198, 154, 99, 70, 136, 137, 131],
             blocks: ["", "Uniforms_block_0Fragment"],
-            samplers: &["_group_0_binding_1_fs", "_group_0_binding_2_fs", "_group_0_binding_3_fs", "_group_0_binding_4_fs", "_group_0_binding_5_fs", "_group_0_binding_6_fs"],
+            samplers: &["_group_0_binding_1_fs", "_group_0_binding_2_fs", "_group_0_binding_3_fs", "_group_0_binding_4_fs", "_group_0_binding_5_fs", "_group_0_binding_6_fs", "_group_0_binding_7_fs"],
         },
     };
 }
@@ -490,8 +498,8 @@ pub mod airglow {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 112],
-            fragment: &[0, 26, 32, 29, 30, 38, 7, 24, 41, 19, 154, 74, 61, 84, 95, 108, 159, 183, 182, 116],
+            vertex: &[0, 26, 114],
+            fragment: &[0, 26, 32, 29, 30, 38, 7, 24, 41, 19, 156, 75, 62, 85, 96, 109, 161, 185, 184, 118],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs"],
         },
@@ -514,8 +522,8 @@ pub mod copy {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 112],
-            fragment: &[0, 26, 41, 19, 128],
+            vertex: &[0, 26, 114],
+            fragment: &[0, 26, 41, 19, 130],
             blocks: ["", ""],
             samplers: &["_group_0_binding_1_fs"],
         },
@@ -553,8 +561,8 @@ pub mod moon_disk {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 32, 29, 30, 39, 11, 25, 111],
-            fragment: &[0, 26, 32, 29, 30, 39, 11, 24, 19, 154, 61, 84, 60, 79, 95, 107, 185, 78, 56, 103, 66, 73, 85, 189, 151, 77, 76, 110, 139, 114],
+            vertex: &[0, 26, 32, 29, 30, 39, 11, 25, 113],
+            fragment: &[0, 26, 32, 29, 30, 39, 11, 24, 19, 156, 62, 85, 61, 80, 96, 108, 187, 79, 57, 104, 67, 74, 86, 191, 153, 78, 77, 112, 141, 116],
             blocks: ["Uniforms_block_0Vertex", "Uniforms_block_0Fragment"],
             samplers: &[],
         },
@@ -595,8 +603,8 @@ pub mod multi_scattering_gather {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 112],
-            fragment: &[0, 26, 32, 31, 40, 2, 24, 41, 42, 19, 61, 84, 60, 79, 95, 163, 173, 78, 101, 153, 164, 103, 73, 85, 189, 80, 133, 71, 109, 68, 64, 187, 150, 62, 192, 172, 143, 190, 145, 96, 144, 91, 176, 179, 86, 157, 98, 88, 147, 93, 124],
+            vertex: &[0, 26, 114],
+            fragment: &[0, 26, 32, 31, 40, 2, 24, 41, 42, 19, 62, 85, 61, 80, 96, 165, 175, 79, 102, 155, 166, 104, 74, 86, 191, 81, 135, 72, 111, 69, 65, 189, 152, 63, 194, 174, 145, 192, 147, 97, 146, 92, 178, 181, 87, 159, 99, 89, 149, 94, 126],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs", "_group_0_binding_2_fs"],
         },
@@ -628,8 +636,8 @@ pub mod multi_scattering_lut {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 112],
-            fragment: &[0, 26, 32, 31, 40, 5, 24, 41, 19, 192, 96, 84, 88, 148, 136, 119],
+            vertex: &[0, 26, 114],
+            fragment: &[0, 26, 32, 31, 40, 5, 24, 41, 19, 194, 97, 85, 89, 150, 138, 121],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs"],
         },
@@ -663,8 +671,8 @@ pub mod sky_march {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 112],
-            fragment: &[0, 26, 32, 29, 30, 13, 20, 19, 154, 194, 61, 84, 60, 79, 95, 163, 173, 174, 107, 185, 78, 57, 58, 153, 100, 164, 103, 66, 73, 85, 189, 80, 151, 133, 71, 109, 157, 98, 69, 134, 175, 176, 165, 118],
+            vertex: &[0, 26, 114],
+            fragment: &[0, 26, 32, 29, 30, 13, 20, 19, 156, 196, 62, 85, 61, 80, 96, 165, 175, 176, 108, 187, 79, 58, 59, 155, 101, 166, 104, 67, 74, 86, 191, 81, 153, 135, 72, 111, 159, 99, 70, 136, 177, 178, 167, 120],
             blocks: ["", "Frame_block_0Fragment"],
             samplers: &[],
         },
@@ -705,8 +713,8 @@ pub mod sky_march_eclipse {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 112],
-            fragment: &[0, 26, 32, 29, 30, 31, 33, 36, 15, 41, 24, 42, 43, 19, 154, 194, 61, 84, 60, 79, 95, 163, 173, 174, 107, 185, 78, 57, 58, 153, 100, 164, 103, 66, 73, 85, 189, 80, 151, 133, 71, 109, 68, 64, 187, 150, 62, 172, 143, 145, 96, 144, 137, 94, 155, 162, 195, 140, 138, 141, 177, 142, 180, 87, 157, 98, 69, 134, 135, 175, 165, 59, 82, 117],
+            vertex: &[0, 26, 114],
+            fragment: &[0, 26, 32, 29, 30, 31, 33, 36, 15, 41, 24, 42, 43, 19, 156, 196, 62, 85, 61, 80, 96, 165, 175, 176, 108, 187, 79, 58, 59, 155, 101, 166, 104, 67, 74, 86, 191, 81, 153, 135, 72, 111, 69, 65, 189, 152, 63, 174, 145, 147, 97, 146, 139, 95, 157, 164, 197, 142, 140, 143, 179, 144, 182, 88, 159, 99, 70, 136, 137, 177, 167, 60, 83, 119],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs", "_group_0_binding_2_fs", "_group_0_binding_3_fs"],
         },
@@ -736,8 +744,8 @@ pub mod sky_view {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 112],
-            fragment: &[0, 26, 32, 29, 30, 31, 37, 16, 24, 41, 42, 19, 154, 84, 95, 108, 185, 70, 63, 197, 193, 167, 72, 98, 69, 134, 135, 125],
+            vertex: &[0, 26, 114],
+            fragment: &[0, 26, 32, 29, 30, 31, 37, 16, 24, 41, 42, 19, 156, 85, 96, 109, 187, 71, 64, 199, 195, 169, 73, 99, 70, 136, 137, 127],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs", "_group_0_binding_2_fs"],
         },
@@ -780,8 +788,8 @@ pub mod sky_view_lut {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 112],
-            fragment: &[0, 26, 32, 29, 30, 31, 37, 3, 24, 41, 42, 19, 61, 84, 60, 79, 95, 163, 173, 174, 78, 101, 153, 164, 103, 66, 73, 85, 189, 80, 133, 71, 109, 68, 64, 187, 150, 62, 172, 143, 145, 96, 144, 176, 179, 87, 188, 191, 166, 160, 83, 157, 127],
+            vertex: &[0, 26, 114],
+            fragment: &[0, 26, 32, 29, 30, 31, 37, 3, 24, 41, 42, 19, 62, 85, 61, 80, 96, 165, 175, 176, 79, 102, 155, 166, 104, 67, 74, 86, 191, 81, 135, 72, 111, 69, 65, 189, 152, 63, 174, 145, 147, 97, 146, 178, 181, 88, 190, 193, 168, 162, 84, 159, 129],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs", "_group_0_binding_2_fs"],
         },
@@ -823,8 +831,8 @@ pub mod sun_disk {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 32, 29, 30, 39, 11, 25, 111],
-            fragment: &[0, 26, 32, 29, 30, 39, 12, 24, 19, 154, 61, 84, 60, 79, 95, 107, 185, 78, 56, 103, 66, 73, 85, 189, 151, 77, 158, 76, 105, 104, 115],
+            vertex: &[0, 26, 32, 29, 30, 39, 11, 25, 113],
+            fragment: &[0, 26, 32, 29, 30, 39, 12, 24, 19, 156, 62, 85, 61, 80, 96, 108, 187, 79, 57, 104, 67, 74, 86, 191, 153, 78, 160, 77, 106, 105, 117],
             blocks: ["Uniforms_block_0Vertex", "Uniforms_block_0Fragment"],
             samplers: &[],
         },
@@ -868,8 +876,8 @@ pub mod terrain {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 32, 29, 30, 31, 33, 34, 14, 22, 28, 61, 84, 60, 79, 103, 66, 73, 85, 189, 151, 175, 102, 149, 97, 89, 92, 65, 113],
-            fragment: &[0, 26, 32, 29, 30, 31, 33, 34, 14, 21, 41, 42, 27, 75, 68, 64, 172, 143, 91, 155, 94, 162, 195, 137, 140, 138, 141, 142, 90, 123],
+            vertex: &[0, 26, 32, 29, 30, 31, 33, 34, 14, 22, 28, 62, 85, 61, 80, 104, 67, 74, 86, 191, 153, 177, 103, 151, 98, 90, 93, 66, 115],
+            fragment: &[0, 26, 32, 29, 30, 31, 33, 34, 14, 21, 41, 42, 27, 76, 69, 65, 174, 145, 92, 157, 95, 164, 197, 139, 142, 140, 143, 144, 91, 125],
             blocks: ["Terrain_block_0Vertex", "Terrain_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs", "_group_0_binding_2_fs"],
         },
@@ -899,8 +907,8 @@ pub mod tone_map {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 112],
-            fragment: &[0, 26, 35, 1, 23, 41, 19, 47, 54, 146, 184, 171, 81, 122],
+            vertex: &[0, 26, 114],
+            fragment: &[0, 26, 35, 1, 23, 41, 19, 48, 55, 148, 186, 173, 82, 124],
             blocks: ["", "Tone_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs"],
         },
@@ -930,8 +938,8 @@ pub mod transmittance_lut {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 112],
-            fragment: &[0, 26, 32, 31, 40, 17, 24, 19, 61, 84, 60, 186, 103, 73, 189, 151, 120],
+            vertex: &[0, 26, 114],
+            fragment: &[0, 26, 32, 31, 40, 17, 24, 19, 62, 85, 61, 188, 104, 74, 191, 153, 122],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &[],
         },
@@ -955,8 +963,8 @@ pub mod upsample {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 112],
-            fragment: &[0, 26, 32, 29, 30, 6, 20, 41, 19, 154, 84, 95, 106, 99, 132],
+            vertex: &[0, 26, 114],
+            fragment: &[0, 26, 32, 29, 30, 6, 20, 41, 19, 156, 85, 96, 107, 100, 134],
             blocks: ["", "Frame_block_0Fragment"],
             samplers: &["_group_0_binding_1_fs"],
         },

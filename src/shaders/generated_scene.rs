@@ -29,7 +29,7 @@ mod text {
 #[cfg(feature = "webgl")]
 static PARTS: &[&str] = &[
     "#version 300 es\n",
-    "const float HALF_MAX = 32000.0;\nconst bool BLEND = true;\nconst float SUBPIXEL = 0.0625;\nconst float LOG_FLOOR = -100.0;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst int AIR_SMOOTH = 0;\nconst int AIR_MIE = 1;\nconst int AIR_BEAM = 2;\nconst int AIR_TRANSMITTANCE = 3;\nconst int AIR_KINDS = 4;\nconst bool MIE_SINGLE = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst float IRRADIANCE_0_ = 0.88622695;\nconst float IRRADIANCE_1_ = 1.0233268;\nconst float IRRADIANCE_2_ = 0.8580855;\nconst float IRRADIANCE_ZZ = 0.24770796;\nconst float IRRADIANCE_XX = 0.42904276;\n",
+    "const float HALF_MAX = 32000.0;\nconst bool BLEND = true;\nconst bool LIT_FRACTION = true;\nconst float SUBPIXEL = 0.0625;\nconst float LOG_FLOOR = -100.0;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst int AIR_SMOOTH = 0;\nconst int AIR_MIE = 1;\nconst int AIR_BEAM = 2;\nconst int AIR_TRANSMITTANCE = 3;\nconst int AIR_KINDS = 4;\nconst bool MIE_SINGLE = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst float IRRADIANCE_0_ = 0.88622695;\nconst float IRRADIANCE_1_ = 1.0233268;\nconst float IRRADIANCE_2_ = 0.8580855;\nconst float IRRADIANCE_ZZ = 0.24770796;\nconst float IRRADIANCE_XX = 0.42904276;\n",
     "layout(location=0)out vec4 _fs2p_location0;\n",
     "layout(std140)uniform SceneAir_block_0Fragment{SceneAir _group_0_binding_0_fs;};\n",
     "precision highp float;precision highp int;\n",

@@ -119,7 +119,7 @@ fn over_passes(
     scene: &Scene,
     aerial: AerialTargets,
 ) -> Vec<Pass> {
-    let targets = FrameTargets { background: None, aerial: Some(aerial) };
+    let targets = FrameTargets { aerial: Some(aerial), ..FrameTargets::default() };
     let frame = sky.frame(b, scene, &targets).unwrap();
     [frame.background, frame.aerial].concat()
 }

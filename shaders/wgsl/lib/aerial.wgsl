@@ -2,7 +2,8 @@
 // The steps that all passes for the air before the scene share: how far they go along a ray, and what they
 // make of the scene's colour.
 
-const BLEND: bool = true; // Laid over the scene, dimmed by a grey mean; off: its colour is read.
+const BLEND: bool = true;          // Laid over the scene, dimmed by a grey mean; off: its colour is read.
+const LIT_FRACTION: bool = true; // A texture says how much of the sunlight along each ray is there.
 
 const SUBPIXEL: f32 = 0.0625; // 1/16 pixel: 4 bits, the least that Vulkan and OpenGL ES allow
 
@@ -47,6 +48,15 @@ fn ray_end(
         return RayEnd(length, 1.0, true);
     }
     return RayEnd(length, shell_weight, shell_weight >= 1.0);
+}
+
+// How much of the light along a pixel's ray is there: all, or as the user's texture says in its red, 0 to 1.
+fn lit_fraction_at(visibility: texture_2d<f32>, pixel: vec2i) -> f32 {
+    if LIT_FRACTION {
+        return clamp(textureLoad(visibility, pixel, 0).x, 0.0, 1.0);
+    } else {
+        return 1.0;
+    }
 }
 
 // The scene through the air: scene transmittance + inscatter, per channel. The scene is never cut, whatever

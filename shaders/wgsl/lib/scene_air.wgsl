@@ -29,7 +29,7 @@ struct SceneAir {
 @group(0) @binding(2) var aerial_lut: texture_2d<f32>;
 @group(0) @binding(3) var transmittance_lut: texture_2d<f32>;
 @group(0) @binding(4) var mie_single_lut: texture_2d<f32>;
-@group(0) @binding(7) var linear: sampler;
+@group(0) @binding(8) var linear: sampler;
 
 // What the air does to what lies behind it: behind * transmittance + inscatter.
 struct Air {

@@ -7,6 +7,7 @@
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var scene_color: texture_2d<f32>;
 @group(0) @binding(2) var scene_depth: texture_2d<f32>;
+@group(0) @binding(3) var lit_fraction: texture_2d<f32>;
 
 @fragment
 fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
@@ -32,5 +33,6 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let s = single_scattering(
         m, ray, dir, end.length, 0.5 * dot(offset, offset), frame.view_samples, frame.light_samples);
     let transmittance = select(vec3f(1.0), s.transmittance, end.dims);
-    return compose(scene, transmittance, s.radiance * m.irradiance * end.weight);
+    let light = s.radiance * m.irradiance * (end.weight * lit_fraction_at(lit_fraction, pixel));
+    return compose(scene, transmittance, light);
 }

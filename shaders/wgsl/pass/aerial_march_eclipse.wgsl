@@ -9,6 +9,7 @@
 @group(0) @binding(3) var moon_shadow_lut: texture_2d<f32>;
 @group(0) @binding(4) var transmittance_lut: texture_2d<f32>;
 @group(0) @binding(5) var multi_scattering_lut: texture_2d<f32>;
+@group(0) @binding(6) var lit_fraction: texture_2d<f32>;
 
 @fragment
 fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
@@ -35,5 +36,6 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
         transmittance_lut, multi_scattering_lut, m, uniforms.luts, ray, dir, f.sun, end.length,
         f.view_samples, f.light_samples);
     let transmittance = select(vec3f(1.0), s.transmittance, end.dims);
-    return compose(scene, transmittance, s.radiance * m.irradiance * end.weight);
+    let light = s.radiance * m.irradiance * (end.weight * lit_fraction_at(lit_fraction, pixel));
+    return compose(scene, transmittance, light);
 }

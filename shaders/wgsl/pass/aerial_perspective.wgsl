@@ -16,7 +16,8 @@ struct Uniforms {
 @group(0) @binding(4) var aerial_lut: texture_2d<f32>;
 @group(0) @binding(5) var transmittance_lut: texture_2d<f32>;
 @group(0) @binding(6) var mie_single_lut: texture_2d<f32>;
-@group(0) @binding(7) var linear: sampler;
+@group(0) @binding(7) var lit_fraction: texture_2d<f32>;
+@group(0) @binding(8) var linear: sampler;
 
 @fragment
 fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
@@ -45,10 +46,10 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let v = zenith_to_v(line, dir.z, f.altitude, m.radius, m.thickness, f.sky_view_mapping);
     let size = vec2f(textureDimensions(sky_view_lut));
     let uv = sky_view_uv(u, v_to_row(v, ground, size.y, luts.ground_rows), size);
-    let light = path_light(
+    let whole = path_light(
         sky_view_lut, mie_single_lut, linear, uv, ground, path.length,
         mie_phase_between(dir, f.sun, m.mie_asymmetry));
-    var air = AirBefore(vec3f(1.0), light.smooth_light + light.mie_light);
+    var air = AirBefore(vec3f(1.0), whole.smooth_light + whole.mie_light);
     if !ground && end.length >= path.length {
         if end.dims {
             air.transmittance = whole_transmittance(transmittance_lut, m, path);
@@ -56,7 +57,8 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     } else {
         let column = aerial_column(aerial_lut, luts, u, v, ground);
         air = air_before(
-            aerial_lut, linear, m, path, column, end.length, light.smooth_light, light.mie_light);
+            aerial_lut, linear, m, path, column, end.length, whole.smooth_light, whole.mie_light);
     }
-    return compose(scene, air.transmittance, air.inscatter * m.irradiance * end.weight);
+    let light = air.inscatter * m.irradiance * (end.weight * lit_fraction_at(lit_fraction, pixel));
+    return compose(scene, air.transmittance, light);
 }

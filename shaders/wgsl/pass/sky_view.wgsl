@@ -13,7 +13,7 @@ struct Uniforms {
 @group(0) @binding(0) var<uniform> uniforms: Uniforms;
 @group(0) @binding(1) var sky_view_lut: texture_2d<f32>;
 @group(0) @binding(2) var mie_single_lut: texture_2d<f32>;
-@group(0) @binding(7) var linear: sampler;
+@group(0) @binding(8) var linear: sampler;
 
 const MIE_SINGLE: bool = true; // With sunlight scattered once by the aerosol, which has a LUT of its own.
 const BLEND: bool = true;      // Laid over what is in the target; off: the target holds nothing.

@@ -111,8 +111,8 @@ impl WgpuBackend {
     }
 
     /// Records those of the passes in a user's encoder that draw to textures, as [`Self::encode`] does, and
-    /// answers what those draw that are for a pass of the user's ([`Self::import_pass`]): begin it in the same
-    /// encoder, then call [`InPass::draw`].
+    /// answers what those draw that are for a pass of the user's ([`Self::import_pass`]): begin it in the
+    /// same encoder, then call [`InPass::draw`].
     ///
     /// ```no_run
     /// # fn frame(backend: &mut welkin::gpu::wgpu::WgpuBackend, sky: &mut welkin::SkyRenderer,
