@@ -5,7 +5,7 @@
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestCaseError, TestRunner};
 use welkin::gpu::egl::Headless;
-use welkin::gpu::{Backend, Format, Pass, TextureId};
+use welkin::gpu::{Backend, Format, Pass, Target, TextureId, Viewport};
 use welkin::render::sky_light::SkyLightRead;
 use welkin::{
     AerialTargets, Composition, ErrorKind, FrameTargets, Look, Moon, Scene, SkyRenderer, SkySettings,
@@ -183,7 +183,7 @@ fn step(losses: u32) -> impl Strategy<Value = Step> {
 }
 
 const SCENES: usize = 6;
-const SETTINGS: usize = 4;
+const SETTINGS: usize = 7;
 const SIZES: [[u32; 2]; 2] = [[4, 4], [6, 4]];
 
 /// The same medium from three places, another, a moon and another moon.
@@ -210,6 +210,7 @@ fn settings(which: usize) -> SkySettings {
         1 => SkySettings { look: Look { composition: Composition::AtmospherePost, ..base.look }, ..base },
         2 => SkySettings { bound: None, ..sky(march(2, 1)) },
         3 => SkySettings { render_scale: 0.5, ..base },
+        4 => SkySettings { look: Look { scene_shaders: true, ..base.look }, ..base },
         _ => base,
     }
 }
@@ -227,10 +228,14 @@ impl Targets {
         Self([color, depth, out])
     }
 
-    fn frame(&self) -> FrameTargets {
+    /// As the settings of that number have them: two of these differ in their targets.
+    fn frame(&self, settings: usize) -> FrameTargets {
         let [color, depth, out] = self.0;
-        let air = AerialTargets { color: Some(color), depth, target: cleared(out) };
-        FrameTargets::background(cleared(color)).with_aerial(air)
+        let viewport = (settings == 5).then_some(Viewport { x: 1, y: 1, width: 2, height: 3 });
+        let part = |color| Target { viewport, ..cleared(color) };
+        let air = AerialTargets { color: Some(color), depth, target: part(out) };
+        let targets = FrameTargets::background(part(color)).with_aerial(air);
+        if settings == 6 { targets.with_lit_fraction(depth) } else { targets }
     }
 
     fn free(self, b: &mut dyn Backend) {
@@ -238,14 +243,23 @@ impl Targets {
     }
 }
 
-/// What a frame draws that runs at once.
-fn draw(b: &mut dyn Backend, sky: &mut SkyRenderer, scene: &Scene, size: [u32; 2]) -> Vec<f32> {
+/// What a frame draws that runs at once, and what it hands to the scene's own shaders.
+fn draw(
+    b: &mut dyn Backend,
+    sky: &mut SkyRenderer,
+    scene: &Scene,
+    size: [u32; 2],
+    settings: usize,
+) -> Vec<f32> {
     let targets = Targets::new(b, size);
-    let frame = sky.frame(b, scene, &targets.frame()).unwrap();
-    let color = frame.color;
+    let frame = sky.frame(b, scene, &targets.frame(settings)).unwrap();
+    let (color, air) = (frame.color, frame.air);
     b.run(frame.background).unwrap();
     b.run(frame.aerial).unwrap();
-    let pixels = b.read(color).unwrap();
+    let mut pixels = b.read(color).unwrap();
+    for (_, lut) in air.iter().flat_map(|air| air.textures().iter().collect::<Vec<_>>()) {
+        pixels.extend(b.read(lut.expect("a LUT for the scene's shaders")).unwrap());
+    }
     targets.free(b);
     pixels
 }
@@ -294,7 +308,8 @@ impl<M: Machine> Play<M> {
     fn frame(&mut self, which: usize, way: Way) -> welkin::Result<()> {
         let machine = &mut self.machines[self.current];
         let size = self.size;
-        let targets = self.targets.get_or_insert_with(|| Targets::new(machine.backend(), size)).frame();
+        let targets =
+            self.targets.get_or_insert_with(|| Targets::new(machine.backend(), size)).frame(self.settings);
         let frame = self.sky.frame(machine.backend(), &scene(which), &targets)?;
         let passes = match way {
             Way::Half => frame.background.to_vec(),
@@ -385,15 +400,15 @@ fn play<M: Machine>(machines: [M; 2], steps: &[Step], last: usize) -> Result<[M;
         }
     }
     play.leave();
-    let (size, settings, last) = (play.size, settings(play.settings), scene(last));
+    let (size, number, last) = (play.size, play.settings, scene(last));
     let Play { mut machines, current, mut sky, .. } = play;
     let b = machines[current].backend();
     // What runs late, or was dropped, is known once all is done.
     b.wait().unwrap();
-    let got = draw(b, &mut sky, &last, size);
+    let got = draw(b, &mut sky, &last, size, number);
     sky.destroy(b);
-    let mut fresh = SkyRenderer::new(settings).unwrap();
-    let want = draw(b, &mut fresh, &last, size);
+    let mut fresh = SkyRenderer::new(settings(number)).unwrap();
+    let want = draw(b, &mut fresh, &last, size, number);
     fresh.destroy(b);
     assert_empty(b);
     prop_assert!(got == want, "the renderer draws another picture than a new one");
