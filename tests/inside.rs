@@ -335,3 +335,47 @@ fn viewports_out_of_range_are_refused() {
         b.destroy_texture(color);
     });
 }
+
+/// The eyes of a headset are layers of one texture: each is a target, and both share their LUTs.
+#[test]
+fn layers_of_an_array_are_targets() {
+    let mut user = User::new();
+    let (_, scene, sky) = scenes()[0].clone();
+    let array = user.device.create_texture(&wgpu::TextureDescriptor {
+        label: None,
+        size: wgpu::Extent3d { width: SIZE[0], height: SIZE[1], depth_or_array_layers: 2 },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: wgpu::TextureFormat::Rgba16Float,
+        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING,
+        view_formats: &[],
+    });
+    let eyes = [-0.0325, 0.0325].map(|aside| {
+        let mut eye = scene.clone();
+        eye.camera.position += eye.camera.forward.cross(eye.camera.up).normalize() * aside;
+        eye
+    });
+    let mut renderer = SkyRenderer::new(sky).unwrap();
+    for (layer, eye) in (0..).zip(&eyes) {
+        let view = array.create_view(&wgpu::TextureViewDescriptor {
+            dimension: Some(wgpu::TextureViewDimension::D2),
+            base_array_layer: layer,
+            array_layer_count: Some(1),
+            ..Default::default()
+        });
+        let desc = TextureDesc::new("eye", SIZE[0], SIZE[1], Format::Rgba16Float);
+        let id = user.backend.import_view(view, desc).unwrap();
+        let passes = background_passes(&mut user.backend, &mut renderer, eye, cleared(id));
+        let luts = passes.iter().filter(|p| p.label.ends_with("LUT")).count();
+        assert_eq!(luts > 0, layer == 0, "the second eye has the first one's LUTs");
+        user.frame(&passes);
+        let copy = texture(&mut user.backend, "copy", SIZE, Format::Rgba32Float);
+        let read = copy_pass(&mut user.backend, id, copy);
+        user.frame(&[read]);
+        let got = user.backend.read(copy).unwrap();
+        assert_same("an eye", &got, &alone(&mut user.backend, eye, sky, SIZE));
+        free(&mut user.backend, [id, copy]);
+    }
+    user.no_errors();
+}

@@ -217,8 +217,7 @@ fn depth_is_cleared_around_every_scene() {
             assert_eq!(first.target.clear_depth, Some(0.0));
             b.run(around.before).unwrap();
             assert_eq!(b.content(around.depth), 0, "nobody knows what a user draws");
-            b.run(around.aerial).unwrap();
-            b.run(around.display).unwrap();
+            b.run(around.after).unwrap();
         }
         renderer.destroy(b);
     });

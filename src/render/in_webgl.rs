@@ -141,13 +141,12 @@ impl WebGlSky {
         backend.with_framebuffer(around.color, around.depth, |gl, framebuffer| {
             opaque(gl, &WebGlFrame { framebuffer, light, air, frame });
         })?;
+        let Some(transparent) = transparent else { return backend.run(around.after) };
         backend.run(around.aerial)?;
-        if let Some(transparent) = transparent {
-            let air = bindings(backend)?;
-            backend.with_framebuffer(around.radiance, around.depth, |gl, framebuffer| {
-                transparent(gl, &WebGlFrame { framebuffer, light, air, frame });
-            })?;
-        }
+        let air = bindings(backend)?;
+        backend.with_framebuffer(around.radiance, around.depth, |gl, framebuffer| {
+            transparent(gl, &WebGlFrame { framebuffer, light, air, frame });
+        })?;
         backend.run(around.display)
     }
 

@@ -189,11 +189,10 @@ impl WgpuSky {
             let air = air.map(|air| backend.air_group(encoder, &air)).transpose()?;
             let (light, air, frame) = (light.get(), air.as_ref(), around.frame);
             opaque(encoder, &WgpuFrame { color: &color, depth: &depth, light, air, frame });
+            let Some(transparent) = transparent else { return backend.encode(encoder, around.after) };
             backend.encode(encoder, around.aerial)?;
-            if let Some(transparent) = transparent {
-                let color = view(backend, around.radiance)?;
-                transparent(encoder, &WgpuFrame { color: &color, depth: &depth, light, air, frame });
-            }
+            let color = view(backend, around.radiance)?;
+            transparent(encoder, &WgpuFrame { color: &color, depth: &depth, light, air, frame });
             backend.encode(encoder, around.display)
         })();
         backend.destroy_texture(display);

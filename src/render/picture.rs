@@ -148,9 +148,11 @@ pub struct PictureRenderer {
 pub struct Around<'a> {
     /// Run these first: they clear [`Self::color`] and [`Self::depth`] and draw the sky behind the scene.
     pub before: &'a [Pass],
-    /// Run these after the scene: the air before it, which leaves the frame in [`Self::radiance`].
+    /// Run these after the scene: the air before it, then tone mapping.
+    pub after: &'a [Pass],
+    /// The first part of [`Self::after`]: the air, which leaves the frame in [`Self::radiance`].
     pub aerial: &'a [Pass],
-    /// Run these last: tone mapping.
+    /// The rest of it: tone mapping.
     pub display: &'a [Pass],
     /// What the scene is drawn to: linear radiance, in the unit of [`AtmosphereParams::sun_intensity`] per
     /// steradian.
@@ -249,7 +251,7 @@ impl PictureRenderer {
         let (aerial, display) = after.split_at(aerial - background);
         let color = self.color.unwrap_or(drawn.radiance);
         let Drawn { radiance, depth, .. } = drawn;
-        Ok(Around { before, aerial, display, color, radiance, depth, air, frame })
+        Ok(Around { before, after, aerial, display, color, radiance, depth, air, frame })
     }
 
     /// Asks for the light of the sky that was drawn last: see [`SkyRenderer::begin_sky_light`].

@@ -78,7 +78,7 @@ pub fn glsl(shader: &str) -> String {
         match sampler {
             Some(i) => Some(["welkin_", info.textures[i].name].concat()),
             None if word == block => Some(GLSL_BLOCK.to_owned()),
-            None if word.starts_with("_group") => Some("welkin_values".to_owned()),
+            None if word == "g0" => Some("welkin_values".to_owned()),
             None => names.contains(&word).then(|| ["welkin_", word].concat()),
         }
     });
@@ -174,6 +174,6 @@ mod tests {
             assert!(text.contains(part), "{part}\n{text}");
         }
         assert_eq!(text.matches("void main").count(), 1);
-        assert!(!text.contains("_group_0"), "{text}");
+        assert!(!text.contains("_group_0") && !super::words(&text).any(|word| word == "g0"), "{text}");
     }
 }

@@ -332,7 +332,8 @@ fn rust_table(programs: &[Source]) -> String {
                 )
             })
             .collect();
-        let samplers: Vec<_> = p.textures.iter().map(|t| &t.sampler).collect();
+        let samplers: Vec<_> =
+            p.textures.iter().map(|t| short_global(&t.sampler).unwrap_or_default()).collect();
         let strip = p.numbers.iter().find(|(name, _)| name == VERTICES);
         let vertices =
             strip.map_or("Vertices::Triangle".to_owned(), |(_, count)| format!("Vertices::Strip({count})"));
@@ -429,10 +430,28 @@ fn pack(part: &str) -> String {
         let (before, tail) = rest.split_once(word).unwrap_or((rest, ""));
         out += before;
         let renamed = short.iter().find(|(known, _)| !member && *known == word);
-        out += renamed.map_or(word, |(_, name)| name);
+        let global = short_global(word);
+        out += renamed.map(|(_, name)| name.as_str()).or(global.as_deref()).unwrap_or(word);
         rest = tail;
     }
     out + rest
+}
+
+/// A short name of what naga names after its binding or its location: `g1`, `v0`, `o0`. A block
+/// has another in each stage, as OpenGL wants of different blocks. Names of locals have no
+/// digits, and those of functions and members are not of one letter.
+fn short_global(name: &str) -> Option<String> {
+    let number = |before: &str, after: &str| {
+        let number = name.strip_prefix(before)?.strip_suffix(after)?;
+        number.chars().all(|c| c.is_ascii_digit()).then_some(number)
+    };
+    let names = [
+        ("g", number("_group_0_binding_", "_fs")),
+        ("h", number("_group_0_binding_", "_vs")),
+        ("v", number("_vs2fs_location", "")),
+        ("o", number("_fs2p_location", "")),
+    ];
+    names.into_iter().find_map(|(letter, number)| Some([letter, number?].concat()))
 }
 
 /// A part on one line without the spaces that no compiler needs. Lines that are searched for when a program
