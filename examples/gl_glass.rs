@@ -49,13 +49,12 @@ void main() {
 /// The program.
 pub fn glass(gl: &glow::Context) -> welkin::Result<glow::Program> {
     let (scene, (middle, radius)) = (scene(), SPHERE);
-    let view = scene.validate()?;
+    let camera = scene.camera.basis()?;
     let vec3 = |v: glam::DVec3| format!("vec3({:?}, {:?}, {:?})", v.x, v.y, v.z);
-    let in_scene = |v| vec3(view.world_to_zenith.transpose() * v);
     // Without glClipControl, OpenGL makes depth of z as 0.5 + 0.5 z.
     let z = 2.0 * scene.depth.encode(middle[0]) - 1.0;
-    let rays = RAYS.replace("DEPTH", &format!("{z:?}")).replace("FORWARD", &in_scene(view.basis.forward));
-    let rays = rays.replace("RIGHT", &in_scene(view.basis.right)).replace("UP", &in_scene(view.basis.up));
+    let rays = RAYS.replace("DEPTH", &format!("{z:?}")).replace("FORWARD", &vec3(camera.forward));
+    let rays = rays.replace("RIGHT", &vec3(camera.right)).replace("UP", &vec3(camera.up));
     let glass = GLASS.replace("MIDDLE", &vec3(middle.into())).replace("RADIUS", &format!("{radius:?}"));
     // SAFETY: objects made here, in the current context.
     unsafe {

@@ -38,16 +38,16 @@ struct Ray { @builtin(position) position: vec4f, @location(0) ray: vec3f }
     return Ray(vec4f(ndc, DEPTH, 1.0), FORWARD + RIGHT * ndc.x + UP * ndc.y);
 }";
 
-/// The pipeline: group 0 is welkin's here, yours may be any other.
+/// The pipeline. Group 0 is welkin's here; with groups of your own, give the number of another to
+/// `shaders::scene::wgsl`, `AirGroup::bind` and the pipeline's layout.
 pub fn glass(sky: &mut WgpuSky, device: &wgpu::Device) -> welkin::Result<wgpu::RenderPipeline> {
     let (scene, (middle, radius)) = (scene(), SPHERE);
-    let view = scene.validate()?;
+    let camera = scene.camera.basis()?;
     let vec3 = |v: glam::DVec3| format!("vec3f({:?}, {:?}, {:?})", v.x, v.y, v.z);
-    let in_scene = |v| vec3(view.world_to_zenith.transpose() * v);
     let text = [RAYS, GLASS].concat().replace("DEPTH", &format!("{:?}", scene.depth.encode(middle[0])));
     let text = text.replace("MIDDLE", &vec3(middle.into())).replace("RADIUS", &format!("{radius:?}"));
-    let text = text.replace("FORWARD", &in_scene(view.basis.forward));
-    let text = text.replace("RIGHT", &in_scene(view.basis.right)).replace("UP", &in_scene(view.basis.up));
+    let text = text.replace("FORWARD", &vec3(camera.forward));
+    let text = text.replace("RIGHT", &vec3(camera.right)).replace("UP", &vec3(camera.up));
     let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label: Some("glass"),
         source: wgpu::ShaderSource::Wgsl(shaders::scene::wgsl(0, &text).into()),

@@ -78,7 +78,7 @@
 //! backend.run(frame.background)?;
 //! // Here draw your scene. Where it is not, its depth is `scene.depth.background()`.
 //! backend.run(frame.aerial)?;
-//! // `hazy` now has the frame, in linear light: multiply it by an exposure, and map it to your display.
+//! // `hazy` now has the frame, in linear light: `frame::tone_map::tone_pass` maps it to your display.
 //! // Where no air was drawn (from space looking away, say) it is `color` that has it; `frame.color` tells.
 //! # Ok(()) }
 //! ```
@@ -150,6 +150,6 @@ pub use render::in_wgpu::{AirGroup, WgpuFrame, WgpuSky};
 pub use render::picture::{Around, PictureRenderer, PictureSettings};
 pub use render::scene_air::SceneAir;
 pub use render::sky::{AerialTargets, FrameTargets, SkyFrame, SkyRenderer};
-pub use render::sky_light::{LightingContextUniform, SkyLight};
+pub use render::sky_light::{LightingContextUniform, SkyLight, SkyLightRead};
 pub use render::warm_up::{TargetFormats, WarmUp};
 pub use settings::{Bound, Composition, Look, LutSettings, Mode, Quality, SkySettings, ToneMap};

@@ -441,3 +441,40 @@ fn a_march_cannot_be_read_by_shaders() {
     let error = SkyRenderer::new(settings).unwrap_err().to_string();
     assert!(error.starts_with("quality = a march is not allowed: must be one with LUTs"), "{error}");
 }
+
+/// Air whose LUTs are another frame's, or nobody's yet, is an error and not another light.
+#[test]
+fn air_of_another_frame_is_refused() {
+    let day = View { pitch: 10.0, sun_elevation: 40.0, ..View::default() }.scene();
+    let evening = View { pitch: 10.0, sun_elevation: 2.0, ..View::default() }.scene();
+    for mut user in User::both() {
+        let color = target(user.backend(), SIZE);
+        let mut sky = SkyRenderer::new(read_by_shaders(luts(TINY))).unwrap();
+        let mut frame = |user: &mut User, scene: &Scene, run: bool| {
+            let targets = FrameTargets::background(cleared(color));
+            let frame = sky.frame(user.backend(), scene, &targets).unwrap();
+            let (passes, air) = (frame.background.to_vec(), frame.air.unwrap());
+            if run {
+                user.backend().run(&passes).unwrap();
+            }
+            air
+        };
+        let bound = |user: &mut User, air: &SceneAir| match user {
+            User::Wgpu(backend) => {
+                let encoder = backend.device().create_command_encoder(&Default::default());
+                backend.air_group(&encoder, air).map(drop)
+            }
+            User::Gl(window) => window.backend.scene_air(air).map(drop),
+        };
+        let unrun = frame(&mut user, &day, false);
+        let error = bound(&mut user, &unrun).unwrap_err().to_string();
+        assert!(error.starts_with("scene air = of another frame"), "{error}");
+        let old = frame(&mut user, &day, true);
+        assert!(bound(&mut user, &old).is_ok());
+        let new = frame(&mut user, &evening, true);
+        assert!(bound(&mut user, &old).is_err());
+        assert!(bound(&mut user, &new).is_ok());
+        sky.destroy(user.backend());
+        assert!(bound(&mut user, &new).is_err());
+    }
+}

@@ -418,6 +418,16 @@ impl Graph {
         self.nodes.insert(at, node);
     }
 
+    /// What a texture of the pool holds once the passes of the last list have run; 0 for none.
+    pub fn content_of(&self, resource: Resource) -> u64 {
+        self.nodes
+            .iter()
+            .rposition(|n| n.writes == resource)
+            .and_then(|at| self.keys.get(at))
+            .copied()
+            .unwrap_or(0)
+    }
+
     /// A texture of the pool, if the passes that make what the last list of nodes leaves in it have run, and
     /// are not only recorded.
     pub fn finished(

@@ -16,12 +16,12 @@ use super::map::Map;
 use super::{
     AdapterInfo, Backend, DepthUse, Format, Inputs, Live, Pass, PassTime, Precision, Program, ProgramId,
     ReadId, SAMPLER_BINDING, TEXTURES_MAX, TextureDesc, TextureId, Ticket, TimerId, TimerKind, Uniform,
-    Vertices, Viewport, check_inputs, check_open, check_pass, check_texels, decode_texels, encode_texels,
+    Vertices, check_inputs, check_open, check_pass, check_texels, decode_texels, encode_texels,
     program::Bound, unsuitable,
 };
 use crate::error::{Error, Result};
 pub(crate) use import::known_format;
-use inside::Draw;
+use inside::{Draw, Inside};
 pub use inside::{InPass, OpenPass};
 use recording::{Fate, Recordings};
 
@@ -121,6 +121,8 @@ pub struct WgpuBackend {
     /// it. A program without such a device has no code for it.
     check_import: Option<CheckImport>,
     recordings: Recordings,
+    /// Where passes of the user's are drawn in. A program without has no code for it.
+    inside: Option<Box<dyn Inside>>,
     lost: Slot<String>,
     failure: Slot<String>,
 }
@@ -277,6 +279,7 @@ impl WgpuBackend {
             sampler,
             placeholder,
             recordings,
+            inside: None,
             check_import,
             lost: Slot::default(),
             failure: Slot::default(),
@@ -356,6 +359,7 @@ impl WgpuBackend {
 
     /// Everything that can fail, before anything is recorded.
     fn prepare(&mut self, pass: &Pass) -> Result<()> {
+        self.inside.as_mut().map_or(Ok(()), |inside| inside.check(pass))?;
         let color = self.target(pass, "color target", pass.target.color)?;
         let written_by_copy = pass.texels.is_some();
         if color.format == Format::Depth32Float && !written_by_copy {
@@ -489,12 +493,16 @@ impl WgpuBackend {
         depth_use: DepthUse,
     ) -> wgpu::RenderPipeline {
         let program = compiled.program;
-        let label = program.name();
+        let label = ["welkin ", &program.name()].concat();
+        // With several samples a pixel its edges are told by each: the horizon, a disk.
+        let inside = self.inside.as_ref().filter(|_| count > 1);
+        let by_sample = inside.map(|inside| inside.module(&self.device, program));
+        let module = by_sample.as_ref().unwrap_or(&compiled.module);
         self.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some(&label),
             layout: Some(&compiled.pipeline_layout),
             vertex: wgpu::VertexState {
-                module: &compiled.module,
+                module,
                 entry_point: Some("vertex_main"),
                 compilation_options: Default::default(),
                 buffers: &[],
@@ -519,7 +527,7 @@ impl WgpuBackend {
             }),
             multisample: wgpu::MultisampleState { count, ..Default::default() },
             fragment: Some(wgpu::FragmentState {
-                module: &compiled.module,
+                module,
                 entry_point: Some("fragment_main"),
                 compilation_options: Default::default(),
                 targets: &[Some(wgpu::ColorTargetState {
@@ -582,12 +590,7 @@ impl WgpuBackend {
         });
         let Some(program) = pass.program else { return Ok(()) };
         let draw = self.draw(program, pass)?;
-        if let Some(Viewport { x, y, width, height }) = pass.target.viewport {
-            render.set_viewport(x as f32, y as f32, width as f32, height as f32, 0.0, 1.0);
-        }
-        render.set_pipeline(&draw.pipeline);
-        render.set_bind_group(0, &draw.group, draw.offsets());
-        render.draw(0..draw.vertices, 0..1);
+        draw.draw(&mut render);
         Ok(())
     }
 
@@ -606,6 +609,7 @@ impl WgpuBackend {
             pipeline: pipeline.clone(),
             group: group.clone(),
             offset: has_block.then(|| upload(&mut self.recordings, &self.queue, &pass.uniform)),
+            viewport: pass.target.viewport,
             vertices: compiled.info().vertices.count(),
         })
     }
@@ -808,6 +812,11 @@ impl Backend for WgpuBackend {
         }
         self.alive()?;
         let (label, info) = (program.name(), program.info());
+        let mut stages = wgpu::ShaderStages::VERTEX_FRAGMENT;
+        if self.device.limits().max_compute_workgroups_per_dimension > 0 {
+            // For a user's own shaders, see `Self::layout`.
+            stages |= wgpu::ShaderStages::COMPUTE;
+        }
         let module = self.device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some(&label),
             source: wgpu::ShaderSource::Wgsl(program.wgsl().into()),
@@ -816,7 +825,7 @@ impl Backend for WgpuBackend {
         if info.textures.iter().any(|slot| slot.filtered) {
             entries.push(wgpu::BindGroupLayoutEntry {
                 binding: SAMPLER_BINDING,
-                visibility: wgpu::ShaderStages::FRAGMENT,
+                visibility: stages,
                 ty: wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
                 count: None,
             });
@@ -824,7 +833,7 @@ impl Backend for WgpuBackend {
         if info.uniform_size > 0 {
             entries.push(wgpu::BindGroupLayoutEntry {
                 binding: 0,
-                visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
+                visibility: stages,
                 ty: wgpu::BindingType::Buffer {
                     ty: wgpu::BufferBindingType::Uniform,
                     has_dynamic_offset: true,
@@ -836,7 +845,7 @@ impl Backend for WgpuBackend {
         for slot in info.textures {
             entries.push(wgpu::BindGroupLayoutEntry {
                 binding: slot.binding,
-                visibility: wgpu::ShaderStages::FRAGMENT,
+                visibility: stages,
                 ty: wgpu::BindingType::Texture {
                     sample_type: wgpu::TextureSampleType::Float { filterable: slot.filtered },
                     view_dimension: wgpu::TextureViewDimension::D2,

@@ -65,7 +65,9 @@ pub struct WebGlFrame<'a> {
     /// [`sunlight`](crate::model::sunlight::sunlight) alone then, or with a guess.
     pub light: Option<&'a SkyLight>,
     /// The air for your shaders, with [`Look::scene_shaders`](crate::Look::scene_shaders): set it in a
-    /// program of yours by [`Bindings::set`].
+    /// program of yours by [`Bindings::set`]. It has [`Self::light`] in it, once that is there. What you draw
+    /// before the air calls `welkin_sky` and `welkin_irradiance` and not `welkin_aerial`, or the air lies
+    /// before it twice.
     pub air: Option<Bindings>,
     /// Which effects the frame has, and why.
     pub frame: &'a Frame,
@@ -182,9 +184,9 @@ impl WebGlBackend {
     /// [`shaders::scene::glsl`](crate::shaders::scene::glsl): [`Bindings::set`] sets it there.
     ///
     /// # Errors
-    /// [`crate::ErrorKind::Invalid`] for the air of another backend's frame, or of one whose textures are
-    /// gone; [`crate::ErrorKind::Lost`].
+    /// [`crate::ErrorKind::Invalid`] from [`SceneAir::validate`]; [`crate::ErrorKind::Lost`].
     pub fn scene_air(&mut self, air: &SceneAir) -> Result<Bindings> {
+        air.validate(self)?;
         let (inputs, block) = (air.textures(), air.block());
         self.bindings("scene air", SceneAir::PROGRAM, crate::shaders::scene::GLSL_BLOCK, &inputs, &block)
     }

@@ -64,15 +64,17 @@ pub struct WgpuFrame<'a> {
     /// [`sunlight`](crate::model::sunlight::sunlight) alone then, or with a guess.
     pub light: Option<&'a SkyLight>,
     /// The air for your shaders, with [`Look::scene_shaders`](crate::Look::scene_shaders): bind it with
-    /// [`AirGroup::bind`].
+    /// [`AirGroup::bind`]. It has [`Self::light`] in it, once that is there. What you draw before the air
+    /// calls `welkin_sky` and `welkin_irradiance` and not `welkin_aerial`, or the air lies before it twice.
     pub air: Option<&'a AirGroup>,
     /// Which effects the frame has, and why.
     pub frame: &'a Frame,
 }
 
 /// The air for a scene's own shaders: a bind group with the layout of [`WgpuBackend::air_layout`], for passes
-/// in the encoder that it was made for.
+/// in the encoder that it was made for. In another frame it holds another frame's air, or nothing.
 #[derive(Clone, Debug)]
+#[must_use = "a pipeline that reads the air has none without it"]
 pub struct AirGroup {
     /// The group.
     pub group: wgpu::BindGroup,
@@ -85,6 +87,11 @@ impl AirGroup {
     /// ([`shaders::scene::wgsl`](crate::shaders::scene::wgsl)).
     pub fn bind(&self, pass: &mut wgpu::RenderPass<'_>, group: u32) {
         pass.set_bind_group(group, &self.group, &[self.offset]);
+    }
+
+    /// The same in a render bundle, which is good for that encoder's pass alone.
+    pub fn bind_in_bundle<'a>(&'a self, bundle: &mut wgpu::RenderBundleEncoder<'a>, group: u32) {
+        bundle.set_bind_group(group, &self.group, &[self.offset]);
     }
 }
 
@@ -223,9 +230,9 @@ impl WgpuBackend {
     /// A frame's air for a scene's own shaders, in passes of that encoder.
     ///
     /// # Errors
-    /// [`crate::ErrorKind::Invalid`] for the air of another backend's frame, or of one whose textures are
-    /// gone; [`crate::ErrorKind::Lost`].
+    /// [`crate::ErrorKind::Invalid`] from [`SceneAir::validate`]; [`crate::ErrorKind::Lost`].
     pub fn air_group(&mut self, encoder: &wgpu::CommandEncoder, air: &SceneAir) -> Result<AirGroup> {
+        air.validate(self)?;
         let (program, inputs, block) = (SceneAir::PROGRAM, air.textures(), air.block());
         let (group, offset) = self.bind_group(encoder, "scene air", program, &inputs, &block)?;
         Ok(AirGroup { group, offset })

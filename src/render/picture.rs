@@ -243,9 +243,9 @@ impl PictureRenderer {
         let (between, rows) = (Between::Users, desc.rows);
         let (size, display) = ([desc.width, desc.height], Some((display, desc)));
         let (_, drawn) = self.frame(backend, scene, settings, Canvas { between, size, rows, display })?;
-        let (_, pool, last) = self.sky.parts();
+        let (graph, pool, last) = self.sky.parts();
         let frame = last.as_ref().ok_or_else(|| Error::invalid("frame", "none", "one"))?;
-        let air = SceneAir::of(frame, backend, pool)?;
+        let air = SceneAir::of(frame, backend, graph, pool)?;
         let [background, aerial] = self.stages;
         let (before, after) = self.passes.split_at(background);
         let (aerial, display) = after.split_at(aerial - background);

@@ -1,12 +1,12 @@
 //! The air for a scene's own shaders: what a user binds to them.
 
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::frame::Frame;
-use crate::frame::graph::Resource;
+use crate::frame::graph::{Graph, Resource};
 use crate::frame::scene_air::SceneAirUniform;
 #[cfg(any(feature = "wgpu", feature = "webgl"))]
 use crate::gpu::Program;
-use crate::gpu::{Backend, Inputs, TexturePool, Uniform};
+use crate::gpu::{Backend, Inputs, TEXTURES_MAX, TexturePool, Uniform, fold_contents};
 use crate::render::sky_light::SkyLight;
 use crate::shaders::generated_scene::scene_air;
 
@@ -27,6 +27,8 @@ pub struct SceneAir {
     /// Of the camera, metres, and sine of the sun's elevation there: where its light is asked for.
     place: (f64, f64),
     left: [f64; 3],
+    /// What the textures hold, folded.
+    contents: u64,
 }
 
 impl SceneAir {
@@ -35,22 +37,32 @@ impl SceneAir {
     pub(crate) const PROGRAM: Program = Program::new(&scene_air::INFO, scene_air::INFO.all());
 
     /// That of a frame, if its look asks for it: with the LUTs that its passes leave in a pool.
-    pub(crate) fn of(frame: &Frame, backend: &dyn Backend, pool: &mut TexturePool) -> Result<Option<Self>> {
+    pub(crate) fn of(
+        frame: &Frame,
+        backend: &dyn Backend,
+        graph: &Graph,
+        pool: &mut TexturePool,
+    ) -> Result<Option<Self>> {
         if !frame.settings.look.scene_shaders {
             return Ok(None);
         }
         let mut inputs = Inputs::NONE;
         let reads = frame.scene_reads();
-        for slot in scene_air::INFO.textures {
+        let mut contents = [None; TEXTURES_MAX];
+        for (content, slot) in contents.iter_mut().zip(scene_air::INFO.textures) {
             let read = reads.iter().flatten().find(|(name, _)| *name == slot.name);
             let id = match read.and_then(|(_, resource)| *resource) {
-                Some(Resource::Pool(key)) => pool.find(backend, key),
+                Some(resource @ Resource::Pool(key)) => {
+                    *content = Some(graph.content_of(resource));
+                    pool.find(backend, key)
+                }
                 _ => None,
             };
             inputs.push(slot.name, id)?;
         }
         let place = (frame.view.altitude, frame.view.sun.z.clamp(-1.0, 1.0));
-        Ok(Some(Self { block: frame.scene_air_block(), inputs, place, left: frame.sunlight_left() }))
+        let (block, left) = (frame.scene_air_block(), frame.sunlight_left());
+        Ok(Some(Self { block, inputs, place, left, contents: fold_contents(contents.into_iter().flatten()) }))
     }
 
     /// The same with light from the sky for the function `irradiance`, which is 0 without.
@@ -59,6 +71,20 @@ impl SceneAir {
         let harmonics = light.harmonics(altitude, sun_sine).0;
         let harmonics = harmonics.map(|v| std::array::from_fn(|c| v[c] * self.left[c]));
         Self { block: self.block.with_harmonics(harmonics), ..self }
+    }
+
+    /// Checks that the textures hold what this frame's passes draw to them: they were recorded, or run, and
+    /// no other frame's since.
+    ///
+    /// # Errors
+    /// [`crate::ErrorKind::Invalid`] where they do not.
+    pub fn validate(&self, backend: &dyn Backend) -> Result<()> {
+        let ids = self.inputs.iter().filter_map(|(_, id)| id);
+        if fold_contents(ids.map(|id| backend.content(id))) == self.contents {
+            return Ok(());
+        }
+        let value = "of another frame, or of one whose passes before the scene were not run";
+        Err(Error::invalid("scene air", value, "the air of the frame that was run, or recorded, last"))
     }
 
     /// The uniform block, `welkin_SceneAir` in both languages, in the layout std140.

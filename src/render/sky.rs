@@ -35,11 +35,12 @@ pub struct FrameTargets {
     pub background: Option<Target>,
     /// What the air before the scene reads and draws to, after the scene.
     pub aerial: Option<AerialTargets>,
-    /// A texture as large as the targets that says in its red how much of the light is there that the air
-    /// sends into a pixel's ray up to the scene, 0 to 1: less where clouds or mountains hide the sun from a
-    /// part of the ray, by a shadow map along it, say. The aerial pass dims its light by that; what lies
-    /// behind is dimmed as before. [`Composition::AtmospherePost`] draws the sky there too, for shafts before
-    /// it.
+    /// A texture of numbers ([`Format::R32Float`], or any colour) as large as the targets that says in its
+    /// red how much of the light is there that the air sends into a pixel's ray up to the scene, 0 to 1
+    /// (clamped): less where clouds or mountains hide the sun from a part of the ray, by a shadow map along
+    /// it, say. The aerial pass dims its light by that; what lies behind is dimmed as before, and your
+    /// ground's own shadow is yours to draw. [`Composition::AtmospherePost`] draws the sky there too, for
+    /// shafts before it.
     ///
     /// It dims all light that is drawn: light scattered once in a march, light of all orders from LUTs, of
     /// which a shadow leaves what was scattered before. Say so in the texture, which need not go down to 0.
@@ -186,7 +187,7 @@ impl SkyRenderer {
         };
         self.passes.clear();
         self.ends = self.graph.passes(backend, &mut self.pool, frame, &bindings, &mut self.passes)?;
-        let air = SceneAir::of(frame, backend, &mut self.pool)?;
+        let air = SceneAir::of(frame, backend, &self.graph, &mut self.pool)?;
         Ok(SkyFrame {
             background: self.ends.of(Stage::Background, &self.passes),
             aerial: self.ends.of(Stage::Aerial, &self.passes),

@@ -20,7 +20,8 @@ pub enum Composition {
     /// air before the scene and, handed over from 15 to 50 km, the planet's shell.
     #[default]
     Full,
-    /// The sky alone, in one background pass, at any altitude.
+    /// The sky alone, in one background pass, at any altitude: what is seen of it above the planet's horizon.
+    /// Below it nothing is drawn; a ground that is drawn there lays its own air.
     SkyDome,
     /// Everything in one pass after the scene, which reads its colour and depth. The background holds the
     /// disks of sun and moon only.

@@ -43,7 +43,14 @@ pub enum Quality {
 /// follow it.
 macro_rules! presets {
     ($($(#[$doc:meta])* $constant:ident = $name:literal, $quality:expr;)*) => {
-        impl Quality {
+        impl Default for Quality {
+    /// [`Quality::MEDIUM`].
+    fn default() -> Self {
+        Self::MEDIUM
+    }
+}
+
+impl Quality {
             $($(#[$doc])* pub const $constant: Self = $quality;)*
 
             /// Every preset with its name, the cheapest of a method first.

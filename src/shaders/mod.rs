@@ -40,11 +40,12 @@ pub use generated::*;
 /// includes them.
 pub const LIGHTING_WGSL: &str = wgsl!("lib/lighting");
 
-/// A text less comments, blank lines, and spaces that no compiler needs; and its length.
+/// A text less comments, blank lines, and spaces and ends of lines that no compiler needs; and its length.
 pub(crate) const fn bare<const LENGTH: usize>(text: &[u8]) -> ([u8; LENGTH], usize) {
     let mut out = [0; LENGTH];
     let (mut length, mut at) = (0, 0);
     while at < text.len() {
+        let line = at;
         while at < text.len() && text[at] == b' ' {
             at += 1;
         }
@@ -71,10 +72,14 @@ pub(crate) const fn bare<const LENGTH: usize>(text: &[u8]) -> ([u8; LENGTH], usi
                 }
                 from += 1;
             }
-            if LENGTH > 0 {
-                out[length] = b'\n';
+            // Each declaration of the module stands on lines of its own.
+            let inner = start > line || !matches!(text[end - 1], b';' | b'}');
+            if !(inner && matches!(text[end - 1], b';' | b'{' | b'}' | b',' | b'(')) {
+                if LENGTH > 0 {
+                    out[length] = b'\n';
+                }
+                length += 1;
             }
-            length += 1;
         }
     }
     (out, length)
@@ -131,7 +136,7 @@ mod tests {
     #[test]
     fn modules_are_bare() {
         let text = b"// a\n\n  //#include x // why\nlet a = b / c - -d;  // d\n   \n    f();//\n/ 2 > =";
-        const BARE: &str = "let a=b/c- -d;\nf();\n/2> =\n";
+        const BARE: &str = "let a=b/c- -d;\nf();/2> =\n";
         let (out, length) = bare::<{ BARE.len() }>(text);
         assert_eq!((std::str::from_utf8(&out), length), (Ok(BARE), BARE.len()));
     }

@@ -1,7 +1,7 @@
 //! The air in shaders of a scene's own: functions to call from glass, water, particles, or anything that is
 //! drawn after the air before the scene or reflects the sky.
 //!
-//! [`wgsl`] and [`glsl`] put them before a shader of yours. Directions are from the camera, in the axes of
+//! [`wgsl`] and [`glsl`] join them with a shader of yours. Directions are from the camera, in the axes of
 //! your scene, of any length; distances are metres.
 //!
 //! - The air between the camera and a point, through which it is seen as `color * transmittance + inscatter`;
@@ -29,7 +29,7 @@
 //! assert!(welkin::shaders::scene::wgsl(1, glass).contains("@group(1)"));
 //! ```
 
-/// A WGSL module of yours with the functions before it; what they read is in the bind group of that number,
+/// A WGSL module of yours with the functions behind it; what they read is in the bind group of that number,
 /// whose layout is [`air_layout`](crate::gpu::wgpu::WgpuBackend::air_layout)'s.
 #[cfg(any(feature = "wgpu", feature = "translate"))]
 pub fn wgsl(group: u32, shader: &str) -> String {
@@ -48,17 +48,14 @@ pub fn wgsl(group: u32, shader: &str) -> String {
         }
     }
     let text = renamed(&text, |word| names.contains(&word).then(|| ["welkin_", word].concat()));
-    insert(
-        shader,
-        &["enable ", "requires ", "diagnostic"],
-        &text.replace("@group(0)", &format!("@group({group})")),
-    )
+    // Behind it, as WGSL has no order: errors in yours keep their lines.
+    [shader, "\n", &text.replace("@group(0)", &format!("@group({group})"))].concat()
 }
 
 /// A fragment shader of yours in GLSL ES 3.00, or in GLSL 3.30 and newer, with the functions before it; what
 /// they read [`scene_air`](crate::gpu::webgl::WebGlBackend::scene_air) sets.
 ///
-/// They stand behind your lines `#version`, `#extension` and `precision`, which should say `highp`.
+/// They stand behind your lines `#version`, `#extension` and `precision`; errors keep the lines of your text.
 #[cfg(feature = "webgl")]
 pub fn glsl(shader: &str) -> String {
     let info = &super::generated_scene::scene_air::INFO;
@@ -82,7 +79,7 @@ pub fn glsl(shader: &str) -> String {
             None => names.contains(&word).then(|| ["welkin_", word].concat()),
         }
     });
-    insert(shader, &["#", "precision "], &text)
+    insert(shader, &text)
 }
 
 /// The name of the uniform block in GLSL.
@@ -118,23 +115,22 @@ fn renamed(text: &str, name: impl Fn(&str) -> Option<String>) -> String {
     out + rest
 }
 
-/// A shader with a text behind its first lines: those that begin in one of these ways, comments and blank
-/// lines.
-#[cfg(any(feature = "wgpu", feature = "translate", feature = "webgl"))]
-fn insert(shader: &str, first: &[&str], text: &str) -> String {
-    let head = |line: &str| first.iter().any(|start| line.trim_start().starts_with(start));
-    let skipped = |line: &str| line.trim().is_empty() || line.trim_start().starts_with("//");
-    let (mut at, mut end) = (0, 0);
-    for line in shader.split_inclusive('\n') {
-        at += line.len();
-        if head(line) {
-            end = at;
-        } else if !skipped(line) {
+/// A shader with a text behind its first lines: directives, precision, comments and blank lines.
+#[cfg(feature = "webgl")]
+fn insert(shader: &str, text: &str) -> String {
+    let (mut at, mut end, mut line, mut next) = (0, 0, 1, 1);
+    for text in shader.split_inclusive('\n') {
+        (at, line) = (at + text.len(), line + 1);
+        let text = text.trim_start();
+        if text.starts_with('#') || text.starts_with("precision ") {
+            (end, next) = (at, line);
+        } else if !text.is_empty() && !text.starts_with("//") {
             break;
         }
     }
     let (before, after) = shader.split_at(end);
-    [before, text, after].concat()
+    let precision = "precision highp float;precision highp int;\n";
+    [before, precision, text, &format!("#line {next}\n"), after].concat()
 }
 
 #[cfg(test)]
@@ -144,7 +140,7 @@ mod tests {
     fn wgsl_for_a_users_module_is_whole_and_named() {
         let user = "enable f16;\n// mine\nfn sky() -> vec3f { return welkin_sky(vec3f(1.0)); }\n";
         let text = super::wgsl(3, user);
-        assert!(text.starts_with("enable f16;\n") && text.ends_with(&user[12..]));
+        assert!(text.starts_with(user));
         assert!(!text.contains("@group(0)") && text.matches("@group(3)").count() == 6);
         let module = naga::front::wgsl::parse_str(&text.replace("enable f16;", "")).expect("whole");
         let own = module.functions.iter().filter_map(|(_, f)| f.name.as_deref());
@@ -163,7 +159,7 @@ mod tests {
         let user = "#version 300 es\nprecision highp float;\nout vec4 color;\nvoid main() {}\n";
         let text = super::glsl(user);
         assert!(text.starts_with("#version 300 es\nprecision highp float;\n"));
-        assert!(text.ends_with("out vec4 color;\nvoid main() {}\n"));
+        assert!(text.ends_with("\n#line 3\nout vec4 color;\nvoid main() {}\n"));
         for part in [
             "void welkin_aerial(vec3 a,float b,inout vec3 c,inout vec3 d){",
             "vec3 welkin_sky(vec3 a){",

@@ -61,8 +61,9 @@ impl WebGlBackend {
 
 impl Bindings {
     /// Makes a program of the user's current and sets what it reads: textures on units from `unit` on, as
-    /// many as [`Inputs`] has, and the block at the last binding point of the context, which the backend uses
-    /// too: to be set again after each call of the backend. What the program does not have is left out.
+    /// many as [`Inputs`] has, and the block at the last binding point of the context
+    /// (`MAX_UNIFORM_BUFFER_BINDINGS` less 1), which the backend uses too: yours has others, and this is to
+    /// be called again after each call of the backend. What the program does not have is left out.
     pub fn set(&self, gl: &glow::Context, program: glow::Program, unit: u32) {
         // SAFETY: the caller's context is current, the program is of it; buffer and textures are alive, by
         // the words at `WebGlBackend::bindings`.

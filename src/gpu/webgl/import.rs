@@ -86,7 +86,9 @@ impl WebGlBackend {
     }
 
     /// Calls `f` with a framebuffer of two textures bound and the viewport as large as they are, for a user
-    /// to draw to; binds afterwards what was bound before. The framebuffer belongs to the backend.
+    /// to draw to; binds afterwards what was bound before. The framebuffer belongs to the backend. OpenGL
+    /// draws from the lowest row on: your scene stands upright in textures whose rows are
+    /// [`RowOrder::BottomUp`](crate::gpu::RowOrder::BottomUp), all of a frame's alike.
     ///
     /// # Errors
     /// [`crate::ErrorKind::Driver`] for textures that are not there, or that no framebuffer can have
