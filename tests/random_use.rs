@@ -17,6 +17,10 @@ use crate::harness::{TINY, View, asked_for, cleared, everything, luts, march, sk
 
 /// A device of a user's, with encoders if its API has them.
 trait Machine {
+    /// Whether moons darken a sun that is darker at its edge, as by default. Each frame then has some hundred
+    /// integrals for a table whose numbers only a GPU makes something of.
+    const DARKER_EDGE: bool = true;
+
     fn open() -> Self;
     fn backend(&mut self) -> &mut dyn Backend;
     /// Records passes.
@@ -34,6 +38,8 @@ enum Recorded {
 }
 
 impl Machine for Ledger {
+    const DARKER_EDGE: bool = false;
+
     fn open() -> Self {
         Self::new()
     }
@@ -187,7 +193,7 @@ const SETTINGS: usize = 7;
 const SIZES: [[u32; 2]; 2] = [[4, 4], [6, 4]];
 
 /// The same medium from three places, another, a moon and another moon.
-fn scene(which: usize) -> Scene {
+fn scene<M: Machine>(which: usize) -> Scene {
     let view = View { pitch: 4.0, ..View::default() };
     let mut scene = match which {
         1 => View { sun_elevation: 10.0, ..view },
@@ -198,7 +204,8 @@ fn scene(which: usize) -> Scene {
     .scene();
     if which > 3 {
         let position = scene.camera.position + scene.sun_direction.normalize() * 3.7e8;
-        scene.moon = Some(Moon::new(position, [1.9e6, 1.2e6][which - 4]));
+        let moon = Moon::new(position, [1.9e6, 1.2e6][which - 4]);
+        scene.moon = Some(Moon { limb_darkening: M::DARKER_EDGE, ..moon });
     }
     scene
 }
@@ -310,7 +317,7 @@ impl<M: Machine> Play<M> {
         let size = self.size;
         let targets =
             self.targets.get_or_insert_with(|| Targets::new(machine.backend(), size)).frame(self.settings);
-        let frame = self.sky.frame(machine.backend(), &scene(which), &targets)?;
+        let frame = self.sky.frame(machine.backend(), &scene::<M>(which), &targets)?;
         let passes = match way {
             Way::Half => frame.background.to_vec(),
             _ => [frame.background, frame.aerial].concat(),
@@ -400,7 +407,7 @@ fn play<M: Machine>(machines: [M; 2], steps: &[Step], last: usize) -> Result<[M;
         }
     }
     play.leave();
-    let (size, number, last) = (play.size, play.settings, scene(last));
+    let (size, number, last) = (play.size, play.settings, scene::<M>(last));
     let Play { mut machines, current, mut sky, .. } = play;
     let b = machines[current].backend();
     // What runs late, or was dropped, is known once all is done.

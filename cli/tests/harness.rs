@@ -17,6 +17,12 @@ pub fn folder(name: &str) -> PathBuf {
     folder
 }
 
+/// Where solutions of the reference are kept from one run of the tests to the next, those of the library's
+/// tests too: for `--cache-dir`, where it does not matter whether a solution is new. A changed solver finds
+/// none.
+#[cfg(feature = "lab")]
+pub const KEPT: &str = concat!(env!("CARGO_TARGET_TMPDIR"), "/orders");
+
 /// A program, ready to run in a folder. Solutions of the reference are kept in the folder, never in the
 /// user's.
 pub fn command(program: &str, folder: &Path, args: &[&str]) -> Command {

@@ -8,6 +8,8 @@ use std::process::Output;
 use std::sync::OnceLock;
 
 use glam::DVec3;
+use welkin::AtmosphereParams;
+use welkin::reference::multiple::{Orders, Settings};
 
 use crate::harness::{self, printed, text, welkin};
 
@@ -89,6 +91,11 @@ fn from_tangent_point(observer: f64, tangent: f64, sun_zenith: f64, azimuth: f64
 
 /// Runs the command; the answers in the order of the cases.
 fn answers(folder: &Path, cases: &[Case], args: &[&str]) -> Vec<[f64; 3]> {
+    asked(folder, cases, args).0
+}
+
+/// The same, and what it said on stdout and on stderr.
+fn asked(folder: &Path, cases: &[Case], args: &[&str]) -> (Vec<[f64; 3]>, String, String) {
     let table: String = std::iter::once(HEADER)
         .chain(cases.iter().map(|c| c.row.as_str()))
         .map(|l| format!("{l}\n"))
@@ -101,7 +108,8 @@ fn answers(folder: &Path, cases: &[Case], args: &[&str]) -> Vec<[f64; 3]> {
     assert_eq!(reader.headers().unwrap().iter().skip(6).collect::<Vec<_>>(), ["R", "G", "B"]);
     let rows: Vec<_> = reader.records().map(|r| r.unwrap()).collect();
     assert_eq!(rows.len(), cases.len());
-    rows.iter().map(|r| [6, 7, 8].map(|c| r[c].parse().unwrap())).collect()
+    let light = rows.iter().map(|r| [6, 7, 8].map(|c| r[c].parse().unwrap())).collect();
+    (light, text(&out.stdout), text(&out.stderr))
 }
 
 /// Largest relative difference, and where.
@@ -167,22 +175,45 @@ fn one_solution() -> Vec<Case> {
         .collect()
 }
 
-/// The folder in which the reference was asked for [`one_solution`], with its answers in `out.csv` and its
-/// solution in
-/// `cache`, and the answers. Solved once for all tests, which takes some seconds.
-fn solved() -> &'static (PathBuf, Vec<[f64; 3]>) {
-    static SOLVED: OnceLock<(PathBuf, Vec<[f64; 3]>)> = OnceLock::new();
+/// What the reference said of [`one_solution`], with `out.csv` and its solution in `cache` in the folder.
+struct Solved {
+    folder: PathBuf,
+    light: Vec<[f64; 3]>,
+    said: String,
+    notes: String,
+    /// The file that was there before it was asked: a solution of which the end is missing.
+    damaged: PathBuf,
+}
+
+/// Solved once for all tests, which takes half a minute.
+fn solved() -> &'static Solved {
+    static SOLVED: OnceLock<Solved> = OnceLock::new();
     SOLVED.get_or_init(|| {
         let folder = folder("reference");
-        let light = answers(&folder, &one_solution(), &["--method", "reference"]);
-        (folder, light)
+        let params = AtmosphereParams { ground_albedo: [0.0; 3], ..AtmosphereParams::rayleigh() };
+        let coarse = Settings {
+            altitudes: 6,
+            sun_angles: 12,
+            zeniths: 4,
+            azimuths: 6,
+            degree: 4,
+            max_iterations: 9,
+            tolerance: 0.1,
+        };
+        let other = Orders::solve(&params, coarse, |_| {}).unwrap().to_bytes();
+        std::fs::create_dir(folder.join("cache")).unwrap();
+        let key = Orders::key(&params, &Settings::FINE);
+        let damaged = folder.join("cache").join(format!("orders-{key:032x}"));
+        std::fs::write(&damaged, &other[..other.len() - 100]).unwrap();
+        let (light, said, notes) = asked(&folder, &one_solution(), &["--method", "reference"]);
+        Solved { folder, light, said, notes, damaged }
     })
 }
 
 #[test]
 fn reference_is_the_monte_carlo() {
     let cases = one_solution();
-    let (_, light) = solved();
+    let light = &solved().light;
     let mut worst = (0.0, String::new());
     for (case, got) in cases.iter().zip(light) {
         for c in 0..3 {
@@ -203,7 +234,9 @@ fn reference_is_the_monte_carlo() {
 /// A solution from the cache gives what solving gives; one that was damaged is not used, and said.
 #[test]
 fn kept_solutions_change_no_result() {
-    let (solved, _) = solved();
+    let Solved { folder: solved, said, notes, damaged, .. } = solved();
+    assert!(!said.contains("cache"), "{said}");
+    assert!(notes.contains("damaged") && notes.contains("solved again"), "{notes}");
     let fresh = std::fs::read(solved.join("out.csv")).unwrap();
     let folder = folder("kept");
     std::fs::copy(solved.join("cases.csv"), folder.join("cases.csv")).unwrap();
@@ -218,22 +251,15 @@ fn kept_solutions_change_no_result() {
         let files = std::fs::read_dir(folder.join("cache")).into_iter().flatten();
         files.map(|f| f.unwrap().path()).collect()
     };
-    // Solving left one file.
-    let files = kept(solved);
-    assert_eq!(files.len(), 1, "{files:?}");
-    let whole = std::fs::read(&files[0]).unwrap();
+    // Solving left one file, in the place of the damaged one, and it is whole.
+    assert_eq!(kept(solved), [damaged.clone()]);
     std::fs::create_dir(folder.join("cache")).unwrap();
-    let ours = folder.join("cache").join(files[0].file_name().unwrap());
-    std::fs::write(&ours, &whole).unwrap();
+    let ours = folder.join("cache").join(damaged.file_name().unwrap());
+    std::fs::copy(damaged, &ours).unwrap();
     let (second, said, notes) = ask(&[]);
     assert!(second == fresh, "{}\n{}", text(&fresh), text(&second));
     assert!(said.contains("(solution from the cache)") && !notes.contains("note:"), "{said} {notes}");
-
-    std::fs::write(&ours, &whole[..whole.len() - 100]).unwrap();
-    let (mended, said, notes) = ask(&[]);
-    assert!(mended == fresh && !said.contains("cache"), "{said}");
-    assert!(notes.contains("damaged") && notes.contains("solved again"), "{notes}");
-    assert!(std::fs::read(&ours).unwrap() == whole && kept(&folder) == [ours]);
+    assert!(std::fs::read(&ours).unwrap() == std::fs::read(damaged).unwrap() && kept(&folder) == [ours]);
     // A folder that the option names goes before the variable's.
     std::fs::rename(folder.join("cache"), folder.join("other")).unwrap();
     let (elsewhere, said, _) = ask(&["--cache-dir", "other"]);

@@ -1,13 +1,16 @@
-//! The f64 reference's light, solved once a run for each medium and setting.
+//! The f64 reference's light, solved once for each medium and setting.
 
 use std::collections::HashMap;
+use std::fs;
+use std::path::Path;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use welkin::reference::multiple::{Orders, Settings};
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
 use welkin::{AtmosphereParams, Quality, Scene};
 
-/// Light of all orders of scattering in a medium, solved by the first test that asks; others wait for it.
+/// Light of all orders of scattering in a medium, solved or read by the first test that asks; others wait for
+/// it.
 ///
 /// Per unit of the sun's irradiance: solutions know nothing of [`AtmosphereParams::sun_intensity`], which is
 /// 1 here.
@@ -21,7 +24,29 @@ pub fn orders(params: &AtmosphereParams, settings: Settings) -> Arc<Orders> {
         let mut solved = SOLVED.lock().unwrap_or_else(PoisonError::into_inner);
         solved.get_or_insert_default().entry(key).or_default().clone()
     };
-    slot.get_or_init(|| Arc::new(Orders::solve(&params, settings, |_| ()).unwrap())).clone()
+    slot.get_or_init(|| Arc::new(kept(&params, settings))).clone()
+}
+
+/// A solution from `target/tmp/orders`, where the tests of the command line keep theirs too, or a new one,
+/// which is kept there. A file's name is a hash of the medium, the settings and the solver's source, so that
+/// a changed solver finds none.
+fn kept(params: &AtmosphereParams, settings: Settings) -> Orders {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("orders");
+    let name = format!("orders-{:032x}", Orders::key(params, &settings));
+    let file = folder.join(&name);
+    if let Ok(bytes) = fs::read(&file)
+        && let Ok(orders) = Orders::from_bytes(&bytes, params, settings)
+    {
+        return orders;
+    }
+    let orders = Orders::solve(params, settings, |_| ()).unwrap();
+    // Whole at once, as others may read it. Where it cannot be kept, the next run solves again.
+    let part = folder.join(format!("{name}-{}", std::process::id()));
+    let written = fs::create_dir_all(&folder).and_then(|()| fs::write(&part, orders.to_bytes()));
+    if let Err(e) = written.and_then(|()| fs::rename(&part, &file)) {
+        eprintln!("the solution is not kept in {}: {e}", folder.display());
+    }
+    orders
 }
 
 /// Earth's light of all orders.

@@ -6,7 +6,7 @@ use std::time::Duration;
 use welkin::Quality;
 use welkin::settings::front::{MEDIA, ParetoFront};
 
-use crate::harness::{folder, lab, text};
+use crate::harness::{KEPT, folder, lab, text};
 
 #[test]
 fn the_quick_report_is_whole_and_makes_sense() {
@@ -24,6 +24,8 @@ fn the_quick_report_is_whole_and_makes_sense() {
             "front.txt",
             "--front-size",
             "64x36",
+            "--cache-dir",
+            KEPT,
         ],
     );
     let stderr = text(&out.stderr);

@@ -1,6 +1,6 @@
 //! `welkin-lab film`.
 
-use crate::harness::{LAB, folder, lab, rejected, text};
+use crate::harness::{KEPT, LAB, folder, lab, rejected, text};
 
 #[test]
 fn a_film_is_drawn_and_measured() {
@@ -15,7 +15,7 @@ fn a_film_is_drawn_and_measured() {
         "--steps",
         "24",
         "--cache-dir",
-        ".",
+        KEPT,
         "--csv",
         "s.csv",
     ];
