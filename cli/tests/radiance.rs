@@ -190,7 +190,8 @@ fn solved() -> &'static Solved {
     static SOLVED: OnceLock<Solved> = OnceLock::new();
     SOLVED.get_or_init(|| {
         let folder = folder("reference");
-        let params = AtmosphereParams { ground_albedo: [0.0; 3], ..AtmosphereParams::rayleigh() };
+        let params =
+            AtmosphereParams { ground_albedo: [0.0; 3], sun_intensity: 1.0, ..AtmosphereParams::rayleigh() };
         let coarse = Settings {
             altitudes: 6,
             sun_angles: 12,

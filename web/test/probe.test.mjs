@@ -21,7 +21,8 @@ after(async () => {
   await browser?.close();
 });
 
-describe(`${CASES} cases keep every promise`, () => {
+// Beside each other: while one judges what came back, which is one thread's work, the other draws.
+describe(`${CASES} cases keep every promise`, { concurrency: true }, () => {
   for (const backend of BACKENDS) {
     it(`on ${backend}`, async () => {
       const { about, table, findings, broken, quantities, problems, seconds } = await stress(browser, {

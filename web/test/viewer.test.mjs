@@ -277,7 +277,10 @@ for (const backend of BACKENDS) {
       const low = await pixels(page);
       assert.ok(difference(bySamples, low).mean > 0, 'another preset gives another picture');
       const luts = {};
-      for (const name of ['low', 'medium', 'high']) {
+      // The largest LUTs take the software renderer as long as all else here: on one backend.
+      const high = backend === 'webgl2' || process.env.WELKIN_ALL;
+      const finest = high ? 'high' : 'medium';
+      for (const name of ['low', 'medium', ...(high ? ['high'] : [])]) {
         assert.equal(await set(name), name);
         luts[name] = luminance(mean(await pixels(page)));
         assert.match(
@@ -289,10 +292,12 @@ for (const backend of BACKENDS) {
           `${name} holds light that was scattered more than once`,
         );
       }
-      assert.ok(
-        Math.abs(luts.medium / luts.high - 1) < 0.02,
-        `medium is near high: ${luts.medium} and ${luts.high}`,
-      );
+      if (high) {
+        assert.ok(
+          Math.abs(luts.medium / luts.high - 1) < 0.02,
+          `medium is near high: ${luts.medium} and ${luts.high}`,
+        );
+      }
       const message = await page.evaluate(() => {
         try {
           setSkyQuality('best');
@@ -304,7 +309,7 @@ for (const backend of BACKENDS) {
         message ?? 'nothing was thrown',
         /quality = "best" is not allowed: must be one of low, medium/,
       );
-      assert.equal(await page.evaluate(() => welkin.state.quality), 'high', 'a refused name changes nothing');
+      assert.equal(await page.evaluate(() => welkin.state.quality), finest, 'a refused name changes nothing');
       const names = await page.evaluate(() =>
         [...document.querySelectorAll('#quality option')].map((o) => o.value),
       );
@@ -758,12 +763,13 @@ describe('the browser draws what the native program draws', () => {
     limb: { alt: 4e5, pitch: -18, heading: 0, sunElevation: 25, sunAzimuth: 60 },
     planet: { alt: 1.5e7, pitch: -90, heading: 0, sunElevation: 45, sunAzimuth: 60 },
   };
-  // Where the modes' passes differ most; all of them with `scripts/test --all`.
+  // Where the passes differ most; all of them by default, and in every way with `scripts/test --all`.
   const FEW = ['sunset', 'limb', 'planet'];
   const draws = [
     { how: 'by default', options: [] },
     {
       how: 'single scattering',
+      few: !process.env.WELKIN_ALL,
       changes: { quality: '', samples: 24, lightSamples: 8 },
       options: ['--samples', '24', '--light-samples', '8'],
     },

@@ -35,7 +35,8 @@ pub enum QualityArg {
     WithinBudget(Duration),
 }
 
-fn parse_quality() -> impl TypedValueParser<Value = Quality> {
+/// The name of a preset.
+pub fn parse_quality() -> impl TypedValueParser<Value = Quality> {
     PossibleValuesParser::new(Quality::PRESETS.iter().map(|(name, _)| *name))
         .try_map(|name: String| Quality::from_name(&name))
 }

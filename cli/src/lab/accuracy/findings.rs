@@ -38,18 +38,18 @@ pub struct Candidate {
 }
 
 impl Candidate {
-    /// The grid of single scattering, then the presets that are not in it.
-    pub fn all() -> Vec<Self> {
+    /// The grid of single scattering, then those of the presets that are not in it.
+    pub fn all(presets: &[Quality]) -> Vec<Self> {
         let grid = VIEW_SAMPLES.into_iter().flat_map(|view| LIGHT_SAMPLES.map(|light| march([view, light])));
         let bare = |quality| Self { preset: None, quality, by_scene: false };
         let mut all: Vec<_> = grid.map(bare).collect();
-        for (name, quality) in Quality::PRESETS {
+        for quality in presets {
             let at = all.iter().position(|c| c.quality == *quality).unwrap_or_else(|| {
                 all.push(bare(*quality));
                 all.len() - 1
             });
-            let finest = Quality::PRESETS.iter().rfind(|(_, other)| other.method() == quality.method());
-            (all[at].preset, all[at].by_scene) = (Some(*name), finest.is_some_and(|(n, _)| n == name));
+            let finest = presets.iter().rfind(|other| other.method() == quality.method());
+            (all[at].preset, all[at].by_scene) = (quality.preset_name(), finest == Some(quality));
         }
         all
     }
@@ -174,7 +174,8 @@ mod tests {
 
     #[test]
     fn the_grid_and_every_preset_are_measured_once() {
-        let all = Candidate::all();
+        let presets: Vec<_> = Quality::PRESETS.iter().map(|(_, quality)| *quality).collect();
+        let all = Candidate::all(&presets);
         for (i, c) in all.iter().enumerate() {
             assert!(all[..i].iter().all(|d| d.quality != c.quality), "{c:?}");
             assert!(c.is_compared_with(Against::AllOrders));
@@ -188,6 +189,12 @@ mod tests {
         }
         assert_eq!(all[1].numbers(), "4 × 8");
         assert_eq!(all[4].numbers(), "8 × 8 (single-low)");
+        // Without one, the next is the finest of its method.
+        let some: Vec<_> = presets.into_iter().filter(|q| *q != Quality::HIGH).collect();
+        let fewer = Candidate::all(&some);
+        assert_eq!(fewer.len(), all.len() - 1);
+        assert!(fewer.iter().all(|c| c.quality != Quality::HIGH));
+        assert!(fewer.iter().any(|c| c.quality == Quality::MEDIUM && c.by_scene));
     }
 
     #[test]

@@ -20,6 +20,7 @@ use welkin::{PictureRenderer, Quality};
 use crate::args::backend::BackendChoice;
 use crate::args::cache::CacheArgs;
 use crate::args::output::OutputArgs;
+use crate::args::quality::parse_quality;
 use crate::args::usage::UsageError;
 use crate::args::values;
 use crate::cache::Cache;
@@ -76,6 +77,10 @@ pub struct AccuracyArgs {
     #[arg(value_parser = values::size)]
     front_size: [u32; 2],
 
+    /// Leave a preset out, of the report and of that file; may be given several times
+    #[arg(long, value_name = "NAME", value_parser = parse_quality())]
+    without: Vec<Quality>,
+
     #[command(flatten)]
     cache: CacheArgs,
 }
@@ -94,7 +99,9 @@ pub fn run(args: &AccuracyArgs) -> anyhow::Result<()> {
     let mut cache = Cache::new(&args.cache);
     // Times need as many pixels as people draw, or the LUTs would weigh too much in them.
     let timed = args.timed_size.unwrap_or(if args.quick { [320, 180] } else { [480, 270] });
-    let found = investigate(args.quick, timed, front_file.is_some().then_some(args.front_size), &mut cache);
+    let presets: Vec<_> = presets().into_iter().filter(|q| !args.without.contains(q)).collect();
+    let front_size = front_file.is_some().then_some(args.front_size);
+    let found = investigate(args.quick, &presets, timed, front_size, &mut cache);
     cache.print_notes();
     let (findings, front) = found?;
     let svg = plot::svg(&findings)?;
@@ -116,9 +123,10 @@ pub fn run(args: &AccuracyArgs) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// All findings; and if a size is given, the front of every preset, timed at it.
+/// All findings; and if a size is given, the front of the presets, timed at it.
 fn investigate(
     quick: bool,
+    presets: &[Quality],
     timed: [u32; 2],
     front_size: Option<[u32; 2]>,
     cache: &mut Cache,
@@ -135,7 +143,7 @@ fn investigate(
             Err(e) => missing.push(format!("{}: {e:#}", choice.name())),
         }
     }
-    let candidates = Candidate::all();
+    let candidates = Candidate::all(presets);
     let per_backend = candidates.len() + usize::from(front_size.is_some());
     let steps = Progress::of("measuring", MEDIA.len() + 1 + gpus.len() * per_backend);
     let mut orders = Vec::new();
@@ -189,7 +197,7 @@ fn investigate(
         }
         if let Some(size) = front_size {
             let _ = steps.step(&format!("{name}, presets at {}×{}", size[0], size[1]));
-            let timed = front_of(name, backend, &entries, size, quick);
+            let timed = front_of(name, backend, &entries, presets, size, quick);
             front.measured.extend(timed.with_context(|| format!("{name}: the front"))?.measured);
         }
         backend.destroy_texture(copy_to);
@@ -208,6 +216,7 @@ fn front_of(
     name: &str,
     backend: &mut dyn Backend,
     entries: &[Entry],
+    presets: &[Quality],
     size: [u32; 2],
     quick: bool,
 ) -> welkin::Result<ParetoFront> {
@@ -230,7 +239,7 @@ fn front_of(
     let scenes =
         if quick { "quick scenes (welkin-lab accuracy --quick)" } else { "all scenes (welkin-lab accuracy)" };
     let from = format!("{today}, welkin {}, {scenes}", env!("CARGO_PKG_VERSION"));
-    ParetoFront::measure_with(backend, &presets(), size, &errors, &from)
+    ParetoFront::measure_with(backend, presets, size, &errors, &from)
 }
 
 /// One for each medium, so that what is made once for it is made once.
