@@ -6,7 +6,8 @@ use crate::error::{Result, in_range};
 
 /// Irradiance by the sun on a plane that faces it, at an altitude (metres, ground level below 0) where its
 /// centre stands at the given sine of elevation (-1 to 1): what the air leaves of
-/// [`AtmosphereParams::sun_intensity`], 0 behind the planet. Within 0.1 %.
+/// [`AtmosphereParams::sun_intensity`], within 0.1 %, times the part of the sun's disk that the planet does
+/// not hide. A sun whose centre is below the horizon is seen through the air as if it were on it.
 ///
 /// # Errors
 /// [`crate::ErrorKind::Invalid`] from [`AtmosphereParams::validate`] and for inputs out of range.
@@ -17,17 +18,29 @@ pub fn sunlight(params: &AtmosphereParams, altitude: f64, sun_sine: f64) -> Resu
     let h = altitude.max(0.0);
     let radius = params.planet_radius;
     // Sine of the horizon's dip: sqrt(r² - R²) / r.
-    if sun_sine < -(h * (2.0 * radius + h)).sqrt() / (radius + h) {
+    let dip = (h * (2.0 * radius + h)).sqrt() / (radius + h);
+    let visible = disk_above((sun_sine.asin() + dip.asin()) / params.sun_angular_radius);
+    if visible == 0.0 {
         return Ok([0.0; 3]);
     }
-    let [gas, aerosol, absorber] = columns_to_space(params, h, sun_sine);
+    let [gas, aerosol, absorber] = columns_to_space(params, h, sun_sine.max(-dip));
     let extinction = params.mie_extinction();
     Ok(std::array::from_fn(|c| {
         let depth = params.rayleigh_scattering[c] * gas
             + extinction[c] * aerosol
             + params.ozone_absorption[c] * absorber;
-        params.sun_intensity * (-depth).exp()
+        params.sun_intensity * visible * (-depth).exp()
     }))
+}
+
+/// The part of a disk above a straight line, 0 to 1: the segment of a circle. height: of the disk's centre
+/// above the line, in radii.
+fn disk_above(height: f64) -> f64 {
+    let h = height.clamp(-1.0, 1.0);
+    // Of the smaller part, so that a sliver keeps its digits: (acos h - h sqrt(1 - h²)) / π.
+    let root = ((1.0 - h) * (1.0 + h)).sqrt();
+    let part = |h: f64| (root.atan2(h) - h * root) / std::f64::consts::PI;
+    if h < 0.0 { part(-h) } else { 1.0 - part(h) }
 }
 
 /// Densities of gas, aerosol and absorber integrated (metres) from an altitude `h >= 0` (metres) in a
@@ -100,6 +113,53 @@ mod tests {
     use super::*;
     use crate::reference::single::{RayQuery, Tolerance, transmittance};
 
+    /// The part of a disk above a line by thin strips.
+    fn strips_above(height: f64) -> f64 {
+        const STRIPS: usize = 20_000;
+        let strips = (0..STRIPS).map(|i| (2 * i + 1) as f64 / STRIPS as f64 - 1.0);
+        let width = |y: f64| (1.0 - y * y).sqrt();
+        strips.clone().filter(|y| y + height > 0.0).map(width).sum::<f64>() / strips.map(width).sum::<f64>()
+    }
+
+    #[test]
+    fn a_disk_sinks_below_a_line_bit_by_bit() {
+        for (height, part) in [(-1.5, 0.0), (-1.0, 0.0), (0.0, 0.5), (1.0, 1.0), (1.5, 1.0)] {
+            assert!((disk_above(height) - part).abs() < 1e-15, "{height}");
+        }
+        for i in 0..=200 {
+            let height = i as f64 / 100.0 - 1.0;
+            assert!((disk_above(height) - strips_above(height)).abs() < 1e-4, "{height}");
+        }
+        // A sliver: the segment's area is (2 t)^(3/2) 2 / (3 π) of the circle's for a height t.
+        let sliver = disk_above(-1.0 + 1e-6) / (2e-6_f64.powf(1.5) * 2.0 / (3.0 * std::f64::consts::PI));
+        assert!((sliver - 1.0).abs() < 1e-3, "{sliver}");
+    }
+
+    /// At sunset nothing jumps: not at the horizon, where all of the light once went out, nor at the disk's
+    /// ends.
+    #[test]
+    fn light_falls_with_the_visible_part_of_the_disk() {
+        for params in [AtmosphereParams::earth(), AtmosphereParams::mars()] {
+            for altitude in [0.0, 3e3, 4e5] {
+                let r = params.planet_radius;
+                let horizon = -(r / (r + altitude)).acos();
+                let at = |radii: f64| {
+                    let sine = (horizon + radii * params.sun_angular_radius).sin();
+                    sunlight(&params, altitude, sine).unwrap()[0]
+                };
+                let full = at(1.0);
+                let steps: Vec<f64> = (0..=2400).map(|i| at(i as f64 / 1000.0 - 1.2)).collect();
+                for pair in steps.windows(2) {
+                    assert!(pair[1] >= pair[0], "{altitude}: {pair:?} falls");
+                    // A disk is 2000 steps. From orbit it sets through all of the air.
+                    assert!(pair[1] - pair[0] <= 1e-2 * full.max(pair[1]), "{altitude}: {pair:?} of {full}");
+                }
+                assert_eq!((steps[0], steps[199]), (0.0, 0.0));
+                assert!((at(-1e-9) - at(1e-9)).abs() <= 1e-6 * at(1e-9), "{altitude}: a step at the horizon");
+            }
+        }
+    }
+
     #[test]
     fn it_is_what_the_reference_lets_through() {
         let thick = AtmosphereParams {
@@ -115,15 +175,18 @@ mod tests {
                     let got = sunlight(&params, altitude, sine).unwrap();
                     let h: f64 = altitude;
                     let horizon = -(h * (2.0 * params.planet_radius + h)).sqrt() / (params.planet_radius + h);
-                    if sine < horizon {
+                    let above = (sine.asin() - horizon.asin()) / params.sun_angular_radius;
+                    if above <= -1.0 {
                         assert_eq!(got, [0.0; 3]);
                         continue;
                     }
-                    let zenith = sine.acos();
+                    let visible = strips_above(above);
+                    // Just above the horizon, so that rounding does not end the ray on the ground.
+                    let zenith = sine.max(horizon + 1e-7).acos();
                     let query = RayQuery::new(altitude, zenith, zenith, 0.0);
                     let expected = transmittance(&params, &query, Tolerance::PICTURE).unwrap();
                     for c in 0..3 {
-                        let expected = expected[c] * params.sun_intensity;
+                        let expected = expected[c] * params.sun_intensity * visible;
                         let off = (got[c] - expected).abs();
                         assert!(
                             off <= 1e-3 * expected + 1e-12,
