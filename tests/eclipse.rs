@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use glam::DVec3;
-use welkin::gpu::Backend;
+use welkin::gpu::{Backend, Target};
 use welkin::model::moon::{Disks, MOON_RADIUS, Moon, limb_darkening};
 use welkin::probe::{self, Case, Probe};
 use welkin::reference::multiple::Settings as Solve;
@@ -11,10 +11,14 @@ use welkin::reference::path::{Settings, path_trace};
 use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering, transmittance};
 use welkin::render::cpu_picture::render;
 use welkin::{
-    AtmosphereParams, Bound, Composition, Error, Frame, Look, PictureSettings, Quality, Scene, SkySettings,
+    AtmosphereParams, Bound, Composition, Error, Frame, Look, PictureSettings, Quality, Scene, SkyRenderer,
+    SkySettings,
 };
 
-use crate::harness::{View, background, composed, mean, on_both, orders, query};
+use crate::harness::{
+    TINY, View, background, background_passes, clear_pass, composed, luts, march, mean, on_both, orders,
+    query, rgb, sky, target,
+};
 
 /// Of the real one, metres.
 pub const DISTANCE: f64 = 3.6e8;
@@ -437,4 +441,62 @@ fn the_processor_draws_the_same_disks() {
             }
         }
     });
+}
+
+/// The moon is a body: stars do not shine through its dark side, and the air before it shines all the same.
+/// By LUTs, in a march, and where the air is laid over everything afterwards.
+#[test]
+fn stars_are_behind_the_moon() {
+    const N: u32 = 15;
+    const STARS: [f32; 4] = [0.5, 0.25, 0.125, 1.0];
+    let view =
+        View { altitude: 3e3, pitch: 25.0, sun_elevation: -8.0, fov: 4.0, aspect: 1.0, ..View::default() };
+    let mut scene = view.scene();
+    let (forward, up) = (scene.camera.forward.normalize(), scene.camera.up.normalize());
+    // A new moon but for its earthshine: the sun stands behind it.
+    let moon = Moon::new(scene.camera.position + forward * DISTANCE, 6e6);
+    scene.moon = Some(moon);
+    on_both(|b| {
+        for sky in [luts(TINY), sky(march(8, 4)), composed(Composition::AtmospherePost, luts(TINY))] {
+            let mut drawn = |behind: [f32; 4], moon: Option<Moon>| {
+                let scene = Scene { moon, ..scene.clone() };
+                let color = target(b, [N, N]);
+                b.run(&[clear_pass(color, behind)]).unwrap();
+                let mut renderer = SkyRenderer::new(sky).unwrap();
+                let passes = background_passes(b, &mut renderer, &scene, Target::color(color));
+                b.run(&passes).unwrap();
+                let pixels = b.read(color).unwrap();
+                renderer.destroy(b);
+                b.destroy_texture(color);
+                pixels
+            };
+            let (dark, stars) = (drawn([0.0, 0.0, 0.0, 1.0], Some(moon)), drawn(STARS, Some(moon)));
+            let sky_alone = drawn(STARS, None);
+            let mut hidden = 0;
+            for i in 0..(N * N) as usize {
+                let ray = query(&scene, [N, N], i);
+                let apart = (ray.direction - ray_to(&scene, forward)).length();
+                let (a, b) = (rgb(&dark, i), rgb(&stars, i));
+                if apart < 0.7 * 6e6 / DISTANCE {
+                    hidden += 1;
+                    assert!(
+                        (0..3).all(|c| (a[c] - b[c]).abs() < 1e-6),
+                        "{i}: stars through the moon: {a:?} {b:?}"
+                    );
+                } else if apart > 1.3 * 6e6 / DISTANCE {
+                    assert!(b[0] > a[0] + 0.1, "{i}: no stars beside the moon");
+                    assert!(
+                        (0..3).all(|c| (b[c] - rgb(&sky_alone, i)[c]).abs() < 1e-6),
+                        "{i}: beside the moon"
+                    );
+                }
+            }
+            assert!(hidden > 10, "{hidden} pixels of the moon; up is {up:?}");
+        }
+    });
+}
+
+/// A direction of the scene's in the camera's zenith frame.
+fn ray_to(scene: &Scene, direction: DVec3) -> DVec3 {
+    scene.validate().unwrap().world_to_zenith * direction
 }

@@ -300,6 +300,47 @@ fn air_dims_the_scene_and_adds_light_as_the_reference_does() {
     });
 }
 
+/// What lies behind the air is dimmed once on either side of the hand-over's end, however little of the sky
+/// the background still draws: the middle of a low sun's disk does not change there. On the Earth and on a
+/// small planet, whose hand-over ends elsewhere.
+#[test]
+fn what_lies_behind_is_dimmed_once_where_the_hand_over_ends() {
+    let small = AtmosphereParams {
+        planet_radius: 60e3,
+        atmosphere_radius: 62e3,
+        rayleigh_scale_height: 200.0,
+        mie_scale_height: 100.0,
+        rayleigh_scattering: AtmosphereParams::earth().rayleigh_scattering.map(|v| 30.0 * v),
+        ..AtmosphereParams::earth()
+    };
+    on_each(|b, settings| {
+        let settings = with_disk(true, settings);
+        for (name, params) in [("Earth", AtmosphereParams::earth()), ("small", small.clone())] {
+            // So dark that no target clips its disk.
+            let params = AtmosphereParams { sun_intensity: 0.1, ..params };
+            let (_, end) = hand_over(params.thickness());
+            // Through the air, a third of its depth up.
+            let lowest = params.planet_radius + 0.1 * params.thickness();
+            let down = -(lowest / (params.planet_radius + end)).acos().to_degrees();
+            let disk = |b: &mut dyn Backend, altitude: f64| {
+                let view = View { altitude, pitch: down, sun_elevation: down, fov: 1.5, ..View::default() };
+                let scene = View { params: params.clone(), aspect: 1.0, ..view }.scene();
+                let pixels = picture(b, &scene, &over_black(settings), [15, 15]);
+                rgb(&pixels, 7 * 15 + 7)
+            };
+            let above = disk(b, end + 1.0);
+            assert!(above[0] > 1e-3 && above[0] > 2.0 * above[2], "{name}: no low sun: {above:?}");
+            for part in [1e-3, 1e-4, 7e-5, 1e-5, 1e-7, 1e-10] {
+                let below = disk(b, end * (1.0 - part));
+                for c in 0..3 {
+                    let off = (below[c] / above[c] - 1.0).abs();
+                    assert!(off < 0.05, "{name}, {part:e} below the end: {below:?}, above {above:?}");
+                }
+            }
+        }
+    });
+}
+
 #[test]
 fn hand_over_keeps_the_sum() {
     assert_eq!(

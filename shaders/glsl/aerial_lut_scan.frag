@@ -60,7 +60,7 @@ struct Frame {
     DepthCode depth;
     uint view_samples;
     uint light_samples;
-    uint reduced;
+    uint flags;
     float camera_altitude;
     vec4 sky_view_mapping;
 };
@@ -71,6 +71,8 @@ struct Uniforms {
 const float LOG_FLOOR = -100.0;
 const float PI = 3.1415927;
 const float SQRT_HALF = 0.70710677;
+const uint REDUCED = 1u;
+const uint SHELL_DIMS = 2u;
 const bool RAYLEIGH = true;
 const bool MIE = true;
 const bool OZONE = true;

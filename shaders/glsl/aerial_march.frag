@@ -39,10 +39,12 @@ struct Frame {
     DepthCode depth;
     uint view_samples;
     uint light_samples;
-    uint reduced;
+    uint flags;
     float camera_altitude;
     vec4 sky_view_mapping;
 };
+const uint REDUCED = 1u;
+const uint SHELL_DIMS = 2u;
 const float HALF_MAX = 32000.0;
 const bool BLEND = true;
 const bool LIT_FRACTION = true;
@@ -98,7 +100,7 @@ float scene_reach(float start, float length_, float r_mu, bool ground, float dis
     return ((length_ * (1.0 - before)) + (reach * before));
 }
 
-void ray_end(float start_1, float length_1, float r_mu_1, bool ground_1, float distance_1, float radius_1, float pixel_angle_1, float shell_weight, inout float out_length, inout float out_weight, inout bool out_dims) {
+void ray_end(float start_1, float length_1, float r_mu_1, bool ground_1, float distance_1, float radius_1, float pixel_angle_1, float shell_weight, uint flags, inout float out_length, inout float out_weight, inout bool out_dims) {
     if ((distance_1 >= 0.0)) {
         float _e12 = scene_reach(start_1, length_1, r_mu_1, ground_1, distance_1, radius_1, pixel_angle_1);
         out_length = _e12;
@@ -114,7 +116,7 @@ void ray_end(float start_1, float length_1, float r_mu_1, bool ground_1, float d
     }
     out_length = length_1;
     out_weight = shell_weight;
-    out_dims = (shell_weight >= 1.0);
+    out_dims = ((flags & SHELL_DIMS) != 0u);
 }
 
 float lit_fraction_at(highp sampler2D visibility, ivec2 pixel_1) {
@@ -748,34 +750,35 @@ void main() {
     bool _e97 = ray_ground;
     float _e100 = _group_0_binding_0_fs.pixel_angle;
     float _e103 = _group_0_binding_0_fs.shell_weight;
-    ray_end(_e86, _e87, _e89, _e97, _e65, m_radius_1, _e100, _e103, end_length, end_weight, end_dims);
-    float _e107 = end_length;
-    float _e108 = end_weight;
-    bool _e109 = end_dims;
-    if (!((_e107 <= 0.0))) {
-        local = (_e108 <= 0.0);
+    uint _e106 = _group_0_binding_0_fs.flags;
+    ray_end(_e86, _e87, _e89, _e97, _e65, m_radius_1, _e100, _e103, _e106, end_length, end_weight, end_dims);
+    float _e110 = end_length;
+    float _e111 = end_weight;
+    bool _e112 = end_dims;
+    if (!((_e110 <= 0.0))) {
+        local = (_e111 <= 0.0);
     } else {
         local = true;
     }
-    bool _e118 = local;
-    if (_e118) {
-        vec4 _e119 = scene;
-        _fs2p_location0 = _e119;
+    bool _e121 = local;
+    if (_e121) {
+        vec4 _e122 = scene;
+        _fs2p_location0 = _e122;
         return;
     }
-    vec3 _e122 = _group_0_binding_0_fs.sun;
-    vec3 offset = (dir_6 - _e122);
-    uint _e129 = _group_0_binding_0_fs.view_samples;
-    uint _e132 = _group_0_binding_0_fs.light_samples;
-    single_scattering(m_rayleigh_2, m_rayleigh_inv_height_2, m_mie_scattering_1, m_mie_inv_height_2, m_mie_extinction_2, m_ozone_center_2, m_mie_asymmetry_1, m_ozone_inv_half_width_2, m_ozone_2, m_radius_1, m_thickness_1, _e86, _e87, _e88, _e89, _e90, _e91, _e92, _e93, _e94, _e95, _e96, _e97, dir_6, _e107, (0.5 * dot(offset, offset)), _e129, _e132, s_radiance, s_transmittance);
-    vec3 _e135 = s_radiance;
-    vec3 _e136 = s_transmittance;
-    vec3 transmittance_2 = (_e109 ? _e136 : vec3(1.0));
-    float _e142 = lit_fraction_at(_group_0_binding_3_fs, pixel_2);
-    vec3 light = ((_e135 * m_irradiance) * (_e108 * _e142));
-    vec4 _e145 = scene;
-    vec4 _e146 = compose(_e145, transmittance_2, light);
-    _fs2p_location0 = _e146;
+    vec3 _e125 = _group_0_binding_0_fs.sun;
+    vec3 offset = (dir_6 - _e125);
+    uint _e132 = _group_0_binding_0_fs.view_samples;
+    uint _e135 = _group_0_binding_0_fs.light_samples;
+    single_scattering(m_rayleigh_2, m_rayleigh_inv_height_2, m_mie_scattering_1, m_mie_inv_height_2, m_mie_extinction_2, m_ozone_center_2, m_mie_asymmetry_1, m_ozone_inv_half_width_2, m_ozone_2, m_radius_1, m_thickness_1, _e86, _e87, _e88, _e89, _e90, _e91, _e92, _e93, _e94, _e95, _e96, _e97, dir_6, _e110, (0.5 * dot(offset, offset)), _e132, _e135, s_radiance, s_transmittance);
+    vec3 _e138 = s_radiance;
+    vec3 _e139 = s_transmittance;
+    vec3 transmittance_2 = (_e112 ? _e139 : vec3(1.0));
+    float _e145 = lit_fraction_at(_group_0_binding_3_fs, pixel_2);
+    vec3 light = ((_e138 * m_irradiance) * (_e111 * _e145));
+    vec4 _e148 = scene;
+    vec4 _e149 = compose(_e148, transmittance_2, light);
+    _fs2p_location0 = _e149;
     return;
 }
 

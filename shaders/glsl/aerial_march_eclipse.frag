@@ -39,7 +39,7 @@ struct Frame {
     DepthCode depth;
     uint view_samples;
     uint light_samples;
-    uint reduced;
+    uint flags;
     float camera_altitude;
     vec4 sky_view_mapping;
 };
@@ -77,6 +77,8 @@ struct Uniforms {
     Luts luts;
     MoonShadow moon_shadow;
 };
+const uint REDUCED = 1u;
+const uint SHELL_DIMS = 2u;
 const float HALF_MAX = 32000.0;
 const bool BLEND = true;
 const bool LIT_FRACTION = true;
@@ -148,7 +150,7 @@ float scene_reach(float start, float length_, float r_mu, bool ground, float dis
     return ((length_ * (1.0 - before)) + (reach * before));
 }
 
-void ray_end(float start_1, float length_1, float r_mu_1, bool ground_1, float distance_1, float radius_1, float pixel_angle_1, float shell_weight, inout float out_length, inout float out_weight, inout bool out_dims) {
+void ray_end(float start_1, float length_1, float r_mu_1, bool ground_1, float distance_1, float radius_1, float pixel_angle_1, float shell_weight, uint flags, inout float out_length, inout float out_weight, inout bool out_dims) {
     if ((distance_1 >= 0.0)) {
         float _e12 = scene_reach(start_1, length_1, r_mu_1, ground_1, distance_1, radius_1, pixel_angle_1);
         out_length = _e12;
@@ -164,7 +166,7 @@ void ray_end(float start_1, float length_1, float r_mu_1, bool ground_1, float d
     }
     out_length = length_1;
     out_weight = shell_weight;
-    out_dims = (shell_weight >= 1.0);
+    out_dims = ((flags & SHELL_DIMS) != 0u);
 }
 
 float lit_fraction_at(highp sampler2D visibility, ivec2 pixel_1) {
@@ -1176,65 +1178,66 @@ void main() {
     float f_depth_background = _group_0_binding_0_fs.frame.depth.background;
     uint f_view_samples = _group_0_binding_0_fs.frame.view_samples;
     uint f_light_samples = _group_0_binding_0_fs.frame.light_samples;
+    uint f_flags = _group_0_binding_0_fs.frame.flags;
     ivec2 pixel_2 = ivec2(position.xy);
     if (BLEND) {
     } else {
-        vec4 _e64 = texelFetch(_group_0_binding_1_fs, pixel_2, 0);
-        scene = _e64;
+        vec4 _e66 = texelFetch(_group_0_binding_1_fs, pixel_2, 0);
+        scene = _e66;
     }
-    vec3 _e67 = pixel_ray(position.xy, f_size, f_ray_forward, f_ray_right, f_ray_up);
-    float ray_length_6 = length(_e67);
-    vec4 _e71 = texelFetch(_group_0_binding_2_fs, pixel_2, 0);
-    float _e73 = depth_distance(f_depth_scale, f_depth_bias, f_depth_log, f_depth_background, _e71.x, ray_length_6);
-    vec3 dir_11 = (_e67 / vec3(ray_length_6));
+    vec3 _e69 = pixel_ray(position.xy, f_size, f_ray_forward, f_ray_right, f_ray_up);
+    float ray_length_6 = length(_e69);
+    vec4 _e73 = texelFetch(_group_0_binding_2_fs, pixel_2, 0);
+    float _e75 = depth_distance(f_depth_scale, f_depth_bias, f_depth_log, f_depth_background, _e73.x, ray_length_6);
+    vec3 dir_11 = (_e69 / vec3(ray_length_6));
     air_ray(dir_11, f_altitude, f_medium_radius, f_medium_thickness, f_sun, ray_start, ray_length, ray_excess, ray_r_mu, ray_perigee_excess, ray_sun_r_mu, ray_nu, ray_sin2_, ray_shadow_b, ray_shadow_c, ray_shadow_half2_, ray_ground);
-    float _e88 = ray_start;
-    float _e89 = ray_length;
-    float _e90 = ray_excess;
-    float _e91 = ray_r_mu;
-    float _e92 = ray_perigee_excess;
-    float _e93 = ray_sun_r_mu;
-    float _e94 = ray_nu;
-    float _e95 = ray_sin2_;
-    float _e96 = ray_shadow_b;
-    float _e97 = ray_shadow_c;
-    float _e98 = ray_shadow_half2_;
-    bool _e99 = ray_ground;
-    ray_end(_e88, _e89, _e91, _e99, _e73, f_medium_radius, f_pixel_angle, f_shell_weight, end_length, end_weight, end_dims);
-    float _e103 = end_length;
-    float _e104 = end_weight;
-    bool _e105 = end_dims;
-    if (!((_e103 <= 0.0))) {
-        local = (_e104 <= 0.0);
+    float _e90 = ray_start;
+    float _e91 = ray_length;
+    float _e92 = ray_excess;
+    float _e93 = ray_r_mu;
+    float _e94 = ray_perigee_excess;
+    float _e95 = ray_sun_r_mu;
+    float _e96 = ray_nu;
+    float _e97 = ray_sin2_;
+    float _e98 = ray_shadow_b;
+    float _e99 = ray_shadow_c;
+    float _e100 = ray_shadow_half2_;
+    bool _e101 = ray_ground;
+    ray_end(_e90, _e91, _e93, _e101, _e75, f_medium_radius, f_pixel_angle, f_shell_weight, f_flags, end_length, end_weight, end_dims);
+    float _e105 = end_length;
+    float _e106 = end_weight;
+    bool _e107 = end_dims;
+    if (!((_e105 <= 0.0))) {
+        local = (_e106 <= 0.0);
     } else {
         local = true;
     }
-    bool _e114 = local;
-    if (_e114) {
-        vec4 _e115 = scene;
-        _fs2p_location0 = _e115;
+    bool _e116 = local;
+    if (_e116) {
+        vec4 _e117 = scene;
+        _fs2p_location0 = _e117;
         return;
     }
-    vec3 _e119 = _group_0_binding_0_fs.luts.mie_extinction;
-    float _e121 = _group_0_binding_0_fs.luts.altitude_steepness;
-    vec3 _e123 = _group_0_binding_0_fs.luts.mie_moment0_;
-    float _e125 = _group_0_binding_0_fs.luts.altitude_growth;
-    vec3 _e127 = _group_0_binding_0_fs.luts.mie_moment1_;
-    float _e129 = _group_0_binding_0_fs.luts.sun_middle;
-    vec3 _e131 = _group_0_binding_0_fs.luts.mie_moment2_;
-    float _e133 = _group_0_binding_0_fs.luts.sun_width;
-    float _e135 = _group_0_binding_0_fs.luts.sun_first;
-    float _e137 = _group_0_binding_0_fs.luts.sun_span;
-    uint _e139 = _group_0_binding_0_fs.luts.steps;
-    eclipsed_light(_group_0_binding_4_fs, _group_0_binding_5_fs, f_medium_rayleigh, f_medium_rayleigh_inv_height, f_medium_mie_scattering, f_medium_mie_inv_height, f_medium_mie_extinction, f_medium_ozone_center, f_medium_mie_asymmetry, f_medium_ozone_inv_half_width, f_medium_ozone, f_medium_radius, f_medium_thickness, _e119, _e121, _e123, _e125, _e127, _e129, _e131, _e133, _e135, _e137, _e139, _e88, _e89, _e90, _e91, _e92, _e93, _e94, _e95, _e96, _e97, _e98, _e99, dir_11, f_sun, _e103, f_view_samples, f_light_samples, s_radiance, s_transmittance);
-    vec3 _e144 = s_radiance;
-    vec3 _e145 = s_transmittance;
-    vec3 transmittance_2 = (_e105 ? _e145 : vec3(1.0));
-    float _e151 = lit_fraction_at(_group_0_binding_6_fs, pixel_2);
-    vec3 light = ((_e144 * f_medium_irradiance) * (_e104 * _e151));
-    vec4 _e154 = scene;
-    vec4 _e155 = compose(_e154, transmittance_2, light);
-    _fs2p_location0 = _e155;
+    vec3 _e121 = _group_0_binding_0_fs.luts.mie_extinction;
+    float _e123 = _group_0_binding_0_fs.luts.altitude_steepness;
+    vec3 _e125 = _group_0_binding_0_fs.luts.mie_moment0_;
+    float _e127 = _group_0_binding_0_fs.luts.altitude_growth;
+    vec3 _e129 = _group_0_binding_0_fs.luts.mie_moment1_;
+    float _e131 = _group_0_binding_0_fs.luts.sun_middle;
+    vec3 _e133 = _group_0_binding_0_fs.luts.mie_moment2_;
+    float _e135 = _group_0_binding_0_fs.luts.sun_width;
+    float _e137 = _group_0_binding_0_fs.luts.sun_first;
+    float _e139 = _group_0_binding_0_fs.luts.sun_span;
+    uint _e141 = _group_0_binding_0_fs.luts.steps;
+    eclipsed_light(_group_0_binding_4_fs, _group_0_binding_5_fs, f_medium_rayleigh, f_medium_rayleigh_inv_height, f_medium_mie_scattering, f_medium_mie_inv_height, f_medium_mie_extinction, f_medium_ozone_center, f_medium_mie_asymmetry, f_medium_ozone_inv_half_width, f_medium_ozone, f_medium_radius, f_medium_thickness, _e121, _e123, _e125, _e127, _e129, _e131, _e133, _e135, _e137, _e139, _e141, _e90, _e91, _e92, _e93, _e94, _e95, _e96, _e97, _e98, _e99, _e100, _e101, dir_11, f_sun, _e105, f_view_samples, f_light_samples, s_radiance, s_transmittance);
+    vec3 _e146 = s_radiance;
+    vec3 _e147 = s_transmittance;
+    vec3 transmittance_2 = (_e107 ? _e147 : vec3(1.0));
+    float _e153 = lit_fraction_at(_group_0_binding_6_fs, pixel_2);
+    vec3 light = ((_e146 * f_medium_irradiance) * (_e106 * _e153));
+    vec4 _e156 = scene;
+    vec4 _e157 = compose(_e156, transmittance_2, light);
+    _fs2p_location0 = _e157;
     return;
 }
 

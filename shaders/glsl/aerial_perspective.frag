@@ -39,7 +39,7 @@ struct Frame {
     DepthCode depth;
     uint view_samples;
     uint light_samples;
-    uint reduced;
+    uint flags;
     float camera_altitude;
     vec4 sky_view_mapping;
 };
@@ -68,6 +68,8 @@ struct Uniforms {
     Frame frame;
     Luts luts;
 };
+const uint REDUCED = 1u;
+const uint SHELL_DIMS = 2u;
 const float HALF_MAX = 32000.0;
 const bool BLEND = true;
 const bool LIT_FRACTION = true;
@@ -139,7 +141,7 @@ float scene_reach(float start, float length_, float r_mu, bool ground, float dis
     return ((length_ * (1.0 - before)) + (reach * before));
 }
 
-void ray_end(float start_1, float length_1, float r_mu_1, bool ground_1, float distance_1, float radius_1, float pixel_angle_1, float shell_weight, inout float out_length, inout float out_weight, inout bool out_dims) {
+void ray_end(float start_1, float length_1, float r_mu_1, bool ground_1, float distance_1, float radius_1, float pixel_angle_1, float shell_weight, uint flags, inout float out_length, inout float out_weight, inout bool out_dims) {
     if ((distance_1 >= 0.0)) {
         float _e12 = scene_reach(start_1, length_1, r_mu_1, ground_1, distance_1, radius_1, pixel_angle_1);
         out_length = _e12;
@@ -155,7 +157,7 @@ void ray_end(float start_1, float length_1, float r_mu_1, bool ground_1, float d
     }
     out_length = length_1;
     out_weight = shell_weight;
-    out_dims = (shell_weight >= 1.0);
+    out_dims = ((flags & SHELL_DIMS) != 0u);
 }
 
 float lit_fraction_at(highp sampler2D visibility, ivec2 pixel_1) {
@@ -686,6 +688,7 @@ void main() {
     float f_depth_bias = _group_0_binding_0_fs.frame.depth.bias;
     float f_depth_log = _group_0_binding_0_fs.frame.depth.log_;
     float f_depth_background = _group_0_binding_0_fs.frame.depth.background;
+    uint f_flags = _group_0_binding_0_fs.frame.flags;
     vec4 f_sky_view_mapping = _group_0_binding_0_fs.frame.sky_view_mapping;
     float luts_ground_rows = _group_0_binding_0_fs.luts.ground_rows;
     uint luts_slices_1 = _group_0_binding_0_fs.luts.slices;
@@ -693,81 +696,81 @@ void main() {
     ivec2 pixel_2 = ivec2(position.xy);
     if (BLEND) {
     } else {
-        vec4 _e64 = texelFetch(_group_0_binding_1_fs, pixel_2, 0);
-        scene = _e64;
+        vec4 _e66 = texelFetch(_group_0_binding_1_fs, pixel_2, 0);
+        scene = _e66;
     }
-    vec3 _e67 = pixel_ray(position.xy, f_size, f_ray_forward, f_ray_right, f_ray_up);
-    float ray_length_1 = length(_e67);
-    vec4 _e71 = texelFetch(_group_0_binding_2_fs, pixel_2, 0);
-    float _e73 = depth_distance(f_depth_scale, f_depth_bias, f_depth_log, f_depth_background, _e71.x, ray_length_1);
-    vec3 dir_3 = (_e67 / vec3(ray_length_1));
+    vec3 _e69 = pixel_ray(position.xy, f_size, f_ray_forward, f_ray_right, f_ray_up);
+    float ray_length_1 = length(_e69);
+    vec4 _e73 = texelFetch(_group_0_binding_2_fs, pixel_2, 0);
+    float _e75 = depth_distance(f_depth_scale, f_depth_bias, f_depth_log, f_depth_background, _e73.x, ray_length_1);
+    vec3 dir_3 = (_e69 / vec3(ray_length_1));
     line_past(dir_3, f_altitude, f_medium_radius, line_r_mu, line_perigee, line_perigee_excess, line_ground);
-    float _e80 = line_r_mu;
-    float _e81 = line_perigee;
-    float _e82 = line_perigee_excess;
-    bool _e83 = line_ground;
-    air_path(_e80, _e82, _e83, f_altitude, f_medium_radius, f_medium_thickness, path_start, path_length, path_excess, path_r_mu);
-    float _e88 = path_start;
-    float _e89 = path_length;
-    float _e90 = path_excess;
-    float _e91 = path_r_mu;
-    if (_e83) {
-        local = (_e89 >= 0.0);
+    float _e82 = line_r_mu;
+    float _e83 = line_perigee;
+    float _e84 = line_perigee_excess;
+    bool _e85 = line_ground;
+    air_path(_e82, _e84, _e85, f_altitude, f_medium_radius, f_medium_thickness, path_start, path_length, path_excess, path_r_mu);
+    float _e90 = path_start;
+    float _e91 = path_length;
+    float _e92 = path_excess;
+    float _e93 = path_r_mu;
+    if (_e85) {
+        local = (_e91 >= 0.0);
     } else {
         local = false;
     }
     bool ground_5 = local;
-    ray_end(_e88, _e89, _e91, ground_5, _e73, f_medium_radius, f_pixel_angle, f_shell_weight, end_length, end_weight, end_dims);
-    float _e101 = end_length;
-    float _e102 = end_weight;
-    bool _e103 = end_dims;
-    if (!((_e101 <= 0.0))) {
-        local_1 = (_e102 <= 0.0);
+    ray_end(_e90, _e91, _e93, ground_5, _e75, f_medium_radius, f_pixel_angle, f_shell_weight, f_flags, end_length, end_weight, end_dims);
+    float _e103 = end_length;
+    float _e104 = end_weight;
+    bool _e105 = end_dims;
+    if (!((_e103 <= 0.0))) {
+        local_1 = (_e104 <= 0.0);
     } else {
         local_1 = true;
     }
-    bool _e112 = local_1;
-    if (_e112) {
-        vec4 _e113 = scene;
-        _fs2p_location0 = _e113;
+    bool _e114 = local_1;
+    if (_e114) {
+        vec4 _e115 = scene;
+        _fs2p_location0 = _e115;
         return;
     }
-    float _e114 = azimuth_to_u(dir_3);
-    float _e116 = zenith_to_v(_e80, _e81, _e82, _e83, dir_3.z, f_altitude, f_medium_radius, f_medium_thickness, f_sky_view_mapping);
+    float _e116 = azimuth_to_u(dir_3);
+    float _e118 = zenith_to_v(_e82, _e83, _e84, _e85, dir_3.z, f_altitude, f_medium_radius, f_medium_thickness, f_sky_view_mapping);
     vec2 size_5 = vec2(uvec2(textureSize(_group_0_binding_3_fs, 0).xy));
-    float _e121 = v_to_row(_e116, ground_5, size_5.y, luts_ground_rows);
-    vec2 _e122 = sky_view_uv(_e114, _e121, size_5);
-    vec3 _e123 = mie_phase_between(dir_3, f_sun, f_medium_mie_asymmetry);
-    path_light(_group_0_binding_3_fs, _group_0_binding_6_fs, _e122, ground_5, _e89, _e123, whole_smooth_light, whole_mie_light);
-    vec3 _e129 = whole_smooth_light;
-    vec3 _e130 = whole_mie_light;
+    float _e123 = v_to_row(_e118, ground_5, size_5.y, luts_ground_rows);
+    vec2 _e124 = sky_view_uv(_e116, _e123, size_5);
+    vec3 _e125 = mie_phase_between(dir_3, f_sun, f_medium_mie_asymmetry);
+    path_light(_group_0_binding_3_fs, _group_0_binding_6_fs, _e124, ground_5, _e91, _e125, whole_smooth_light, whole_mie_light);
+    vec3 _e131 = whole_smooth_light;
+    vec3 _e132 = whole_mie_light;
     air_transmittance = vec3(1.0);
-    air_inscatter = (_e129 + _e130);
+    air_inscatter = (_e131 + _e132);
     if (!(ground_5)) {
-        local_2 = (_e101 >= _e89);
+        local_2 = (_e103 >= _e91);
     } else {
         local_2 = false;
     }
-    bool _e141 = local_2;
-    if (_e141) {
-        if (_e103) {
-            vec3 _e143 = whole_transmittance(_group_0_binding_5_fs, f_medium_rayleigh, f_medium_mie_extinction, f_medium_ozone, f_medium_radius, f_medium_thickness, _e90, _e91);
-            air_transmittance = _e143;
+    bool _e143 = local_2;
+    if (_e143) {
+        if (_e105) {
+            vec3 _e145 = whole_transmittance(_group_0_binding_5_fs, f_medium_rayleigh, f_medium_mie_extinction, f_medium_ozone, f_medium_radius, f_medium_thickness, _e92, _e93);
+            air_transmittance = _e145;
         }
     } else {
-        aerial_column(_group_0_binding_4_fs, luts_slices_1, luts_aerial_ground_rows_1, _e114, _e116, ground_5, column_texel, column_size, column_slices);
-        vec2 _e148 = column_texel;
-        vec2 _e149 = column_size;
-        float _e150 = column_slices;
-        air_before(_group_0_binding_4_fs, f_medium_rayleigh_inv_height, f_medium_mie_inv_height, f_medium_radius, _e89, _e90, _e91, _e148, _e149, _e150, _e101, _e129, _e130, air_transmittance, air_inscatter);
+        aerial_column(_group_0_binding_4_fs, luts_slices_1, luts_aerial_ground_rows_1, _e116, _e118, ground_5, column_texel, column_size, column_slices);
+        vec2 _e150 = column_texel;
+        vec2 _e151 = column_size;
+        float _e152 = column_slices;
+        air_before(_group_0_binding_4_fs, f_medium_rayleigh_inv_height, f_medium_mie_inv_height, f_medium_radius, _e91, _e92, _e93, _e150, _e151, _e152, _e103, _e131, _e132, air_transmittance, air_inscatter);
     }
-    vec3 _e153 = air_inscatter;
-    float _e156 = lit_fraction_at(_group_0_binding_7_fs, pixel_2);
-    vec3 light_1 = ((_e153 * f_medium_irradiance) * (_e102 * _e156));
-    vec4 _e159 = scene;
-    vec3 _e160 = air_transmittance;
-    vec4 _e161 = compose(_e159, _e160, light_1);
-    _fs2p_location0 = _e161;
+    vec3 _e155 = air_inscatter;
+    float _e158 = lit_fraction_at(_group_0_binding_7_fs, pixel_2);
+    vec3 light_1 = ((_e155 * f_medium_irradiance) * (_e104 * _e158));
+    vec4 _e161 = scene;
+    vec3 _e162 = air_transmittance;
+    vec4 _e163 = compose(_e161, _e162, light_1);
+    _fs2p_location0 = _e163;
     return;
 }
 

@@ -39,7 +39,7 @@ struct Frame {
     DepthCode depth;
     uint view_samples;
     uint light_samples;
-    uint reduced;
+    uint flags;
     float camera_altitude;
     vec4 sky_view_mapping;
 };
@@ -52,6 +52,8 @@ struct Uniforms {
     float pad1_;
     float pad2_;
 };
+const uint REDUCED = 1u;
+const uint SHELL_DIMS = 2u;
 const float HALF_MAX = 32000.0;
 const bool BEFORE = true;
 const vec4 NODES = vec4(0.06943184, 0.3300095, 0.66999054, 0.93056816);

@@ -39,7 +39,7 @@ struct Frame {
     DepthCode depth;
     uint view_samples;
     uint light_samples;
-    uint reduced;
+    uint flags;
     float camera_altitude;
     vec4 sky_view_mapping;
 };
@@ -53,6 +53,8 @@ struct Uniforms {
     float earthshine;
     float sun_visibility;
 };
+const uint REDUCED = 1u;
+const uint SHELL_DIMS = 2u;
 const float HALF_MAX = 32000.0;
 const bool RAYLEIGH = true;
 const bool MIE = true;
@@ -60,6 +62,7 @@ const bool OZONE = true;
 const bool AIR = true;
 const uint DISK_STEPS = 128u;
 const uint VERTICES = 4u;
+const bool BODY = true;
 
 layout(std140) uniform Uniforms_block_0Fragment { Uniforms _group_0_binding_0_fs; };
 
@@ -331,13 +334,18 @@ void main() {
     if (_e61) {
         discard;
     }
-    float _e64 = _group_0_binding_0_fs.moon_sine;
-    vec3 _e65 = moon_normal(dir_3, apart_1, _e64);
-    float _e68 = _group_0_binding_0_fs.albedo_over_pi;
-    float _e71 = _group_0_binding_0_fs.earthshine;
-    float _e72 = lommel_seeliger(_e65, dir_3, f_sun, _e68, _e71);
-    vec4 _e75 = disk_color((f_medium_irradiance * (_e54 * _e72)), _e44, _e45, _e46, f_altitude, f_medium_rayleigh, f_medium_rayleigh_inv_height, f_medium_mie_inv_height, f_medium_mie_extinction, f_medium_ozone_center, f_medium_ozone_inv_half_width, f_medium_ozone, f_medium_radius, f_medium_thickness);
-    _fs2p_location0 = _e75;
-    return;
+    if (BODY) {
+        _fs2p_location0 = vec4(0.0, 0.0, 0.0, _e54);
+        return;
+    } else {
+        float _e69 = _group_0_binding_0_fs.moon_sine;
+        vec3 _e70 = moon_normal(dir_3, apart_1, _e69);
+        float _e73 = _group_0_binding_0_fs.albedo_over_pi;
+        float _e76 = _group_0_binding_0_fs.earthshine;
+        float _e77 = lommel_seeliger(_e70, dir_3, f_sun, _e73, _e76);
+        vec4 _e80 = disk_color((f_medium_irradiance * (_e54 * _e77)), _e44, _e45, _e46, f_altitude, f_medium_rayleigh, f_medium_rayleigh_inv_height, f_medium_mie_inv_height, f_medium_mie_extinction, f_medium_ozone_center, f_medium_ozone_inv_half_width, f_medium_ozone, f_medium_radius, f_medium_thickness);
+        _fs2p_location0 = _e80;
+        return;
+    }
 }
 

@@ -42,6 +42,8 @@ struct Uniforms {
     Medium medium;
     Luts luts;
 };
+const uint REDUCED = 1u;
+const uint SHELL_DIMS = 2u;
 const bool RAYLEIGH = true;
 const bool MIE = true;
 const bool OZONE = true;

@@ -3,6 +3,8 @@
 precision highp float;
 precision highp int;
 
+const uint REDUCED = 1u;
+const uint SHELL_DIMS = 2u;
 const int CASE_TEXELS = 13;
 const int ANSWERS = 4;
 

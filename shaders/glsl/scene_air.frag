@@ -39,7 +39,7 @@ struct Frame {
     DepthCode depth;
     uint view_samples;
     uint light_samples;
-    uint reduced;
+    uint flags;
     float camera_altitude;
     vec4 sky_view_mapping;
 };
@@ -83,6 +83,8 @@ struct SceneAir {
     vec4 harmonics_2xz;
     vec4 harmonics_2xx;
 };
+const uint REDUCED = 1u;
+const uint SHELL_DIMS = 2u;
 const float HALF_MAX = 32000.0;
 const bool BLEND = true;
 const bool LIT_FRACTION = true;

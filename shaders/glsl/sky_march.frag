@@ -39,10 +39,12 @@ struct Frame {
     DepthCode depth;
     uint view_samples;
     uint light_samples;
-    uint reduced;
+    uint flags;
     float camera_altitude;
     vec4 sky_view_mapping;
 };
+const uint REDUCED = 1u;
+const uint SHELL_DIMS = 2u;
 const float HALF_MAX = 32000.0;
 const bool RAYLEIGH = true;
 const bool MIE = true;
@@ -653,42 +655,42 @@ void main() {
     float _e44 = _group_0_binding_0_fs.altitude;
     bool _e45 = hits_planet(dir_7, _e44, m_radius_1);
     if (_e45) {
-        uint _e48 = _group_0_binding_0_fs.reduced;
-        if ((_e48 == 0u)) {
+        uint _e48 = _group_0_binding_0_fs.flags;
+        if (((_e48 & REDUCED) == 0u)) {
             discard;
         }
         _fs2p_location0 = vec4(0.0, 0.0, 0.0, -1.0);
         return;
     }
-    float _e58 = _group_0_binding_0_fs.altitude;
-    vec3 _e61 = _group_0_binding_0_fs.sun;
-    air_ray(dir_7, _e58, m_radius_1, m_thickness_1, _e61, ray_start, ray_length, ray_excess, ray_r_mu, ray_perigee_excess, ray_sun_r_mu, ray_nu, ray_sin2_, ray_shadow_b, ray_shadow_c, ray_shadow_half2_, ray_ground);
-    float _e74 = ray_start;
-    float _e75 = ray_length;
-    float _e76 = ray_excess;
-    float _e77 = ray_r_mu;
-    float _e78 = ray_perigee_excess;
-    float _e79 = ray_sun_r_mu;
-    float _e80 = ray_nu;
-    float _e81 = ray_sin2_;
-    float _e82 = ray_shadow_b;
-    float _e83 = ray_shadow_c;
-    float _e84 = ray_shadow_half2_;
-    bool _e85 = ray_ground;
-    if ((_e75 <= 0.0)) {
+    float _e60 = _group_0_binding_0_fs.altitude;
+    vec3 _e63 = _group_0_binding_0_fs.sun;
+    air_ray(dir_7, _e60, m_radius_1, m_thickness_1, _e63, ray_start, ray_length, ray_excess, ray_r_mu, ray_perigee_excess, ray_sun_r_mu, ray_nu, ray_sin2_, ray_shadow_b, ray_shadow_c, ray_shadow_half2_, ray_ground);
+    float _e76 = ray_start;
+    float _e77 = ray_length;
+    float _e78 = ray_excess;
+    float _e79 = ray_r_mu;
+    float _e80 = ray_perigee_excess;
+    float _e81 = ray_sun_r_mu;
+    float _e82 = ray_nu;
+    float _e83 = ray_sin2_;
+    float _e84 = ray_shadow_b;
+    float _e85 = ray_shadow_c;
+    float _e86 = ray_shadow_half2_;
+    bool _e87 = ray_ground;
+    if ((_e77 <= 0.0)) {
         _fs2p_location0 = vec4(0.0);
         return;
     }
-    vec3 _e92 = _group_0_binding_0_fs.sun;
-    vec3 offset = (dir_7 - _e92);
-    uint _e99 = _group_0_binding_0_fs.view_samples;
-    uint _e102 = _group_0_binding_0_fs.light_samples;
-    single_scattering(m_rayleigh_2, m_rayleigh_inv_height_2, m_mie_scattering_1, m_mie_inv_height_2, m_mie_extinction_2, m_ozone_center_2, m_mie_asymmetry_1, m_ozone_inv_half_width_2, m_ozone_2, m_radius_1, m_thickness_1, _e74, _e75, _e76, _e77, _e78, _e79, _e80, _e81, _e82, _e83, _e84, _e85, dir_7, _e75, (0.5 * dot(offset, offset)), _e99, _e102, s_radiance, s_transmittance);
-    vec3 _e105 = s_radiance;
-    vec3 _e106 = s_transmittance;
-    float _e109 = _group_0_binding_0_fs.sky_weight;
-    vec4 _e112 = veil(((_e105 * _e109) * m_irradiance), _e106);
-    _fs2p_location0 = _e112;
+    vec3 _e94 = _group_0_binding_0_fs.sun;
+    vec3 offset = (dir_7 - _e94);
+    uint _e101 = _group_0_binding_0_fs.view_samples;
+    uint _e104 = _group_0_binding_0_fs.light_samples;
+    single_scattering(m_rayleigh_2, m_rayleigh_inv_height_2, m_mie_scattering_1, m_mie_inv_height_2, m_mie_extinction_2, m_ozone_center_2, m_mie_asymmetry_1, m_ozone_inv_half_width_2, m_ozone_2, m_radius_1, m_thickness_1, _e76, _e77, _e78, _e79, _e80, _e81, _e82, _e83, _e84, _e85, _e86, _e87, dir_7, _e77, (0.5 * dot(offset, offset)), _e101, _e104, s_radiance, s_transmittance);
+    vec3 _e107 = s_radiance;
+    vec3 _e108 = s_transmittance;
+    float _e111 = _group_0_binding_0_fs.sky_weight;
+    vec4 _e114 = veil(((_e107 * _e111) * m_irradiance), _e108);
+    _fs2p_location0 = _e114;
     return;
 }
 

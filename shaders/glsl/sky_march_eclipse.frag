@@ -39,7 +39,7 @@ struct Frame {
     DepthCode depth;
     uint view_samples;
     uint light_samples;
-    uint reduced;
+    uint flags;
     float camera_altitude;
     vec4 sky_view_mapping;
 };
@@ -77,6 +77,8 @@ struct Uniforms {
     Luts luts;
     MoonShadow moon_shadow;
 };
+const uint REDUCED = 1u;
+const uint SHELL_DIMS = 2u;
 const float HALF_MAX = 32000.0;
 const bool RAYLEIGH = true;
 const bool MIE = true;
@@ -1103,50 +1105,50 @@ void main() {
     vec2 f_size = _group_0_binding_0_fs.frame.size;
     uint f_view_samples = _group_0_binding_0_fs.frame.view_samples;
     uint f_light_samples = _group_0_binding_0_fs.frame.light_samples;
-    uint f_reduced = _group_0_binding_0_fs.frame.reduced;
+    uint f_flags = _group_0_binding_0_fs.frame.flags;
     vec3 _e49 = pixel_ray(position.xy, f_size, f_ray_forward, f_ray_right, f_ray_up);
     vec3 dir_12 = normalize(_e49);
     bool _e51 = hits_planet(dir_12, f_altitude, f_medium_radius);
     if (_e51) {
-        if ((f_reduced == 0u)) {
+        if (((f_flags & REDUCED) == 0u)) {
             discard;
         }
         _fs2p_location0 = vec4(0.0, 0.0, 0.0, -1.0);
         return;
     }
     air_ray(dir_12, f_altitude, f_medium_radius, f_medium_thickness, f_sun, ray_start, ray_length, ray_excess, ray_r_mu, ray_perigee_excess, ray_sun_r_mu, ray_nu, ray_sin2_, ray_shadow_b, ray_shadow_c, ray_shadow_half2_, ray_ground);
-    float _e71 = ray_start;
-    float _e72 = ray_length;
-    float _e73 = ray_excess;
-    float _e74 = ray_r_mu;
-    float _e75 = ray_perigee_excess;
-    float _e76 = ray_sun_r_mu;
-    float _e77 = ray_nu;
-    float _e78 = ray_sin2_;
-    float _e79 = ray_shadow_b;
-    float _e80 = ray_shadow_c;
-    float _e81 = ray_shadow_half2_;
-    bool _e82 = ray_ground;
-    if ((_e72 <= 0.0)) {
+    float _e73 = ray_start;
+    float _e74 = ray_length;
+    float _e75 = ray_excess;
+    float _e76 = ray_r_mu;
+    float _e77 = ray_perigee_excess;
+    float _e78 = ray_sun_r_mu;
+    float _e79 = ray_nu;
+    float _e80 = ray_sin2_;
+    float _e81 = ray_shadow_b;
+    float _e82 = ray_shadow_c;
+    float _e83 = ray_shadow_half2_;
+    bool _e84 = ray_ground;
+    if ((_e74 <= 0.0)) {
         _fs2p_location0 = vec4(0.0);
         return;
     }
-    vec3 _e90 = _group_0_binding_0_fs.luts.mie_extinction;
-    float _e92 = _group_0_binding_0_fs.luts.altitude_steepness;
-    vec3 _e94 = _group_0_binding_0_fs.luts.mie_moment0_;
-    float _e96 = _group_0_binding_0_fs.luts.altitude_growth;
-    vec3 _e98 = _group_0_binding_0_fs.luts.mie_moment1_;
-    float _e100 = _group_0_binding_0_fs.luts.sun_middle;
-    vec3 _e102 = _group_0_binding_0_fs.luts.mie_moment2_;
-    float _e104 = _group_0_binding_0_fs.luts.sun_width;
-    float _e106 = _group_0_binding_0_fs.luts.sun_first;
-    float _e108 = _group_0_binding_0_fs.luts.sun_span;
-    uint _e110 = _group_0_binding_0_fs.luts.steps;
-    eclipsed_light(_group_0_binding_2_fs, _group_0_binding_3_fs, f_medium_rayleigh, f_medium_rayleigh_inv_height, f_medium_mie_scattering, f_medium_mie_inv_height, f_medium_mie_extinction, f_medium_ozone_center, f_medium_mie_asymmetry, f_medium_ozone_inv_half_width, f_medium_ozone, f_medium_radius, f_medium_thickness, _e90, _e92, _e94, _e96, _e98, _e100, _e102, _e104, _e106, _e108, _e110, _e71, _e72, _e73, _e74, _e75, _e76, _e77, _e78, _e79, _e80, _e81, _e82, dir_12, f_sun, _e72, f_view_samples, f_light_samples, s_radiance, s_transmittance);
-    vec3 _e115 = s_radiance;
-    vec3 _e116 = s_transmittance;
-    vec4 _e119 = veil(((_e115 * f_sky_weight) * f_medium_irradiance), _e116);
-    _fs2p_location0 = _e119;
+    vec3 _e92 = _group_0_binding_0_fs.luts.mie_extinction;
+    float _e94 = _group_0_binding_0_fs.luts.altitude_steepness;
+    vec3 _e96 = _group_0_binding_0_fs.luts.mie_moment0_;
+    float _e98 = _group_0_binding_0_fs.luts.altitude_growth;
+    vec3 _e100 = _group_0_binding_0_fs.luts.mie_moment1_;
+    float _e102 = _group_0_binding_0_fs.luts.sun_middle;
+    vec3 _e104 = _group_0_binding_0_fs.luts.mie_moment2_;
+    float _e106 = _group_0_binding_0_fs.luts.sun_width;
+    float _e108 = _group_0_binding_0_fs.luts.sun_first;
+    float _e110 = _group_0_binding_0_fs.luts.sun_span;
+    uint _e112 = _group_0_binding_0_fs.luts.steps;
+    eclipsed_light(_group_0_binding_2_fs, _group_0_binding_3_fs, f_medium_rayleigh, f_medium_rayleigh_inv_height, f_medium_mie_scattering, f_medium_mie_inv_height, f_medium_mie_extinction, f_medium_ozone_center, f_medium_mie_asymmetry, f_medium_ozone_inv_half_width, f_medium_ozone, f_medium_radius, f_medium_thickness, _e92, _e94, _e96, _e98, _e100, _e102, _e104, _e106, _e108, _e110, _e112, _e73, _e74, _e75, _e76, _e77, _e78, _e79, _e80, _e81, _e82, _e83, _e84, dir_12, f_sun, _e74, f_view_samples, f_light_samples, s_radiance, s_transmittance);
+    vec3 _e117 = s_radiance;
+    vec3 _e118 = s_transmittance;
+    vec4 _e121 = veil(((_e117 * f_sky_weight) * f_medium_irradiance), _e118);
+    _fs2p_location0 = _e121;
     return;
 }
 

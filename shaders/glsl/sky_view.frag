@@ -39,7 +39,7 @@ struct Frame {
     DepthCode depth;
     uint view_samples;
     uint light_samples;
-    uint reduced;
+    uint flags;
     float camera_altitude;
     vec4 sky_view_mapping;
 };
@@ -68,6 +68,8 @@ struct Uniforms {
     Frame frame;
     Luts luts;
 };
+const uint REDUCED = 1u;
+const uint SHELL_DIMS = 2u;
 const float HALF_MAX = 32000.0;
 const float PI = 3.1415927;
 const float SQRT_HALF = 0.70710677;
@@ -221,7 +223,7 @@ void main() {
     vec3 f_ray_up = _group_0_binding_0_fs.frame.ray_up;
     vec3 f_sun = _group_0_binding_0_fs.frame.sun;
     vec2 f_size = _group_0_binding_0_fs.frame.size;
-    uint f_reduced = _group_0_binding_0_fs.frame.reduced;
+    uint f_flags = _group_0_binding_0_fs.frame.flags;
     vec4 f_sky_view_mapping = _group_0_binding_0_fs.frame.sky_view_mapping;
     vec3 _e31 = pixel_ray(position.xy, f_size, f_ray_forward, f_ray_right, f_ray_up);
     vec3 dir_3 = normalize(_e31);
@@ -232,7 +234,7 @@ void main() {
     bool _e40 = line_ground;
     if (_e40) {
         if (BLEND) {
-            if ((f_reduced == 0u)) {
+            if (((f_flags & REDUCED) == 0u)) {
                 discard;
             }
             _fs2p_location0 = vec4(0.0, 0.0, 0.0, -1.0);
@@ -243,30 +245,30 @@ void main() {
         }
     }
     vec2 size_2 = vec2(uvec2(textureSize(_group_0_binding_1_fs, 0).xy));
-    float _e58 = zenith_to_v(_e37, _e38, _e39, _e40, dir_3.z, f_altitude, f_medium_radius, f_medium_thickness, f_sky_view_mapping);
-    float _e63 = _group_0_binding_0_fs.luts.ground_rows;
-    float _e65 = v_to_row(_e58, false, size_2.y, _e63);
-    float _e66 = azimuth_to_u(dir_3);
-    vec2 _e67 = sky_view_uv(_e66, _e65, size_2);
-    vec4 texel_1 = textureLod(_group_0_binding_1_fs, vec2(_e67), 0.0);
-    vec3 _e73 = decode_light(texel_1.xyz);
-    light = _e73;
+    float _e60 = zenith_to_v(_e37, _e38, _e39, _e40, dir_3.z, f_altitude, f_medium_radius, f_medium_thickness, f_sky_view_mapping);
+    float _e65 = _group_0_binding_0_fs.luts.ground_rows;
+    float _e67 = v_to_row(_e60, false, size_2.y, _e65);
+    float _e68 = azimuth_to_u(dir_3);
+    vec2 _e69 = sky_view_uv(_e68, _e67, size_2);
+    vec4 texel_1 = textureLod(_group_0_binding_1_fs, vec2(_e69), 0.0);
+    vec3 _e75 = decode_light(texel_1.xyz);
+    light = _e75;
     if (MIE_SINGLE) {
-        vec3 _e76 = light;
-        vec4 _e80 = textureLod(_group_0_binding_2_fs, vec2(_e67), 0.0);
-        vec3 _e82 = decode_light(_e80.xyz);
-        vec3 _e83 = mie_phase_between(dir_3, f_sun, f_medium_mie_asymmetry);
-        light = (_e76 + (_e82 * _e83));
+        vec3 _e78 = light;
+        vec4 _e82 = textureLod(_group_0_binding_2_fs, vec2(_e69), 0.0);
+        vec3 _e84 = decode_light(_e82.xyz);
+        vec3 _e85 = mie_phase_between(dir_3, f_sun, f_medium_mie_asymmetry);
+        light = (_e78 + (_e84 * _e85));
     }
-    vec3 _e86 = light;
-    light = min(((_e86 * f_sky_weight) * f_medium_irradiance), vec3(32000.0));
+    vec3 _e88 = light;
+    light = min(((_e88 * f_sky_weight) * f_medium_irradiance), vec3(32000.0));
     if (BLEND) {
-        vec3 _e93 = light;
-        _fs2p_location0 = vec4(_e93, (1.0 - texel_1.w));
+        vec3 _e95 = light;
+        _fs2p_location0 = vec4(_e95, (1.0 - texel_1.w));
         return;
     } else {
-        vec3 _e98 = light;
-        _fs2p_location0 = vec4(_e98, 1.0);
+        vec3 _e100 = light;
+        _fs2p_location0 = vec4(_e100, 1.0);
         return;
     }
 }

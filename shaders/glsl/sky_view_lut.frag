@@ -39,7 +39,7 @@ struct Frame {
     DepthCode depth;
     uint view_samples;
     uint light_samples;
-    uint reduced;
+    uint flags;
     float camera_altitude;
     vec4 sky_view_mapping;
 };
@@ -68,6 +68,8 @@ struct Uniforms {
     Frame frame;
     Luts luts;
 };
+const uint REDUCED = 1u;
+const uint SHELL_DIMS = 2u;
 const bool RAYLEIGH = true;
 const bool MIE = true;
 const bool OZONE = true;

@@ -42,6 +42,8 @@ struct Uniforms {
     Medium medium;
     Luts luts;
 };
+const uint REDUCED = 1u;
+const uint SHELL_DIMS = 2u;
 const float LOG_FLOOR = -100.0;
 const bool RAYLEIGH = true;
 const bool MIE = true;

@@ -35,9 +35,15 @@ pub fn background_weight(altitude: f64, thickness: f64) -> f64 {
     1.0 - t * t * (3.0 - 2.0 * t)
 }
 
+/// Whether the background pass draws sky with so much of its light: it then dims what lies behind the air,
+/// and the aerial pass does not, however little it is.
+pub(crate) fn draws_any(background_weight: f64) -> bool {
+    background_weight > 0.0
+}
+
 /// Whether the background pass draws air.
 pub(crate) fn is_drawn(frame: &Frame) -> bool {
-    sees_sky(frame) && frame.background_weight > 0.0
+    sees_sky(frame) && draws_any(frame.background_weight)
 }
 
 /// Whether there is a ray in the picture that goes through air and misses the ground.

@@ -127,6 +127,18 @@ impl Effect for MoonDisk {
     fn push_nodes(&self, frame: &Frame, nodes: &mut Vec<Node>) {
         let air = dimming(frame);
         push_disk(frame, "moon", air.program(&moon_disk::INFO, [("AIR", air.any())]), &frame.moon, nodes);
+        // Before anything else that is drawn there, or it would hide the light of the air before it.
+        let first = nodes.iter().position(|node| node.writes == Resource::Background);
+        push_disk(
+            frame,
+            "moon's body",
+            Air::default().program(&moon_disk::INFO, [("BODY", true)]),
+            &frame.moon,
+            nodes,
+        );
+        if let (Some(first), Some(body)) = (first, nodes.pop()) {
+            nodes.insert(first, Node { hides: true, ..body });
+        }
     }
 }
 
@@ -136,6 +148,7 @@ fn dimming(frame: &Frame) -> Air {
 }
 
 /// The node that draws a disk.
+#[inline(never)]
 fn push_disk(frame: &Frame, label: &'static str, program: Program, disk: &SkyDisk, nodes: &mut Vec<Node>) {
     let Some([left, bottom, right, top]) = disk.rectangle else { return };
     let fraction = 0.25 * (right - left) * (top - bottom);

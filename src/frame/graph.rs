@@ -189,6 +189,8 @@ pub struct Node {
     pub depth: DepthUse,
     /// Fraction of its target's pixels that it draws, 0 to 1.
     pub fraction: f64,
+    /// It only hides what was in its target before: left out where that is cleared.
+    pub hides: bool,
 }
 
 impl Node {
@@ -207,6 +209,7 @@ impl Node {
             over_black: None,
             depth: DepthUse::Always,
             fraction: 1.0,
+            hides: false,
         }
     }
 
@@ -235,6 +238,7 @@ impl Node {
             over_black,
             depth,
             fraction: 1.0,
+            hides: false,
         }
     }
 
@@ -256,6 +260,7 @@ impl Node {
             over_black,
             depth,
             fraction: 1.0,
+            hides: false,
         }
     }
 
@@ -477,6 +482,9 @@ impl Graph {
                     }
                     (writes, _) => {
                         let Some(mut target) = bindings.target(writes) else { continue };
+                        if node.hides && target.clear.is_some() {
+                            continue;
+                        }
                         let slot = &mut cleared[match writes {
                             Resource::Background => 0,
                             Resource::Aerial => 1,

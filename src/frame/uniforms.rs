@@ -2,9 +2,11 @@
 
 use glam::DVec3;
 
+use super::background::draws_any;
 use crate::gpu::RowOrder;
 use crate::model::atmosphere::AtmosphereParams;
 use crate::model::scene::{Scene, ZenithView};
+use crate::shaders::sky_view::numbers::{REDUCED, SHELL_DIMS};
 
 /// How much a coordinate of the unit vector to the sun may change before a view's LUTs are made again. By
 /// `docs/effects.md` ("Light for a scene of one's own") green light falls to a fifth from 1° to -2°, so by
@@ -85,7 +87,7 @@ block! {
         depth: DepthUniform,
         view_samples: u32,
         light_samples: u32,
-        reduced: u32,
+        flags: u32,
         camera_altitude: f32,
         sky_view_mapping: [f32; 4],
     }
@@ -168,7 +170,7 @@ impl FrameUniform {
             },
             view_samples,
             light_samples,
-            reduced: 0,
+            flags: if draws_any(background_weight) { 0 } else { SHELL_DIMS },
             camera_altitude: (view.altitude / KM) as f32,
             sky_view_mapping: Self::sky_view_mapping(view.altitude.max(0.0), p),
         }
@@ -187,7 +189,7 @@ impl FrameUniform {
     /// discarded.
     pub(crate) fn reduced(self, view: &ZenithView, size: [u32; 2]) -> Self {
         let pixel_angle = pixel_angle(view, size);
-        Self { size: size.map(|s| s as f32), pixel_angle, reduced: 1, ..self }
+        Self { size: size.map(|s| s as f32), pixel_angle, flags: self.flags | REDUCED, ..self }
     }
 
     /// What of the block the LUTs of a view depend on: medium, altitude and sun; the rest is 0, so that

@@ -16,8 +16,8 @@ use super::map::Map;
 use super::{
     AdapterInfo, Backend, DepthUse, Format, Inputs, Live, Pass, PassTime, Precision, Program, ProgramId,
     ReadId, SAMPLER_BINDING, TEXTURES_MAX, TextureDesc, TextureId, Ticket, TimerId, TimerKind, Uniform,
-    Vertices, check_inputs, check_open, check_pass, check_texels, decode_texels, encode_texels,
-    program::Bound, unsuitable,
+    Vertices, check_inputs, check_pass, check_texels, decode_texels, encode_texels, program::Bound,
+    unsuitable,
 };
 use crate::error::{Error, Result};
 pub(crate) use import::known_format;
@@ -332,8 +332,8 @@ impl WgpuBackend {
         for pass in passes {
             self.prepare(pass)?;
             let target = self.textures.find(pass.target.color)?;
-            if target.open.is_some() {
-                return Err(Self::not_a_texture(pass.label, &target.desc));
+            if let Some(inside) = self.inside.as_ref().filter(|_| target.open.is_some()) {
+                return Err(inside.not_a_texture(pass.label, &target.desc));
             }
         }
         for (index, pass) in passes.iter().enumerate() {
@@ -404,8 +404,8 @@ impl WgpuBackend {
             if slot.filtered && texture.desc.format == Format::Depth32Float {
                 return Err(unsuitable(label, slot.name, texture.desc, "a format of colors"));
             }
-            if texture.open.is_some() {
-                return Err(Self::not_a_texture(label, &texture.desc));
+            if let Some(inside) = self.inside.as_ref().filter(|_| texture.open.is_some()) {
+                return Err(inside.not_a_texture(label, &texture.desc));
             }
             if !texture.view.texture().usage().contains(wgpu::TextureUsages::TEXTURE_BINDING) {
                 return Err(import::lacks(label, slot.name, "TEXTURE_BINDING"));
@@ -645,9 +645,8 @@ impl WgpuBackend {
     /// What a pass draws to.
     fn target(&self, pass: &Pass, what: &str, id: TextureId) -> Result<TextureDesc> {
         let texture = self.textures.find(id)?;
-        if texture.open.is_some() {
-            check_open(&pass.target, texture.desc.label)?;
-            return Ok(texture.desc);
+        if let Some(inside) = self.inside.as_ref().filter(|_| texture.open.is_some()) {
+            return inside.target(pass, texture.desc);
         }
         let usage = texture.view.texture().usage();
         if pass.texels.is_none() && !usage.contains(wgpu::TextureUsages::RENDER_ATTACHMENT) {

@@ -35,11 +35,11 @@ mod text {
 #[cfg(feature = "webgl")]
 static PARTS: &[&str] = &[
     "#version 300 es\n",
-    "const int CASE_TEXELS = 13;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool SUNLIGHT = true;\nconst int ANSWERS = 2;\n",
-    "const int CASE_TEXELS = 13;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst int ANSWERS = 5;\n",
-    "const int CASE_TEXELS = 13;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst int ZENITHS = 16;\nconst int AZIMUTHS = 8;\nconst int ANSWERS = 12;\n",
-    "const int CASE_TEXELS=13;const float PI=3.1415927;const float SQRT_HALF=0.70710677;const int ANSWERS=1;\n",
-    "const int CASE_TEXELS=13;const int ANSWERS=4;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst int CASE_TEXELS = 13;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool SUNLIGHT = true;\nconst int ANSWERS = 2;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst int CASE_TEXELS = 13;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst int ANSWERS = 5;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst int CASE_TEXELS = 13;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst int ZENITHS = 16;\nconst int AZIMUTHS = 8;\nconst int ANSWERS = 12;\n",
+    "const uint REDUCED=1u;const uint SHELL_DIMS=2u;const int CASE_TEXELS=13;const float PI=3.1415927;const float SQRT_HALF=0.70710677;const int ANSWERS=1;\n",
+    "const uint REDUCED=1u;const uint SHELL_DIMS=2u;const int CASE_TEXELS=13;const int ANSWERS=4;\n",
     "layout(location=0)out vec4 o0;\n",
     "precision highp float;precision highp int;\n",
     "uniform highp sampler2D g1;\n",
@@ -133,6 +133,8 @@ pub mod probe_eclipse {
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
+        pub const REDUCED: u32 = 1;
+        pub const SHELL_DIMS: u32 = 2;
         pub const CASE_TEXELS: u32 = 13;
         pub const ANSWERS: u32 = 1;
     }
@@ -164,6 +166,8 @@ pub mod probe_geometry {
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
+        pub const REDUCED: u32 = 1;
+        pub const SHELL_DIMS: u32 = 2;
         pub const CASE_TEXELS: u32 = 13;
         pub const ANSWERS: u32 = 4;
     }
@@ -195,6 +199,8 @@ pub mod probe_luts {
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
+        pub const REDUCED: u32 = 1;
+        pub const SHELL_DIMS: u32 = 2;
         pub const CASE_TEXELS: u32 = 13;
         pub const MOMENTS: u32 = 6;
         pub const ZENITHS: u32 = 16;
@@ -235,6 +241,8 @@ pub mod probe_medium {
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
+        pub const REDUCED: u32 = 1;
+        pub const SHELL_DIMS: u32 = 2;
         pub const CASE_TEXELS: u32 = 13;
         pub const ANSWERS: u32 = 5;
     }
@@ -272,6 +280,8 @@ pub mod probe_path {
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
+        pub const REDUCED: u32 = 1;
+        pub const SHELL_DIMS: u32 = 2;
         pub const CASE_TEXELS: u32 = 13;
         pub const ANSWERS: u32 = 2;
     }
@@ -313,6 +323,8 @@ pub mod probe_scatter {
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
+        pub const REDUCED: u32 = 1;
+        pub const SHELL_DIMS: u32 = 2;
         pub const CASE_TEXELS: u32 = 13;
         pub const ANSWERS: u32 = 2;
     }

@@ -59,23 +59,24 @@ mod text {
 static PARTS: &[&str] = &[
     "#version 300 es\n",
     "const bool ACES = true;\nconst bool AGX = true;\nconst bool DITHER = true;\n",
-    "const bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst bool MULTI_SCATTERING = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst int ZENITHS = 16;\nconst int AZIMUTHS = 8;\n",
-    "const bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst bool MULTI_SCATTERING = true;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool MIE_SINGLE = true;\n",
-    "const bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst bool MULTI_SCATTERING = true;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst int AIR_SMOOTH = 0;\nconst int AIR_MIE = 1;\nconst int AIR_BEAM = 2;\nconst int AIR_TRANSMITTANCE = 3;\nconst int AIR_KINDS = 4;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\n",
-    "const bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst int ZENITHS = 16;\nconst int AZIMUTHS = 8;\n",
-    "const float HALF_MAX=32000.0;\n",
-    "const float HALF_MAX = 32000.0;\nconst bool BEFORE = true;\nconst vec4 NODES = vec4(0.06943184, 0.3300095, 0.66999054, 0.93056816);\nconst vec4 WEIGHTS = vec4(0.17392743, 0.32607257, 0.32607257, 0.17392743);\n",
-    "const float HALF_MAX = 32000.0;\nconst bool BLEND = true;\nconst bool LIT_FRACTION = true;\nconst float SUBPIXEL = 0.0625;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool SUNLIGHT = true;\n",
-    "const float HALF_MAX = 32000.0;\nconst bool BLEND = true;\nconst bool LIT_FRACTION = true;\nconst float SUBPIXEL = 0.0625;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst bool MULTI_SCATTERING = true;\nconst float PI = 3.1415927;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool SUNLIGHT = true;\nconst float SQRT_HALF = 0.70710677;\n",
-    "const float HALF_MAX = 32000.0;\nconst bool BLEND = true;\nconst bool LIT_FRACTION = true;\nconst float SUBPIXEL = 0.0625;\nconst float LOG_FLOOR = -100.0;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst int AIR_SMOOTH = 0;\nconst int AIR_MIE = 1;\nconst int AIR_BEAM = 2;\nconst int AIR_TRANSMITTANCE = 3;\nconst int AIR_KINDS = 4;\nconst bool MIE_SINGLE = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\n",
-    "const float HALF_MAX = 32000.0;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst bool AIR = true;\nconst uint DISK_STEPS = 128u;\nconst uint VERTICES = 4u;\n",
-    "const float HALF_MAX = 32000.0;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst bool AIR = true;\nconst uint DISK_STEPS = 128u;\nconst uint VERTICES = 4u;\nconst bool LIMB_DARKENING = true;\nconst bool MOON = true;\n",
-    "const float HALF_MAX = 32000.0;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool SUNLIGHT = true;\n",
-    "const float HALF_MAX = 32000.0;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool SUNLIGHT = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst uint RINGS = 256u;\nconst uint SEGMENTS = 384u;\nconst bool SKY_LIGHT = true;\nconst bool MOON = true;\nconst uint VERTICES = 197632u;\n",
-    "const float HALF_MAX = 32000.0;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst bool MULTI_SCATTERING = true;\nconst float PI = 3.1415927;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool SUNLIGHT = true;\nconst float SQRT_HALF = 0.70710677;\n",
-    "const float HALF_MAX = 32000.0;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst float LOG_FLOOR = -100.0;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool MIE_SINGLE = true;\nconst bool BLEND = true;\n",
-    "const float LOG_FLOOR = -100.0;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\n",
-    "const float LOG_FLOOR = -100.0;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst int AIR_SMOOTH = 0;\nconst int AIR_MIE = 1;\nconst int AIR_BEAM = 2;\nconst int AIR_TRANSMITTANCE = 3;\nconst int AIR_KINDS = 4;\nconst bool FINISH = true;\n",
+    "const float LOG_FLOOR = -100.0;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst int AIR_SMOOTH = 0;\nconst int AIR_MIE = 1;\nconst int AIR_BEAM = 2;\nconst int AIR_TRANSMITTANCE = 3;\nconst int AIR_KINDS = 4;\nconst bool FINISH = true;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst bool MULTI_SCATTERING = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst int ZENITHS = 16;\nconst int AZIMUTHS = 8;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst bool MULTI_SCATTERING = true;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool MIE_SINGLE = true;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst bool MULTI_SCATTERING = true;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst int AIR_SMOOTH = 0;\nconst int AIR_MIE = 1;\nconst int AIR_BEAM = 2;\nconst int AIR_TRANSMITTANCE = 3;\nconst int AIR_KINDS = 4;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst int ZENITHS = 16;\nconst int AZIMUTHS = 8;\n",
+    "const uint REDUCED=1u;const uint SHELL_DIMS=2u;const float HALF_MAX=32000.0;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst float HALF_MAX = 32000.0;\nconst bool BEFORE = true;\nconst vec4 NODES = vec4(0.06943184, 0.3300095, 0.66999054, 0.93056816);\nconst vec4 WEIGHTS = vec4(0.17392743, 0.32607257, 0.32607257, 0.17392743);\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst float HALF_MAX = 32000.0;\nconst bool BLEND = true;\nconst bool LIT_FRACTION = true;\nconst float SUBPIXEL = 0.0625;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool SUNLIGHT = true;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst float HALF_MAX = 32000.0;\nconst bool BLEND = true;\nconst bool LIT_FRACTION = true;\nconst float SUBPIXEL = 0.0625;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst bool MULTI_SCATTERING = true;\nconst float PI = 3.1415927;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool SUNLIGHT = true;\nconst float SQRT_HALF = 0.70710677;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst float HALF_MAX = 32000.0;\nconst bool BLEND = true;\nconst bool LIT_FRACTION = true;\nconst float SUBPIXEL = 0.0625;\nconst float LOG_FLOOR = -100.0;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst int AIR_SMOOTH = 0;\nconst int AIR_MIE = 1;\nconst int AIR_BEAM = 2;\nconst int AIR_TRANSMITTANCE = 3;\nconst int AIR_KINDS = 4;\nconst bool MIE_SINGLE = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst float HALF_MAX = 32000.0;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst bool AIR = true;\nconst uint DISK_STEPS = 128u;\nconst uint VERTICES = 4u;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst float HALF_MAX = 32000.0;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst bool AIR = true;\nconst uint DISK_STEPS = 128u;\nconst uint VERTICES = 4u;\nconst bool BODY = true;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst float HALF_MAX = 32000.0;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst bool AIR = true;\nconst uint DISK_STEPS = 128u;\nconst uint VERTICES = 4u;\nconst bool LIMB_DARKENING = true;\nconst bool MOON = true;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst float HALF_MAX = 32000.0;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool SUNLIGHT = true;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst float HALF_MAX = 32000.0;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool SUNLIGHT = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst uint RINGS = 256u;\nconst uint SEGMENTS = 384u;\nconst bool SKY_LIGHT = true;\nconst bool MOON = true;\nconst uint VERTICES = 197632u;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst float HALF_MAX = 32000.0;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst bool MULTI_SCATTERING = true;\nconst float PI = 3.1415927;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool SUNLIGHT = true;\nconst float SQRT_HALF = 0.70710677;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst float HALF_MAX = 32000.0;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst float LOG_FLOOR = -100.0;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool MIE_SINGLE = true;\nconst bool BLEND = true;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst float LOG_FLOOR = -100.0;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\n",
     "layout(location=0)out vec4 o0;\n",
     "layout(std140)uniform Frame_block_0Fragment{Frame g0;};\n",
     "layout(std140)uniform Terrain_block_0Fragment{Terrain g0;};\n",
@@ -87,7 +88,7 @@ static PARTS: &[&str] = &[
     "smooth in vec3 v0;smooth in vec3 v1;smooth in vec3 v2;layout(location=0)out vec4 o0;\n",
     "smooth out vec3 v0;smooth out vec3 v1;smooth out vec3 v2;\n",
     "struct DepthCode{float scale;float bias;float log_;float background;};\n",
-    "struct Frame{Medium medium;vec3 ray_forward;float altitude;vec3 ray_right;float sky_weight;vec3 ray_up;float shell_weight;vec3 sun;float sun_chord;vec2 size;float sun_disk;float pixel_angle;DepthCode depth;uint view_samples;uint light_samples;uint reduced;float camera_altitude;vec4 sky_view_mapping;};\n",
+    "struct Frame{Medium medium;vec3 ray_forward;float altitude;vec3 ray_right;float sky_weight;vec3 ray_up;float shell_weight;vec3 sun;float sun_chord;vec2 size;float sun_disk;float pixel_angle;DepthCode depth;uint view_samples;uint light_samples;uint flags;float camera_altitude;vec4 sky_view_mapping;};\n",
     "struct Luts{vec3 mie_extinction;float altitude_steepness;vec3 mie_moment0_;float altitude_growth;vec3 mie_moment1_;float sun_middle;vec3 mie_moment2_;float sun_width;vec3 mie_asymmetry;float pad;vec3 albedo;float sun_first;float sun_span;float ground_rows;uvec2 size;uint steps;uint shift;uint slices;float aerial_ground_rows;};\n",
     "struct Medium{vec3 rayleigh;float rayleigh_inv_height;vec3 mie_scattering;float mie_inv_height;vec3 mie_extinction;float ozone_center;vec3 mie_asymmetry;float ozone_inv_half_width;vec3 ozone;float radius;vec3 irradiance;float thickness;};\n",
     "struct MoonShadow{vec3 across;float along;float radius;float tan_sun_radius;float min_visibility;float inv_extent;};\n",
@@ -173,24 +174,24 @@ static PARTS: &[&str] = &[
     "void main(){uint a=uint(gl_VertexID);float b=h0.rectangle.x;float c=h0.rectangle.z;float d=(((a&1u)!=0u)?c:b);float e=h0.rectangle.y;float f=h0.rectangle.w;float g=(((a&2u)!=0u)?f:e);gl_Position=vec4(d,g,0.0,1.0);gl_Position.yz=vec2(-gl_Position.y,gl_Position.z*2.0-gl_Position.w);return;}\n",
     "void main(){uint a=uint(gl_VertexID);vec2 b=vec2(float(((a<<1u)&2u)),float((a&2u)));gl_Position=vec4(((b*2.0)-vec2(1.0)),0.0,1.0);gl_Position.yz=vec2(-gl_Position.y,gl_Position.z*2.0-gl_Position.w);return;}\n",
     "void main(){uint a=uint(gl_VertexID);vec3 b=vec3(0.0);float c=0.0;float d=0.0;vec3 e=vec3(0.0);float f=0.0;float g=0.0;vec3 h=vec3(0.0);float i=0.0;float j=0.0;vec4 k=vec4(0.0);vec3 l=vec3(0.0);vec3 m=vec3(0.0);vec3 n=vec3(0.0);vec3 o=vec3(0.0);float p=0.0;float q=0.0;float r=0.0;vec3 s=h0.frame.medium.rayleigh;float t=h0.frame.medium.rayleigh_inv_height;float u=h0.frame.medium.mie_inv_height;vec3 v=h0.frame.medium.mie_extinction;float w=h0.frame.medium.ozone_center;float x=h0.frame.medium.ozone_inv_half_width;vec3 y=h0.frame.medium.ozone;float z=h0.frame.medium.radius;float aa=h0.frame.medium.thickness;vec3 ab=h0.frame.sun;float ac=h0.frame.camera_altitude;b=s;c=t;d=u;e=v;f=w;g=x;h=y;i=z;j=aa;if(SKY_LIGHT){vec3 ad=h0.luts.mie_extinction;e=ad;}vec3 ae=vec3(0.0,0.0,1.0);grid_point(a,o,p,q,r);vec3 af=o;float ag=p;float ah=q;float ai=r;vec3 aj=((af*ag)+(ae*(1.0-ah)));vec3 ak=h0.planet_x;vec3 al=h0.planet_y;vec3 am=h0.planet_z;vec3 an=vec3(dot(ak,aj),dot(al,aj),dot(am,aj));float ao=h0.amplitude;float ap=h0.mountain_rate;float aq=h0.sea;vec4 ar=height_field(an,ao,ap,aq,ai);float as=ar.w;float at=i;float au=(at+as);vec3 av=((af*(au*ag))+(ae*((as-ac)-(au*ah))));vec3 aw=h0.planet_x;vec3 ax=h0.planet_y;vec3 ay=h0.planet_z;vec3 az=(((aw*ar.x)+(ax*ar.y))+(ay*ar.z));float ba=i;vec3 bb=normalize((aj-((az-(aj*dot(az,aj)))/vec3(ba))));vec4 bc=clip_position(av);k=bc;l=av;vec3 bd=b;float be=c;float bf=d;vec3 bg=e;float bh=f;float bi=g;vec3 bj=h;float bk=i;float bl=j;vec3 bm=ground_light(bd,be,bf,bg,bh,bi,bj,bk,bl,as,aj,bb);m=bm;n=vec3(as,dot(bb,aj),dot(aj,ab));vec4 bn=k;vec3 bo=l;vec3 bp=m;vec3 bq=n;gl_Position=bn;v0=bo;v1=bp;v2=bq;gl_Position.yz=vec2(-gl_Position.y,gl_Position.z*2.0-gl_Position.w);return;}\n",
-    "void main(){vec4 a=gl_FragCoord;bool b=false;float c=0.0;float d=0.0;bool e=false;vec3 f=g0.frame.medium.rayleigh;float g=g0.frame.medium.rayleigh_inv_height;float h=g0.frame.medium.mie_inv_height;vec3 i=g0.frame.medium.mie_extinction;float j=g0.frame.medium.ozone_center;float k=g0.frame.medium.ozone_inv_half_width;vec3 l=g0.frame.medium.ozone;float m=g0.frame.medium.radius;vec3 n=g0.frame.medium.irradiance;float o=g0.frame.medium.thickness;vec3 p=g0.frame.ray_forward;float q=g0.frame.altitude;vec3 r=g0.frame.ray_right;vec3 s=g0.frame.ray_up;vec3 t=g0.frame.sun;vec2 u=g0.frame.size;float v=g0.frame.pixel_angle;vec3 w=pixel_ray(a.xy,u,p,r,s);vec3 x=normalize(w);line_past(x,q,m,c,d,e);float y=c;float z=d;bool aa=e;vec3 ab=g0.moon_direction;vec3 ac=(x-ab);float ad=g0.moon_chord;float ae=disk_coverage(ac,ad,v);if(!(aa)){b=(ae<=0.0);}else{b=true;}bool af=b;if(af){discard;}float ag=g0.moon_sine;vec3 ah=moon_normal(x,ac,ag);float ai=g0.albedo_over_pi;float aj=g0.earthshine;float ak=lommel_seeliger(ah,x,t,ai,aj);vec4 al=disk_color((n*(ae*ak)),y,z,aa,q,f,g,h,i,j,k,l,m,o);o0=al;return;}\n",
+    "void main(){vec4 a=gl_FragCoord;bool b=false;float c=0.0;float d=0.0;bool e=false;vec3 f=g0.frame.medium.rayleigh;float g=g0.frame.medium.rayleigh_inv_height;float h=g0.frame.medium.mie_inv_height;vec3 i=g0.frame.medium.mie_extinction;float j=g0.frame.medium.ozone_center;float k=g0.frame.medium.ozone_inv_half_width;vec3 l=g0.frame.medium.ozone;float m=g0.frame.medium.radius;vec3 n=g0.frame.medium.irradiance;float o=g0.frame.medium.thickness;vec3 p=g0.frame.ray_forward;float q=g0.frame.altitude;vec3 r=g0.frame.ray_right;vec3 s=g0.frame.ray_up;vec3 t=g0.frame.sun;vec2 u=g0.frame.size;float v=g0.frame.pixel_angle;vec3 w=pixel_ray(a.xy,u,p,r,s);vec3 x=normalize(w);line_past(x,q,m,c,d,e);float y=c;float z=d;bool aa=e;vec3 ab=g0.moon_direction;vec3 ac=(x-ab);float ad=g0.moon_chord;float ae=disk_coverage(ac,ad,v);if(!(aa)){b=(ae<=0.0);}else{b=true;}bool af=b;if(af){discard;}if(BODY){o0=vec4(0.0,0.0,0.0,ae);return;}else{float ag=g0.moon_sine;vec3 ah=moon_normal(x,ac,ag);float ai=g0.albedo_over_pi;float aj=g0.earthshine;float ak=lommel_seeliger(ah,x,t,ai,aj);vec4 al=disk_color((n*(ae*ak)),y,z,aa,q,f,g,h,i,j,k,l,m,o);o0=al;return;}}\n",
     "void main(){vec4 a=gl_FragCoord;bool b=false;vec3 c=vec3(0.0);float d=0.0;float e=0.0;bool f=false;vec3 g=g0.frame.medium.rayleigh;float h=g0.frame.medium.rayleigh_inv_height;float i=g0.frame.medium.mie_inv_height;vec3 j=g0.frame.medium.mie_extinction;float k=g0.frame.medium.ozone_center;float l=g0.frame.medium.ozone_inv_half_width;vec3 m=g0.frame.medium.ozone;float n=g0.frame.medium.radius;vec3 o=g0.frame.medium.irradiance;float p=g0.frame.medium.thickness;vec3 q=g0.frame.ray_forward;float r=g0.frame.altitude;vec3 s=g0.frame.ray_right;vec3 t=g0.frame.ray_up;vec3 u=g0.frame.sun;float v=g0.frame.sun_chord;vec2 w=g0.frame.size;float x=g0.frame.sun_disk;float y=g0.frame.pixel_angle;vec3 z=pixel_ray(a.xy,w,q,s,t);vec3 aa=normalize(z);line_past(aa,r,n,d,e,f);float ab=d;float ac=e;bool ad=f;float ae=disk_coverage((aa-u),v,y);if(!(ad)){b=(ae<=0.0);}else{b=true;}bool af=b;if(af){discard;}c=(o*(x*ae));if(LIMB_DARKENING){vec3 ag=c;vec3 ah=limb_darkening((length((aa-u))/v),((0.5*y)/v));c=(ag*ah);}if(MOON){vec3 ai=g0.moon_direction;float aj=g0.moon_chord;float ak=disk_coverage((aa-ai),aj,y);float al=(1.0-ak);vec3 am=c;float an=g0.sun_visibility;float ao=resolved(v,y);c=(am*mix(an,al,ao));}vec3 ap=c;vec4 aq=disk_color(ap,ab,ac,ad,r,g,h,i,j,k,l,m,n,p);o0=aq;return;}\n",
     "void main(){vec4 a=gl_FragCoord;float b=0.0;bool c=false;float d=0.0;float e=0.0;float f=0.0;bool g=false;float h=g0.frame.medium.radius;vec3 i=g0.frame.ray_forward;float j=g0.frame.altitude;vec3 k=g0.frame.ray_right;vec3 l=g0.frame.ray_up;vec2 m=g0.frame.size;float n=g0.frame.depth.scale;float o=g0.frame.depth.bias;float p=g0.frame.depth.log_;float q=g0.frame.depth.background;vec3 r=pixel_ray(a.xy,m,i,k,l);float s=length(r);line_past((r/vec3(s)),j,h,d,e,f,g);float t=d;float u=e;float v=f;bool w=g;float x=g0.bottom;float y=g0.middle;float z=g0.top;vec3 aa=vec3(x,y,z);float ab=altitude_of(v,h);float ac=(abs(t)/sqrt(((h+j)+u)));if(BEFORE){if((t<0.0)){vec4 ad=texelFetch(g1,ivec2(a.xy),0);float ae=ad.x;float af=depth_distance(n,o,p,q,ae,s);float ag=rise_to_distance(ac,u);float ah=g0.middle;float ai=rise_to_distance(sqrt(max((ah-ab),0.0)),u);float aj=(ag-ai);if(!((af<0.0))){c=(af>aj);}else{c=true;}bool ak=c;if(ak){float al=tent_column(0.0,ac,ab,u,aa);b=al;}}}else{if(!(w)){float am=tent_column(((t>0.0)?ac:0.0),1000000000.0,ab,u,aa);b=am;}}vec3 an=g0.zenith;float ao=b;float ap=g0.top;float aq=g0.middle;o0=vec4((an*(ao/(ap-aq))),0.0);return;}\n",
-    "void main(){vec4 a=gl_FragCoord;float b=0.0;float c=0.0;float d=0.0;float e=0.0;float f=0.0;float g=0.0;float h=0.0;float i=0.0;float j=0.0;float k=0.0;float l=0.0;bool m=false;vec3 n=vec3(0.0);vec3 o=vec3(0.0);vec3 p=g0.frame.medium.rayleigh;float q=g0.frame.medium.rayleigh_inv_height;vec3 r=g0.frame.medium.mie_scattering;float s=g0.frame.medium.mie_inv_height;vec3 t=g0.frame.medium.mie_extinction;float u=g0.frame.medium.ozone_center;vec3 v=g0.frame.medium.mie_asymmetry;float w=g0.frame.medium.ozone_inv_half_width;vec3 x=g0.frame.medium.ozone;float y=g0.frame.medium.radius;vec3 z=g0.frame.medium.irradiance;float aa=g0.frame.medium.thickness;vec3 ab=g0.frame.ray_forward;float ac=g0.frame.altitude;vec3 ad=g0.frame.ray_right;float ae=g0.frame.sky_weight;vec3 af=g0.frame.ray_up;vec3 ag=g0.frame.sun;vec2 ah=g0.frame.size;uint ai=g0.frame.view_samples;uint aj=g0.frame.light_samples;uint ak=g0.frame.reduced;vec3 al=pixel_ray(a.xy,ah,ab,ad,af);vec3 am=normalize(al);bool an=hits_planet(am,ac,y);if(an){if((ak==0u)){discard;}o0=vec4(0.0,0.0,0.0,-1.0);return;}air_ray(am,ac,y,aa,ag,b,c,d,e,f,g,h,i,j,k,l,m);float ao=b;float ap=c;float aq=d;float ar=e;float as=f;float at=g;float au=h;float av=i;float aw=j;float ax=k;float ay=l;bool az=m;if((ap<=0.0)){o0=vec4(0.0);return;}vec3 ba=g0.luts.mie_extinction;float bb=g0.luts.altitude_steepness;vec3 bc=g0.luts.mie_moment0_;float bd=g0.luts.altitude_growth;vec3 be=g0.luts.mie_moment1_;float bf=g0.luts.sun_middle;vec3 bg=g0.luts.mie_moment2_;float bh=g0.luts.sun_width;float bi=g0.luts.sun_first;float bj=g0.luts.sun_span;uint bk=g0.luts.steps;eclipsed_light(g2,g3,p,q,r,s,t,u,v,w,x,y,aa,ba,bb,bc,bd,be,bf,bg,bh,bi,bj,bk,ao,ap,aq,ar,as,at,au,av,aw,ax,ay,az,am,ag,ap,ai,aj,n,o);vec3 bl=n;vec3 bm=o;vec4 bn=veil(((bl*ae)*z),bm);o0=bn;return;}\n",
-    "void main(){vec4 a=gl_FragCoord;float b=0.0;float c=0.0;float d=0.0;float e=0.0;float f=0.0;float g=0.0;float h=0.0;float i=0.0;float j=0.0;float k=0.0;float l=0.0;bool m=false;vec3 n=vec3(0.0);vec3 o=vec3(0.0);vec3 p=g0.medium.rayleigh;float q=g0.medium.rayleigh_inv_height;vec3 r=g0.medium.mie_scattering;float s=g0.medium.mie_inv_height;vec3 t=g0.medium.mie_extinction;float u=g0.medium.ozone_center;vec3 v=g0.medium.mie_asymmetry;float w=g0.medium.ozone_inv_half_width;vec3 x=g0.medium.ozone;float y=g0.medium.radius;vec3 z=g0.medium.irradiance;float aa=g0.medium.thickness;vec2 ab=g0.size;vec3 ac=g0.ray_forward;vec3 ad=g0.ray_right;vec3 ae=g0.ray_up;vec3 af=pixel_ray(a.xy,ab,ac,ad,ae);vec3 ag=normalize(af);float ah=g0.altitude;bool ai=hits_planet(ag,ah,y);if(ai){uint aj=g0.reduced;if((aj==0u)){discard;}o0=vec4(0.0,0.0,0.0,-1.0);return;}float ak=g0.altitude;vec3 al=g0.sun;air_ray(ag,ak,y,aa,al,b,c,d,e,f,g,h,i,j,k,l,m);float am=b;float an=c;float ao=d;float ap=e;float aq=f;float ar=g;float as=h;float at=i;float au=j;float av=k;float aw=l;bool ax=m;if((an<=0.0)){o0=vec4(0.0);return;}vec3 ay=g0.sun;vec3 az=(ag-ay);uint ba=g0.view_samples;uint bb=g0.light_samples;single_scattering(p,q,r,s,t,u,v,w,x,y,aa,am,an,ao,ap,aq,ar,as,at,au,av,aw,ax,ag,an,(0.5*dot(az,az)),ba,bb,n,o);vec3 bc=n;vec3 bd=o;float be=g0.sky_weight;vec4 bf=veil(((bc*be)*z),bd);o0=bf;return;}\n",
+    "void main(){vec4 a=gl_FragCoord;float b=0.0;float c=0.0;float d=0.0;float e=0.0;float f=0.0;float g=0.0;float h=0.0;float i=0.0;float j=0.0;float k=0.0;float l=0.0;bool m=false;vec3 n=vec3(0.0);vec3 o=vec3(0.0);vec3 p=g0.frame.medium.rayleigh;float q=g0.frame.medium.rayleigh_inv_height;vec3 r=g0.frame.medium.mie_scattering;float s=g0.frame.medium.mie_inv_height;vec3 t=g0.frame.medium.mie_extinction;float u=g0.frame.medium.ozone_center;vec3 v=g0.frame.medium.mie_asymmetry;float w=g0.frame.medium.ozone_inv_half_width;vec3 x=g0.frame.medium.ozone;float y=g0.frame.medium.radius;vec3 z=g0.frame.medium.irradiance;float aa=g0.frame.medium.thickness;vec3 ab=g0.frame.ray_forward;float ac=g0.frame.altitude;vec3 ad=g0.frame.ray_right;float ae=g0.frame.sky_weight;vec3 af=g0.frame.ray_up;vec3 ag=g0.frame.sun;vec2 ah=g0.frame.size;uint ai=g0.frame.view_samples;uint aj=g0.frame.light_samples;uint ak=g0.frame.flags;vec3 al=pixel_ray(a.xy,ah,ab,ad,af);vec3 am=normalize(al);bool an=hits_planet(am,ac,y);if(an){if(((ak&REDUCED)==0u)){discard;}o0=vec4(0.0,0.0,0.0,-1.0);return;}air_ray(am,ac,y,aa,ag,b,c,d,e,f,g,h,i,j,k,l,m);float ao=b;float ap=c;float aq=d;float ar=e;float as=f;float at=g;float au=h;float av=i;float aw=j;float ax=k;float ay=l;bool az=m;if((ap<=0.0)){o0=vec4(0.0);return;}vec3 ba=g0.luts.mie_extinction;float bb=g0.luts.altitude_steepness;vec3 bc=g0.luts.mie_moment0_;float bd=g0.luts.altitude_growth;vec3 be=g0.luts.mie_moment1_;float bf=g0.luts.sun_middle;vec3 bg=g0.luts.mie_moment2_;float bh=g0.luts.sun_width;float bi=g0.luts.sun_first;float bj=g0.luts.sun_span;uint bk=g0.luts.steps;eclipsed_light(g2,g3,p,q,r,s,t,u,v,w,x,y,aa,ba,bb,bc,bd,be,bf,bg,bh,bi,bj,bk,ao,ap,aq,ar,as,at,au,av,aw,ax,ay,az,am,ag,ap,ai,aj,n,o);vec3 bl=n;vec3 bm=o;vec4 bn=veil(((bl*ae)*z),bm);o0=bn;return;}\n",
+    "void main(){vec4 a=gl_FragCoord;float b=0.0;float c=0.0;float d=0.0;float e=0.0;float f=0.0;float g=0.0;float h=0.0;float i=0.0;float j=0.0;float k=0.0;float l=0.0;bool m=false;vec3 n=vec3(0.0);vec3 o=vec3(0.0);vec3 p=g0.medium.rayleigh;float q=g0.medium.rayleigh_inv_height;vec3 r=g0.medium.mie_scattering;float s=g0.medium.mie_inv_height;vec3 t=g0.medium.mie_extinction;float u=g0.medium.ozone_center;vec3 v=g0.medium.mie_asymmetry;float w=g0.medium.ozone_inv_half_width;vec3 x=g0.medium.ozone;float y=g0.medium.radius;vec3 z=g0.medium.irradiance;float aa=g0.medium.thickness;vec2 ab=g0.size;vec3 ac=g0.ray_forward;vec3 ad=g0.ray_right;vec3 ae=g0.ray_up;vec3 af=pixel_ray(a.xy,ab,ac,ad,ae);vec3 ag=normalize(af);float ah=g0.altitude;bool ai=hits_planet(ag,ah,y);if(ai){uint aj=g0.flags;if(((aj&REDUCED)==0u)){discard;}o0=vec4(0.0,0.0,0.0,-1.0);return;}float ak=g0.altitude;vec3 al=g0.sun;air_ray(ag,ak,y,aa,al,b,c,d,e,f,g,h,i,j,k,l,m);float am=b;float an=c;float ao=d;float ap=e;float aq=f;float ar=g;float as=h;float at=i;float au=j;float av=k;float aw=l;bool ax=m;if((an<=0.0)){o0=vec4(0.0);return;}vec3 ay=g0.sun;vec3 az=(ag-ay);uint ba=g0.view_samples;uint bb=g0.light_samples;single_scattering(p,q,r,s,t,u,v,w,x,y,aa,am,an,ao,ap,aq,ar,as,at,au,av,aw,ax,ag,an,(0.5*dot(az,az)),ba,bb,n,o);vec3 bc=n;vec3 bd=o;float be=g0.sky_weight;vec4 bf=veil(((bc*be)*z),bd);o0=bf;return;}\n",
     "void main(){vec4 a=gl_FragCoord;float b=g0.medium.radius;float c=g0.medium.thickness;ivec2 d=ivec2(a.xy);int e=(ivec2(uvec2(textureSize(g1,0).xy)).y/ZENITHS);bool f=(d.y==(e*MOMENTS));ivec2 g=ivec2(d.x,(f?0:(d.y/MOMENTS)));float h=g0.luts.altitude_steepness;float i=g0.luts.altitude_growth;float j=v_to_altitude(h,i,(float(g.y)/float((e-1))),c);vec3 k=vec3(7.888609e-31);if(f){vec3 l=moment(g,j,b,MOMENTS);o0=vec4(log2(max(l,k)),0.0);return;}vec3 m=moment(g,j,b,0);vec3 n=max(m,k);int o=(d.y%MOMENTS);if((o==0)){o0=vec4(log2(n),0.0);return;}vec3 p=moment(g,j,b,o);o0=vec4((p/n),0.0);return;}\n",
     "void main(){vec4 a=gl_FragCoord;float b=g0.medium.rayleigh_inv_height;float c=g0.medium.mie_inv_height;float d=g0.medium.ozone_center;float e=g0.medium.ozone_inv_half_width;float f=g0.medium.radius;float g=g0.medium.thickness;uvec2 h=g0.luts.size;vec3 i=transmittance_texel_ray(floor(a.xy),vec2(h),f,g);vec4 j=layers_of(b,c,d,e);uint k=g0.luts.steps;vec3 l=path_densities(j,f,i.x,i.y,i.z,k);o0=vec4(max(log2(max(l,vec3(1e-37))),vec3(-100.0)),0.0);return;}\n",
     "void main(){vec4 a=gl_FragCoord;int b=0;int c=0;int d=0;int e=0;int f=0;int g=0;uvec2 h=g0.luts.size;uint i=g0.luts.shift;uint j=g0.luts.slices;aerial_texel(a.xy,h,j,b,c,d,e,f,g);int k=b;int l=c;int m=d;int n=e;int o=f;int p=g;vec4 q=aerial_load(g1,l,m,o,p,k,n);if(FINISH){if((k>=AIR_BEAM)){o0=q;return;}vec4 r=aerial_load(g1,l,m,o,p,k,(int(j)-1));vec3 s=r.xyz;float t=(float((n+1))/float(j));o0=vec4(mix(vec3(t),(q.xyz/max(s,vec3(1e-37))),greaterThan(s,vec3(1e-30))),q.w);return;}else{int u=(n-int(i));if((u<0)){o0=q;return;}vec4 v=aerial_load(g1,l,m,o,p,k,u);vec3 w=v.xyz;if((k>=AIR_BEAM)){o0=vec4((w*q.xyz),q.w);return;}vec4 x=aerial_load(g1,l,m,o,p,AIR_BEAM,u);o0=vec4((w+(x.xyz*q.xyz)),q.w);return;}}\n",
     "void main(){vec4 a=gl_FragCoord;ivec2 b=ivec2(0);b=ivec2(a.xy);int c=b.y;int d=b.y;uint e=g0.flipped;b.y=((e!=0u)?((int(uvec2(textureSize(g1,0).xy).y)-1)-d):c);ivec2 f=b;vec4 g=texelFetch(g1,f,0);float h=g0.exposure;vec3 i=(g.xyz*h);vec3 j=tone_curve(max(i,vec3(0.0)));vec3 k=srgb_encode(j);if(DITHER){ivec2 l=b;vec3 m=dither(uvec2(l));o0=vec4((k+(m/vec3(255.0))),1.0);return;}else{o0=vec4(k,1.0);return;}}\n",
     "void main(){vec4 a=gl_FragCoord;vec3 b=v0;vec3 c=v1;vec3 d=v2;vec3 e=vec3(0.0);vec3 f=vec3(0.0);vec3 g=g0.frame.medium.irradiance;vec3 h=g0.frame.sun;float i=g0.frame.depth.scale;float j=g0.frame.depth.bias;float k=g0.frame.depth.log_;e=c;if(MOON){vec3 l=e;vec3 m=g0.moon_shadow.across;float n=g0.moon_shadow.along;float o=g0.moon_shadow.radius;float p=g0.moon_shadow.tan_sun_radius;float q=g0.moon_shadow.min_visibility;vec3 r=moon_shadow_visibility(g1,m,n,o,p,q,b,h);e=(l*r);}if(SKY_LIGHT){float s=g0.luts.sun_middle;float t=g0.luts.sun_width;float u=g0.luts.sun_first;float v=g0.luts.sun_span;vec3 w=ground_irradiance(g2,s,t,u,v,d.z);f=w;vec3 x=f;f=(x*(0.5+(0.5*d.y)));if(MOON){vec3 y=f;vec3 z=g0.moon_shadow.across;float aa=g0.moon_shadow.min_visibility;float ab=g0.moon_shadow.inv_extent;vec3 ac=moon_shadow_visibility_around(g1,z,aa,ab,b,h);f=(y*ac);}vec3 ad=e;vec3 ae=f;e=(ad+ae);}vec3 af=ground_albedo(d.x,d.y);vec3 ag=e;vec3 ah=(((af*ag)*g)*0.31830987);vec3 ai=g0.axis;float aj=depth_of(i,j,k,max(dot(b,ai),1e-9));o0=vec4(min(ah,vec3(32000.0)),1.0);gl_FragDepth=clamp(aj,0.0,1.0);return;}\n",
     "void main(){vec4 a=gl_FragCoord;vec3 b=vec3(0.0);float c=0.0;float d=0.0;bool e=false;float f=0.0;float g=0.0;float h=0.0;float i=0.0;float j=0.0;float k=0.0;float l=0.0;float m=0.0;float n=0.0;float o=0.0;float p=0.0;bool q=false;float r=0.0;float s=0.0;float t=0.0;vec3 u=vec3(0.0);vec3 v=vec3(0.0);vec3 w=g0.medium.rayleigh;float x=g0.medium.rayleigh_inv_height;vec3 y=g0.medium.mie_scattering;float z=g0.medium.mie_inv_height;float aa=g0.medium.ozone_center;float ab=g0.medium.ozone_inv_half_width;vec3 ac=g0.medium.ozone;float ad=g0.medium.radius;float ae=g0.medium.thickness;vec3 af=g0.luts.mie_extinction;float ag=g0.luts.altitude_steepness;vec3 ah=g0.luts.mie_moment0_;float ai=g0.luts.altitude_growth;vec3 aj=g0.luts.mie_moment1_;float ak=g0.luts.sun_middle;vec3 al=g0.luts.mie_moment2_;float am=g0.luts.sun_width;vec3 an=g0.luts.mie_asymmetry;vec3 ao=g0.luts.albedo;float ap=g0.luts.sun_first;float aq=g0.luts.sun_span;uint ar=g0.luts.steps;ivec2 as=ivec2(a.xy);ivec2 at=ivec2((as.x/AZIMUTHS),(as.y/ZENITHS));vec2 au=multi_scattering_span(g2);vec2 av=(vec2(at)/au);float aw=u_to_mu_sun(ak,am,ap,aq,av.x);float ax=v_to_altitude(ag,ai,av.y,ae);vec3 ay=vec3(sqrt(max(((1.0-aw)*(1.0+aw)),0.0)),0.0,aw);node_direction((as.y%ZENITHS),(as.x%AZIMUTHS),ax,ad,c,d,e);float az=c;float ba=d;bool bb=e;float bc=sqrt(max(((1.0-az)*(1.0+az)),0.0));vec3 bd=vec3((bc*cos(ba)),(bc*sin(ba)),az);inner_ray(bd,ax,ad,ae,ay,!(bb),f,g,h,i,j,k,l,m,n,o,p,q);float be=f;float bf=g;float bg=h;float bh=i;float bi=j;float bj=k;float bk=l;float bl=m;float bm=n;float bn=o;float bo=p;bool bp=q;float bq=rayleigh_phase(bk);vec3 br=(w*bq);vec3 bs=henyey_greenstein_phase((1.0-bk),(1.0+bk),an);vec3 bt=((y*ah)*bs);perigee_of(bf,bg,bh,bi,bp,bf,ad,r,s,t);float bu=r;float bv=s;float bw=t;float bx=distance_to_u(bu,0.0);float by=distance_to_u(bu,bf);gather(g1,g2,w,x,y,z,aa,ab,ac,ad,ae,af,ag,ah,ai,aj,ak,al,am,ap,aq,ar,be,bj,bk,bl,bm,bn,bo,bd,bu,bv,bw,bx,by,br,bt,1.0,u,v);vec3 bz=u;vec3 ca=v;b=bz;if(bp){vec3 cb=b;vec3 cc=ground_radiance(w,ac,ad,ae,af,ak,am,ao,ap,aq,(bj+(bk*bf)));b=(cb+(ca*cc));}vec3 cd=b;o0=vec4(cd,0.0);return;}\n",
-    "void main(){vec4 a=gl_FragCoord;vec3 b=vec3(0.0);float c=0.0;float d=0.0;float e=0.0;bool f=false;vec3 g=g0.frame.medium.mie_asymmetry;float h=g0.frame.medium.radius;vec3 i=g0.frame.medium.irradiance;float j=g0.frame.medium.thickness;vec3 k=g0.frame.ray_forward;float l=g0.frame.altitude;vec3 m=g0.frame.ray_right;float n=g0.frame.sky_weight;vec3 o=g0.frame.ray_up;vec3 p=g0.frame.sun;vec2 q=g0.frame.size;uint r=g0.frame.reduced;vec4 s=g0.frame.sky_view_mapping;vec3 t=pixel_ray(a.xy,q,k,m,o);vec3 u=normalize(t);line_past(u,l,h,c,d,e,f);float v=c;float w=d;float x=e;bool y=f;if(y){if(BLEND){if((r==0u)){discard;}o0=vec4(0.0,0.0,0.0,-1.0);return;}else{o0=vec4(0.0,0.0,0.0,1.0);return;}}vec2 z=vec2(uvec2(textureSize(g1,0).xy));float aa=zenith_to_v(v,w,x,y,u.z,l,h,j,s);float ab=g0.luts.ground_rows;float ac=v_to_row(aa,false,z.y,ab);float ad=azimuth_to_u(u);vec2 ae=sky_view_uv(ad,ac,z);vec4 af=textureLod(g1,vec2(ae),0.0);vec3 ag=decode_light(af.xyz);b=ag;if(MIE_SINGLE){vec3 ah=b;vec4 ai=textureLod(g2,vec2(ae),0.0);vec3 aj=decode_light(ai.xyz);vec3 ak=mie_phase_between(u,p,g);b=(ah+(aj*ak));}vec3 al=b;b=min(((al*n)*i),vec3(32000.0));if(BLEND){vec3 am=b;o0=vec4(am,(1.0-af.w));return;}else{vec3 an=b;o0=vec4(an,1.0);return;}}\n",
+    "void main(){vec4 a=gl_FragCoord;vec3 b=vec3(0.0);float c=0.0;float d=0.0;float e=0.0;bool f=false;vec3 g=g0.frame.medium.mie_asymmetry;float h=g0.frame.medium.radius;vec3 i=g0.frame.medium.irradiance;float j=g0.frame.medium.thickness;vec3 k=g0.frame.ray_forward;float l=g0.frame.altitude;vec3 m=g0.frame.ray_right;float n=g0.frame.sky_weight;vec3 o=g0.frame.ray_up;vec3 p=g0.frame.sun;vec2 q=g0.frame.size;uint r=g0.frame.flags;vec4 s=g0.frame.sky_view_mapping;vec3 t=pixel_ray(a.xy,q,k,m,o);vec3 u=normalize(t);line_past(u,l,h,c,d,e,f);float v=c;float w=d;float x=e;bool y=f;if(y){if(BLEND){if(((r&REDUCED)==0u)){discard;}o0=vec4(0.0,0.0,0.0,-1.0);return;}else{o0=vec4(0.0,0.0,0.0,1.0);return;}}vec2 z=vec2(uvec2(textureSize(g1,0).xy));float aa=zenith_to_v(v,w,x,y,u.z,l,h,j,s);float ab=g0.luts.ground_rows;float ac=v_to_row(aa,false,z.y,ab);float ad=azimuth_to_u(u);vec2 ae=sky_view_uv(ad,ac,z);vec4 af=textureLod(g1,vec2(ae),0.0);vec3 ag=decode_light(af.xyz);b=ag;if(MIE_SINGLE){vec3 ah=b;vec4 ai=textureLod(g2,vec2(ae),0.0);vec3 aj=decode_light(ai.xyz);vec3 ak=mie_phase_between(u,p,g);b=(ah+(aj*ak));}vec3 al=b;b=min(((al*n)*i),vec3(32000.0));if(BLEND){vec3 am=b;o0=vec4(am,(1.0-af.w));return;}else{vec3 an=b;o0=vec4(an,1.0);return;}}\n",
     "void main(){vec4 a=gl_FragCoord;vec3 b=vec3(0.0);vec3 c=vec3(0.0);int d=0;int e=0;int f=0;int g=0;int h=0;int i=0;vec3 j=vec3(0.0);float k=0.0;float l=0.0;float m=0.0;float n=0.0;float o=0.0;float p=0.0;float q=0.0;float r=0.0;float s=0.0;float t=0.0;float u=0.0;bool v=false;float w=0.0;float x=0.0;float y=0.0;vec3 z=vec3(0.0);vec3 aa=vec3(0.0);vec3 ab=vec3(0.0);vec3 ac=g0.frame.medium.rayleigh;float ad=g0.frame.medium.rayleigh_inv_height;vec3 ae=g0.frame.medium.mie_scattering;float af=g0.frame.medium.mie_inv_height;vec3 ag=g0.frame.medium.mie_extinction;float ah=g0.frame.medium.ozone_center;float ai=g0.frame.medium.ozone_inv_half_width;vec3 aj=g0.frame.medium.ozone;float ak=g0.frame.medium.radius;float al=g0.frame.medium.thickness;float am=g0.frame.altitude;vec3 an=g0.frame.sun;vec4 ao=g0.frame.sky_view_mapping;vec3 ap=g0.luts.mie_extinction;float aq=g0.luts.altitude_steepness;vec3 ar=g0.luts.mie_moment0_;float as=g0.luts.altitude_growth;vec3 at=g0.luts.mie_moment1_;float au=g0.luts.sun_middle;vec3 av=g0.luts.mie_moment2_;float aw=g0.luts.sun_width;float ax=g0.luts.sun_first;float ay=g0.luts.sun_span;float az=g0.luts.ground_rows;uvec2 ba=g0.luts.size;uint bb=g0.luts.steps;uint bc=g0.luts.slices;aerial_texel(a.xy,ba,bc,d,e,f,g,h,i);int bd=d;int be=e;int bf=f;int bg=g;int bh=h;int bi=i;float bj=(float(bf)/float((bi-1)));vec2 bk=row_to_v(be,bh,int(az));sky_view_ray(bj,bk.x,(bk.y>0.5),am,ak,al,ao,an,j,k,l,m,n,o,p,q,r,s,t,u,v);vec3 bl=j;float bm=k;float bn=l;float bo=m;float bp=n;float bq=o;float br=p;float bs=q;float bt=r;float bu=s;float bv=t;float bw=u;bool bx=v;if((bn<=0.0)){o0=vec4(vec3(((bd>=AIR_BEAM)?1.0:0.0)),(float((bg+1))/float(bc)));return;}perigee_of(bn,bo,bp,bq,bx,bn,ak,w,x,y);float by=w;float bz=x;float ca=y;float cb=distance_to_u(by,0.0);float cc=distance_to_u(by,bn);float cd=((cc-cb)/float(bc));float ce=(cb+(cd*float(bg)));float cf=u_to_distance(by,(ce+cd));float cg=(cf/bn);if((bd==AIR_SMOOTH)){float ch=rayleigh_phase(bs);b=(ac*ch);}else{c=ae;}float ci=((bd==AIR_SMOOTH)?1.0:0.0);vec3 cj=b;vec3 ck=c;gather(g1,g2,ac,ad,ae,af,ah,ai,aj,ak,al,ap,aq,ar,as,at,au,av,aw,ax,ay,bb,bm,br,bs,bt,bu,bv,bw,bl,by,bz,ca,ce,(ce+cd),cj,ck,ci,z,aa,ab);vec3 cl=z;vec3 cm=aa;vec3 cn=ab;switch(bd){case 2:{o0=vec4(cm,cg);return;}case 3:{mat3x3 co=coefficients_of(ac,ag,aj);vec3 cp=extinction(co,cn);o0=vec4(exp(-(cp)),cg);return;}default:{o0=vec4(max(cl,vec3(0.0)),cg);return;}}}\n",
     "void main(){vec4 a=gl_FragCoord;vec3 b=vec3(0.0);vec3 c=vec3(0.0);vec3 d=vec3(0.0);float e=0.0;float f=0.0;float g=0.0;float h=0.0;float i=0.0;float j=0.0;float k=0.0;float l=0.0;float m=0.0;float n=0.0;float o=0.0;bool p=false;float q=0.0;float r=0.0;float s=0.0;vec3 t=vec3(0.0);vec3 u=vec3(0.0);vec3 v=vec3(0.0);vec3 w=g0.frame.medium.rayleigh;float x=g0.frame.medium.rayleigh_inv_height;vec3 y=g0.frame.medium.mie_scattering;float z=g0.frame.medium.mie_inv_height;vec3 aa=g0.frame.medium.mie_extinction;float ab=g0.frame.medium.ozone_center;float ac=g0.frame.medium.ozone_inv_half_width;vec3 ad=g0.frame.medium.ozone;float ae=g0.frame.medium.radius;float af=g0.frame.medium.thickness;float ag=g0.frame.altitude;vec3 ah=g0.frame.sun;vec4 ai=g0.frame.sky_view_mapping;vec3 aj=g0.luts.mie_extinction;float ak=g0.luts.altitude_steepness;vec3 al=g0.luts.mie_moment0_;float am=g0.luts.altitude_growth;vec3 an=g0.luts.mie_moment1_;float ao=g0.luts.sun_middle;vec3 ap=g0.luts.mie_moment2_;float aq=g0.luts.sun_width;float ar=g0.luts.sun_first;float as=g0.luts.sun_span;float at=g0.luts.ground_rows;uvec2 au=g0.luts.size;uint av=g0.luts.steps;ivec2 aw=ivec2(a.xy);ivec2 ax=ivec2(au);float ay=(float(aw.x)/float((ax.x-1)));vec2 az=row_to_v(aw.y,ax.y,int(at));bool ba=(az.y>0.5);sky_view_ray(ay,az.x,ba,ag,ae,af,ai,ah,d,e,f,g,h,i,j,k,l,m,n,o,p);vec3 bb=d;float bc=e;float bd=f;float be=g;float bf=h;float bg=i;float bh=j;float bi=k;float bj=l;float bk=m;float bl=n;float bm=o;bool bn=p;if((bd<=0.0)){o0=vec4(0.0,0.0,0.0,1.0);return;}perigee_of(bd,be,bf,bg,bn,bd,ae,q,r,s);float bo=q;float bp=r;float bq=s;float br=distance_to_u(bo,0.0);float bs=distance_to_u(bo,bd);if(MIE_SINGLE){c=y;}else{float bt=rayleigh_phase(bi);b=(w*bt);}vec3 bu=b;vec3 bv=c;gather(g1,g2,w,x,y,z,ab,ac,ad,ae,af,aj,ak,al,am,an,ao,ap,aq,ar,as,av,bc,bh,bi,bj,bk,bl,bm,bb,bo,bp,bq,br,bs,bu,bv,1.0,t,u,v);vec3 bw=t;vec3 bx=v;mat3x3 by=coefficients_of(w,aa,ad);vec3 bz=extinction(by,bx);float ca=dot(exp(-(bz)),vec3(0.33333334));float cb=(ba?(1.0/bd):1.0);vec3 cc=encode_light((max(bw,vec3(0.0))*cb));o0=vec4(cc,ca);return;}\n",
     "void main(){vec4 a=gl_FragCoord;vec4 b=texelFetch(g1,ivec2(a.xy),0);o0=b;return;}\n",
-    "void main(){vec4 a=gl_FragCoord;vec4 b=vec4(0.0);bool c=false;bool d=false;vec3 e=vec3(0.0);vec3 f=vec3(0.0);bool g=false;float h=0.0;float i=0.0;float j=0.0;bool k=false;float l=0.0;float m=0.0;float n=0.0;float o=0.0;float p=0.0;float q=0.0;bool r=false;vec3 s=vec3(0.0);vec3 t=vec3(0.0);vec2 u=vec2(0.0);vec2 v=vec2(0.0);float w=0.0;vec3 x=g0.frame.medium.rayleigh;float y=g0.frame.medium.rayleigh_inv_height;float z=g0.frame.medium.mie_inv_height;vec3 aa=g0.frame.medium.mie_extinction;vec3 ab=g0.frame.medium.mie_asymmetry;vec3 ac=g0.frame.medium.ozone;float ad=g0.frame.medium.radius;vec3 ae=g0.frame.medium.irradiance;float af=g0.frame.medium.thickness;vec3 ag=g0.frame.ray_forward;float ah=g0.frame.altitude;vec3 ai=g0.frame.ray_right;vec3 aj=g0.frame.ray_up;float ak=g0.frame.shell_weight;vec3 al=g0.frame.sun;vec2 am=g0.frame.size;float an=g0.frame.pixel_angle;float ao=g0.frame.depth.scale;float ap=g0.frame.depth.bias;float aq=g0.frame.depth.log_;float ar=g0.frame.depth.background;vec4 as=g0.frame.sky_view_mapping;float at=g0.luts.ground_rows;uint au=g0.luts.slices;float av=g0.luts.aerial_ground_rows;ivec2 aw=ivec2(a.xy);if(BLEND){}else{vec4 ax=texelFetch(g1,aw,0);b=ax;}vec3 ay=pixel_ray(a.xy,am,ag,ai,aj);float az=length(ay);vec4 ba=texelFetch(g2,aw,0);float bb=depth_distance(ao,ap,aq,ar,ba.x,az);vec3 bc=(ay/vec3(az));line_past(bc,ah,ad,h,i,j,k);float bd=h;float be=i;float bf=j;bool bg=k;air_path(bd,bf,bg,ah,ad,af,l,m,n,o);float bh=l;float bi=m;float bj=n;float bk=o;if(bg){c=(bi>=0.0);}else{c=false;}bool bl=c;ray_end(bh,bi,bk,bl,bb,ad,an,ak,p,q,r);float bm=p;float bn=q;bool bo=r;if(!((bm<=0.0))){d=(bn<=0.0);}else{d=true;}bool bp=d;if(bp){vec4 bq=b;o0=bq;return;}float br=azimuth_to_u(bc);float bs=zenith_to_v(bd,be,bf,bg,bc.z,ah,ad,af,as);vec2 bt=vec2(uvec2(textureSize(g3,0).xy));float bu=v_to_row(bs,bl,bt.y,at);vec2 bv=sky_view_uv(br,bu,bt);vec3 bw=mie_phase_between(bc,al,ab);path_light(g3,g6,bv,bl,bi,bw,s,t);vec3 bx=s;vec3 by=t;e=vec3(1.0);f=(bx+by);if(!(bl)){g=(bm>=bi);}else{g=false;}bool bz=g;if(bz){if(bo){vec3 ca=whole_transmittance(g5,x,aa,ac,ad,af,bj,bk);e=ca;}}else{aerial_column(g4,au,av,br,bs,bl,u,v,w);vec2 cb=u;vec2 cc=v;float cd=w;air_before(g4,y,z,ad,bi,bj,bk,cb,cc,cd,bm,bx,by,e,f);}vec3 ce=f;float cf=lit_fraction_at(g7,aw);vec3 cg=((ce*ae)*(bn*cf));vec4 ch=b;vec3 ci=e;vec4 cj=compose(ch,ci,cg);o0=cj;return;}\n",
-    "void main(){vec4 a=gl_FragCoord;vec4 b=vec4(0.0);bool c=false;float d=0.0;float e=0.0;float f=0.0;float g=0.0;float h=0.0;float i=0.0;float j=0.0;float k=0.0;float l=0.0;float m=0.0;float n=0.0;bool o=false;float p=0.0;float q=0.0;bool r=false;vec3 s=vec3(0.0);vec3 t=vec3(0.0);vec3 u=g0.frame.medium.rayleigh;float v=g0.frame.medium.rayleigh_inv_height;vec3 w=g0.frame.medium.mie_scattering;float x=g0.frame.medium.mie_inv_height;vec3 y=g0.frame.medium.mie_extinction;float z=g0.frame.medium.ozone_center;vec3 aa=g0.frame.medium.mie_asymmetry;float ab=g0.frame.medium.ozone_inv_half_width;vec3 ac=g0.frame.medium.ozone;float ad=g0.frame.medium.radius;vec3 ae=g0.frame.medium.irradiance;float af=g0.frame.medium.thickness;vec3 ag=g0.frame.ray_forward;float ah=g0.frame.altitude;vec3 ai=g0.frame.ray_right;vec3 aj=g0.frame.ray_up;float ak=g0.frame.shell_weight;vec3 al=g0.frame.sun;vec2 am=g0.frame.size;float an=g0.frame.pixel_angle;float ao=g0.frame.depth.scale;float ap=g0.frame.depth.bias;float aq=g0.frame.depth.log_;float ar=g0.frame.depth.background;uint as=g0.frame.view_samples;uint at=g0.frame.light_samples;ivec2 au=ivec2(a.xy);if(BLEND){}else{vec4 av=texelFetch(g1,au,0);b=av;}vec3 aw=pixel_ray(a.xy,am,ag,ai,aj);float ax=length(aw);vec4 ay=texelFetch(g2,au,0);float az=depth_distance(ao,ap,aq,ar,ay.x,ax);vec3 ba=(aw/vec3(ax));air_ray(ba,ah,ad,af,al,d,e,f,g,h,i,j,k,l,m,n,o);float bb=d;float bc=e;float bd=f;float be=g;float bf=h;float bg=i;float bh=j;float bi=k;float bj=l;float bk=m;float bl=n;bool bm=o;ray_end(bb,bc,be,bm,az,ad,an,ak,p,q,r);float bn=p;float bo=q;bool bp=r;if(!((bn<=0.0))){c=(bo<=0.0);}else{c=true;}bool bq=c;if(bq){vec4 br=b;o0=br;return;}vec3 bs=g0.luts.mie_extinction;float bt=g0.luts.altitude_steepness;vec3 bu=g0.luts.mie_moment0_;float bv=g0.luts.altitude_growth;vec3 bw=g0.luts.mie_moment1_;float bx=g0.luts.sun_middle;vec3 by=g0.luts.mie_moment2_;float bz=g0.luts.sun_width;float ca=g0.luts.sun_first;float cb=g0.luts.sun_span;uint cc=g0.luts.steps;eclipsed_light(g4,g5,u,v,w,x,y,z,aa,ab,ac,ad,af,bs,bt,bu,bv,bw,bx,by,bz,ca,cb,cc,bb,bc,bd,be,bf,bg,bh,bi,bj,bk,bl,bm,ba,al,bn,as,at,s,t);vec3 cd=s;vec3 ce=t;vec3 cf=(bp?ce:vec3(1.0));float cg=lit_fraction_at(g6,au);vec3 ch=((cd*ae)*(bo*cg));vec4 ci=b;vec4 cj=compose(ci,cf,ch);o0=cj;return;}\n",
-    "void main(){vec4 a=gl_FragCoord;vec4 b=vec4(0.0);bool c=false;float d=0.0;float e=0.0;float f=0.0;float g=0.0;float h=0.0;float i=0.0;float j=0.0;float k=0.0;float l=0.0;float m=0.0;float n=0.0;bool o=false;float p=0.0;float q=0.0;bool r=false;vec3 s=vec3(0.0);vec3 t=vec3(0.0);vec3 u=g0.medium.rayleigh;float v=g0.medium.rayleigh_inv_height;vec3 w=g0.medium.mie_scattering;float x=g0.medium.mie_inv_height;vec3 y=g0.medium.mie_extinction;float z=g0.medium.ozone_center;vec3 aa=g0.medium.mie_asymmetry;float ab=g0.medium.ozone_inv_half_width;vec3 ac=g0.medium.ozone;float ad=g0.medium.radius;vec3 ae=g0.medium.irradiance;float af=g0.medium.thickness;ivec2 ag=ivec2(a.xy);if(BLEND){}else{vec4 ah=texelFetch(g1,ag,0);b=ah;}vec2 ai=g0.size;vec3 aj=g0.ray_forward;vec3 ak=g0.ray_right;vec3 al=g0.ray_up;vec3 am=pixel_ray(a.xy,ai,aj,ak,al);float an=length(am);float ao=g0.depth.scale;float ap=g0.depth.bias;float aq=g0.depth.log_;float ar=g0.depth.background;vec4 as=texelFetch(g2,ag,0);float at=depth_distance(ao,ap,aq,ar,as.x,an);vec3 au=(am/vec3(an));float av=g0.altitude;vec3 aw=g0.sun;air_ray(au,av,ad,af,aw,d,e,f,g,h,i,j,k,l,m,n,o);float ax=d;float ay=e;float az=f;float ba=g;float bb=h;float bc=i;float bd=j;float be=k;float bf=l;float bg=m;float bh=n;bool bi=o;float bj=g0.pixel_angle;float bk=g0.shell_weight;ray_end(ax,ay,ba,bi,at,ad,bj,bk,p,q,r);float bl=p;float bm=q;bool bn=r;if(!((bl<=0.0))){c=(bm<=0.0);}else{c=true;}bool bo=c;if(bo){vec4 bp=b;o0=bp;return;}vec3 bq=g0.sun;vec3 br=(au-bq);uint bs=g0.view_samples;uint bt=g0.light_samples;single_scattering(u,v,w,x,y,z,aa,ab,ac,ad,af,ax,ay,az,ba,bb,bc,bd,be,bf,bg,bh,bi,au,bl,(0.5*dot(br,br)),bs,bt,s,t);vec3 bu=s;vec3 bv=t;vec3 bw=(bn?bv:vec3(1.0));float bx=lit_fraction_at(g3,ag);vec3 by=((bu*ae)*(bm*bx));vec4 bz=b;vec4 ca=compose(bz,bw,by);o0=ca;return;}\n",
+    "void main(){vec4 a=gl_FragCoord;vec4 b=vec4(0.0);bool c=false;bool d=false;vec3 e=vec3(0.0);vec3 f=vec3(0.0);bool g=false;float h=0.0;float i=0.0;float j=0.0;bool k=false;float l=0.0;float m=0.0;float n=0.0;float o=0.0;float p=0.0;float q=0.0;bool r=false;vec3 s=vec3(0.0);vec3 t=vec3(0.0);vec2 u=vec2(0.0);vec2 v=vec2(0.0);float w=0.0;vec3 x=g0.frame.medium.rayleigh;float y=g0.frame.medium.rayleigh_inv_height;float z=g0.frame.medium.mie_inv_height;vec3 aa=g0.frame.medium.mie_extinction;vec3 ab=g0.frame.medium.mie_asymmetry;vec3 ac=g0.frame.medium.ozone;float ad=g0.frame.medium.radius;vec3 ae=g0.frame.medium.irradiance;float af=g0.frame.medium.thickness;vec3 ag=g0.frame.ray_forward;float ah=g0.frame.altitude;vec3 ai=g0.frame.ray_right;vec3 aj=g0.frame.ray_up;float ak=g0.frame.shell_weight;vec3 al=g0.frame.sun;vec2 am=g0.frame.size;float an=g0.frame.pixel_angle;float ao=g0.frame.depth.scale;float ap=g0.frame.depth.bias;float aq=g0.frame.depth.log_;float ar=g0.frame.depth.background;uint as=g0.frame.flags;vec4 at=g0.frame.sky_view_mapping;float au=g0.luts.ground_rows;uint av=g0.luts.slices;float aw=g0.luts.aerial_ground_rows;ivec2 ax=ivec2(a.xy);if(BLEND){}else{vec4 ay=texelFetch(g1,ax,0);b=ay;}vec3 az=pixel_ray(a.xy,am,ag,ai,aj);float ba=length(az);vec4 bb=texelFetch(g2,ax,0);float bc=depth_distance(ao,ap,aq,ar,bb.x,ba);vec3 bd=(az/vec3(ba));line_past(bd,ah,ad,h,i,j,k);float be=h;float bf=i;float bg=j;bool bh=k;air_path(be,bg,bh,ah,ad,af,l,m,n,o);float bi=l;float bj=m;float bk=n;float bl=o;if(bh){c=(bj>=0.0);}else{c=false;}bool bm=c;ray_end(bi,bj,bl,bm,bc,ad,an,ak,as,p,q,r);float bn=p;float bo=q;bool bp=r;if(!((bn<=0.0))){d=(bo<=0.0);}else{d=true;}bool bq=d;if(bq){vec4 br=b;o0=br;return;}float bs=azimuth_to_u(bd);float bt=zenith_to_v(be,bf,bg,bh,bd.z,ah,ad,af,at);vec2 bu=vec2(uvec2(textureSize(g3,0).xy));float bv=v_to_row(bt,bm,bu.y,au);vec2 bw=sky_view_uv(bs,bv,bu);vec3 bx=mie_phase_between(bd,al,ab);path_light(g3,g6,bw,bm,bj,bx,s,t);vec3 by=s;vec3 bz=t;e=vec3(1.0);f=(by+bz);if(!(bm)){g=(bn>=bj);}else{g=false;}bool ca=g;if(ca){if(bp){vec3 cb=whole_transmittance(g5,x,aa,ac,ad,af,bk,bl);e=cb;}}else{aerial_column(g4,av,aw,bs,bt,bm,u,v,w);vec2 cc=u;vec2 cd=v;float ce=w;air_before(g4,y,z,ad,bj,bk,bl,cc,cd,ce,bn,by,bz,e,f);}vec3 cf=f;float cg=lit_fraction_at(g7,ax);vec3 ch=((cf*ae)*(bo*cg));vec4 ci=b;vec3 cj=e;vec4 ck=compose(ci,cj,ch);o0=ck;return;}\n",
+    "void main(){vec4 a=gl_FragCoord;vec4 b=vec4(0.0);bool c=false;float d=0.0;float e=0.0;float f=0.0;float g=0.0;float h=0.0;float i=0.0;float j=0.0;float k=0.0;float l=0.0;float m=0.0;float n=0.0;bool o=false;float p=0.0;float q=0.0;bool r=false;vec3 s=vec3(0.0);vec3 t=vec3(0.0);vec3 u=g0.frame.medium.rayleigh;float v=g0.frame.medium.rayleigh_inv_height;vec3 w=g0.frame.medium.mie_scattering;float x=g0.frame.medium.mie_inv_height;vec3 y=g0.frame.medium.mie_extinction;float z=g0.frame.medium.ozone_center;vec3 aa=g0.frame.medium.mie_asymmetry;float ab=g0.frame.medium.ozone_inv_half_width;vec3 ac=g0.frame.medium.ozone;float ad=g0.frame.medium.radius;vec3 ae=g0.frame.medium.irradiance;float af=g0.frame.medium.thickness;vec3 ag=g0.frame.ray_forward;float ah=g0.frame.altitude;vec3 ai=g0.frame.ray_right;vec3 aj=g0.frame.ray_up;float ak=g0.frame.shell_weight;vec3 al=g0.frame.sun;vec2 am=g0.frame.size;float an=g0.frame.pixel_angle;float ao=g0.frame.depth.scale;float ap=g0.frame.depth.bias;float aq=g0.frame.depth.log_;float ar=g0.frame.depth.background;uint as=g0.frame.view_samples;uint at=g0.frame.light_samples;uint au=g0.frame.flags;ivec2 av=ivec2(a.xy);if(BLEND){}else{vec4 aw=texelFetch(g1,av,0);b=aw;}vec3 ax=pixel_ray(a.xy,am,ag,ai,aj);float ay=length(ax);vec4 az=texelFetch(g2,av,0);float ba=depth_distance(ao,ap,aq,ar,az.x,ay);vec3 bb=(ax/vec3(ay));air_ray(bb,ah,ad,af,al,d,e,f,g,h,i,j,k,l,m,n,o);float bc=d;float bd=e;float be=f;float bf=g;float bg=h;float bh=i;float bi=j;float bj=k;float bk=l;float bl=m;float bm=n;bool bn=o;ray_end(bc,bd,bf,bn,ba,ad,an,ak,au,p,q,r);float bo=p;float bp=q;bool bq=r;if(!((bo<=0.0))){c=(bp<=0.0);}else{c=true;}bool br=c;if(br){vec4 bs=b;o0=bs;return;}vec3 bt=g0.luts.mie_extinction;float bu=g0.luts.altitude_steepness;vec3 bv=g0.luts.mie_moment0_;float bw=g0.luts.altitude_growth;vec3 bx=g0.luts.mie_moment1_;float by=g0.luts.sun_middle;vec3 bz=g0.luts.mie_moment2_;float ca=g0.luts.sun_width;float cb=g0.luts.sun_first;float cc=g0.luts.sun_span;uint cd=g0.luts.steps;eclipsed_light(g4,g5,u,v,w,x,y,z,aa,ab,ac,ad,af,bt,bu,bv,bw,bx,by,bz,ca,cb,cc,cd,bc,bd,be,bf,bg,bh,bi,bj,bk,bl,bm,bn,bb,al,bo,as,at,s,t);vec3 ce=s;vec3 cf=t;vec3 cg=(bq?cf:vec3(1.0));float ch=lit_fraction_at(g6,av);vec3 ci=((ce*ae)*(bp*ch));vec4 cj=b;vec4 ck=compose(cj,cg,ci);o0=ck;return;}\n",
+    "void main(){vec4 a=gl_FragCoord;vec4 b=vec4(0.0);bool c=false;float d=0.0;float e=0.0;float f=0.0;float g=0.0;float h=0.0;float i=0.0;float j=0.0;float k=0.0;float l=0.0;float m=0.0;float n=0.0;bool o=false;float p=0.0;float q=0.0;bool r=false;vec3 s=vec3(0.0);vec3 t=vec3(0.0);vec3 u=g0.medium.rayleigh;float v=g0.medium.rayleigh_inv_height;vec3 w=g0.medium.mie_scattering;float x=g0.medium.mie_inv_height;vec3 y=g0.medium.mie_extinction;float z=g0.medium.ozone_center;vec3 aa=g0.medium.mie_asymmetry;float ab=g0.medium.ozone_inv_half_width;vec3 ac=g0.medium.ozone;float ad=g0.medium.radius;vec3 ae=g0.medium.irradiance;float af=g0.medium.thickness;ivec2 ag=ivec2(a.xy);if(BLEND){}else{vec4 ah=texelFetch(g1,ag,0);b=ah;}vec2 ai=g0.size;vec3 aj=g0.ray_forward;vec3 ak=g0.ray_right;vec3 al=g0.ray_up;vec3 am=pixel_ray(a.xy,ai,aj,ak,al);float an=length(am);float ao=g0.depth.scale;float ap=g0.depth.bias;float aq=g0.depth.log_;float ar=g0.depth.background;vec4 as=texelFetch(g2,ag,0);float at=depth_distance(ao,ap,aq,ar,as.x,an);vec3 au=(am/vec3(an));float av=g0.altitude;vec3 aw=g0.sun;air_ray(au,av,ad,af,aw,d,e,f,g,h,i,j,k,l,m,n,o);float ax=d;float ay=e;float az=f;float ba=g;float bb=h;float bc=i;float bd=j;float be=k;float bf=l;float bg=m;float bh=n;bool bi=o;float bj=g0.pixel_angle;float bk=g0.shell_weight;uint bl=g0.flags;ray_end(ax,ay,ba,bi,at,ad,bj,bk,bl,p,q,r);float bm=p;float bn=q;bool bo=r;if(!((bm<=0.0))){c=(bn<=0.0);}else{c=true;}bool bp=c;if(bp){vec4 bq=b;o0=bq;return;}vec3 br=g0.sun;vec3 bs=(au-br);uint bt=g0.view_samples;uint bu=g0.light_samples;single_scattering(u,v,w,x,y,z,aa,ab,ac,ad,af,ax,ay,az,ba,bb,bc,bd,be,bf,bg,bh,bi,au,bm,(0.5*dot(bs,bs)),bt,bu,s,t);vec3 bv=s;vec3 bw=t;vec3 bx=(bo?bw:vec3(1.0));float by=lit_fraction_at(g3,ag);vec3 bz=((bv*ae)*(bn*by));vec4 ca=b;vec4 cb=compose(ca,bx,bz);o0=cb;return;}\n",
     "void main(){vec4 a=gl_FragCoord;vec4 b=vec4(0.0);float c=0.0;int d=-1;int e=0;vec2 f=g0.size;vec3 g=g0.ray_forward;vec3 h=g0.ray_right;vec3 i=g0.ray_up;vec3 j=pixel_ray(a.xy,f,g,h,i);vec3 k=normalize(j);float l=g0.altitude;float m=g0.medium.radius;bool n=hits_planet(k,l,m);if(n){discard;}ivec2 o=ivec2(uvec2(textureSize(g1,0).xy));vec2 p=g0.size;vec2 q=(((a.xy/p)*vec2(o))-vec2(0.5));ivec2 r=ivec2(floor(q));vec2 s=(q-floor(q));bool t=true;while(true){if(!t){int u=d;d=(u+1);}t=false;int v=d;if((v<=2)){}else{break;}{e=-1;bool w=true;while(true){if(!w){int x=e;e=(x+1);}w=false;int y=e;if((y<=2)){}else{break;}{int z=e;int aa=d;vec4 ab=texelFetch(g1,min(max((r+ivec2(z,aa)),ivec2(0)),(o-ivec2(1))),0);int ac=e;int ad=d;vec2 ae=max((vec2(1.0)-abs((vec2(float(ac),float(ad))-s))),vec2(0.0001));if((ab.w>=0.0)){vec4 af=b;b=(af+((ab*ae.x)*ae.y));float ag=c;c=(ag+(ae.x*ae.y));}}}}}vec4 ah=b;float ai=c;o0=(ah/vec4(max(ai,1e-12)));return;}\n",
     "vec3 mean_transmittance(vec3 a){vec3 b=(vec3(1.0)-(a*(vec3(0.5)-(a*0.16666667))));return mix(((vec3(1.0)-exp(-(a)))/a),b,lessThan(a,vec3(0.01)));}\n",
     "vec3 mie_phase(float a,float b,vec3 c){if(CORNETTE_SHANKS){vec3 d=cornette_shanks_phase(a,b,c);return d;}else{vec3 e=henyey_greenstein_phase(a,b,c);return e;}}\n",
@@ -215,7 +216,7 @@ static PARTS: &[&str] = &[
     "void perigee_of(float a,float b,float c,float d,bool e,float f,float g,inout float h,inout float i,inout float j){bool k=false;if((c>=0.0)){h=0.0;i=b;j=c;return;}if((-(c)<=f)){h=-(c);i=d;j=0.0;return;}float l=(c+f);if(e){k=(f>=a);}else{k=false;}bool m=k;if(m){h=f;i=0.0;j=l;return;}bool n=((-(c)*f)>(g*g));float o=(b+(f*((2.0*c)+f)));h=f;i=(n?(d+(l*l)):o);j=l;}\n",
     "vec3 pixel_ray(vec2 a,vec2 b,vec3 c,vec3 d,vec3 e){vec2 f=(((a/b)*vec2(2.0,-2.0))+vec2(-1.0,1.0));return((c+(d*f.x))+(e*f.y));}\n",
     "float quarter_atan(float a,float b){float c=(min(b,a)/max(max(b,a),1e-30));float d=(c*c);float e=(1.0+(d*(-0.33333147+(d*(0.19993551+(d*(-0.142089+(d*(0.10656264+(d*(-0.07528964+(d*(0.042909615+(d*(-0.016165737+(d*0.0028662258))))))))))))))));return((a>b)?(1.5707964-(c*e)):(c*e));}\n",
-    "void ray_end(float a,float b,float c,bool d,float e,float f,float g,float h,inout float i,inout float j,inout bool k){if((e>=0.0)){float l=scene_reach(a,b,c,d,e,f,g);i=l;j=1.0;k=true;return;}if(d){i=b;j=1.0;k=true;return;}i=b;j=h;k=(h>=1.0);}\n",
+    "void ray_end(float a,float b,float c,bool d,float e,float f,float g,float h,uint i,inout float j,inout float k,inout bool l){if((e>=0.0)){float m=scene_reach(a,b,c,d,e,f,g);j=m;k=1.0;l=true;return;}if(d){j=b;k=1.0;l=true;return;}j=b;k=h;l=((i&SHELL_DIMS)!=0u);}\n",
     "float rayleigh_phase(float a){return(0.0596831*(1.0+(a*a)));}\n",
     "float resolved(float a,float b){return smoothstep(1.0,4.0,(a/b));}\n",
     "float rise_to_distance(float a,float b){return(a*sqrt(((a*a)+(2.0*b))));}\n",
@@ -270,6 +271,8 @@ pub mod aerial_lut_scan {
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
+        pub const REDUCED: u32 = 1;
+        pub const SHELL_DIMS: u32 = 2;
         pub const AIR_SMOOTH: u32 = 0;
         pub const AIR_MIE: u32 = 1;
         pub const AIR_BEAM: u32 = 2;
@@ -289,8 +292,8 @@ pub mod aerial_lut_scan {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 114],
-            fragment: &[0, 26, 31, 32, 29, 30, 37, 18, 24, 41, 19, 54, 52, 123],
+            vertex: &[0, 27, 115],
+            fragment: &[0, 27, 32, 33, 30, 31, 38, 2, 25, 42, 20, 55, 53, 124],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["g1"],
         },
@@ -313,6 +316,8 @@ pub mod aerial_lut_slices {
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
+        pub const REDUCED: u32 = 1;
+        pub const SHELL_DIMS: u32 = 2;
         pub const MOMENTS: u32 = 6;
         pub const AIR_SMOOTH: u32 = 0;
         pub const AIR_MIE: u32 = 1;
@@ -333,8 +338,8 @@ pub mod aerial_lut_slices {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 114],
-            fragment: &[0, 26, 32, 29, 30, 31, 37, 4, 24, 41, 42, 19, 62, 85, 61, 80, 96, 165, 175, 176, 79, 102, 155, 166, 104, 67, 74, 86, 191, 81, 135, 72, 111, 69, 65, 189, 152, 63, 174, 145, 147, 97, 146, 178, 181, 88, 190, 193, 168, 162, 54, 159, 128],
+            vertex: &[0, 27, 115],
+            fragment: &[0, 27, 33, 30, 31, 32, 38, 5, 25, 42, 43, 20, 63, 86, 62, 81, 97, 166, 176, 177, 80, 103, 156, 167, 105, 68, 75, 87, 192, 82, 136, 73, 112, 70, 66, 190, 153, 64, 175, 146, 148, 98, 147, 179, 182, 89, 191, 194, 169, 163, 55, 160, 129],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["g1", "g2"],
         },
@@ -360,6 +365,13 @@ pub mod aerial_march {
     pub const CORNETTE_SHANKS: u32 = 1 << 5;
     /// Sunlight reaches the air; off: it dims what lies behind and sends no light.
     pub const SUNLIGHT: u32 = 1 << 6;
+    /// Whole numbers that the shader calls by these names.
+    #[allow(missing_docs)]
+    pub mod numbers {
+        pub const REDUCED: u32 = 1;
+        pub const SHELL_DIMS: u32 = 2;
+    }
+
     /// The row of the table.
     pub static INFO: ProgramInfo = ProgramInfo {
         name: "aerial_march",
@@ -372,8 +384,8 @@ pub mod aerial_march {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 114],
-            fragment: &[0, 26, 32, 29, 30, 8, 20, 41, 42, 43, 19, 156, 75, 196, 163, 158, 110, 68, 62, 85, 61, 80, 96, 165, 175, 176, 108, 187, 79, 58, 59, 155, 166, 104, 67, 74, 86, 191, 81, 153, 135, 72, 111, 159, 99, 70, 136, 177, 178, 167, 133],
+            vertex: &[0, 27, 115],
+            fragment: &[0, 27, 33, 30, 31, 9, 21, 42, 43, 44, 20, 157, 76, 197, 164, 159, 111, 69, 63, 86, 62, 81, 97, 166, 176, 177, 109, 188, 80, 59, 60, 156, 167, 105, 68, 75, 87, 192, 82, 154, 136, 73, 112, 160, 100, 71, 137, 178, 179, 168, 134],
             blocks: ["", "Frame_block_0Fragment"],
             samplers: &["g1", "g2", "g3"],
         },
@@ -404,6 +416,8 @@ pub mod aerial_march_eclipse {
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
+        pub const REDUCED: u32 = 1;
+        pub const SHELL_DIMS: u32 = 2;
         pub const MOMENTS: u32 = 6;
     }
 
@@ -419,8 +433,8 @@ pub mod aerial_march_eclipse {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 114],
-            fragment: &[0, 26, 32, 29, 30, 31, 33, 36, 9, 43, 24, 41, 42, 44, 45, 46, 19, 156, 75, 196, 163, 158, 110, 68, 62, 85, 61, 80, 96, 165, 175, 176, 108, 187, 79, 58, 59, 155, 166, 104, 67, 74, 86, 191, 81, 153, 135, 72, 111, 69, 65, 189, 152, 63, 174, 145, 147, 97, 146, 139, 95, 157, 164, 197, 142, 140, 143, 180, 144, 183, 88, 159, 99, 70, 136, 137, 177, 167, 60, 83, 132],
+            vertex: &[0, 27, 115],
+            fragment: &[0, 27, 33, 30, 31, 32, 34, 37, 10, 44, 25, 42, 43, 45, 46, 47, 20, 157, 76, 197, 164, 159, 111, 69, 63, 86, 62, 81, 97, 166, 176, 177, 109, 188, 80, 59, 60, 156, 167, 105, 68, 75, 87, 192, 82, 154, 136, 73, 112, 70, 66, 190, 153, 64, 175, 146, 148, 98, 147, 140, 96, 158, 165, 198, 143, 141, 144, 181, 145, 184, 89, 160, 100, 71, 137, 138, 178, 168, 61, 84, 133],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["g1", "g2", "g3", "g4", "g5", "g6"],
         },
@@ -450,6 +464,8 @@ pub mod aerial_perspective {
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
+        pub const REDUCED: u32 = 1;
+        pub const SHELL_DIMS: u32 = 2;
         pub const AIR_SMOOTH: u32 = 0;
         pub const AIR_MIE: u32 = 1;
         pub const AIR_BEAM: u32 = 2;
@@ -469,8 +485,8 @@ pub mod aerial_perspective {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 114],
-            fragment: &[0, 26, 32, 29, 30, 31, 37, 10, 24, 41, 42, 43, 44, 45, 46, 47, 19, 156, 75, 196, 163, 158, 110, 68, 69, 65, 62, 85, 61, 80, 96, 109, 187, 79, 58, 71, 64, 199, 195, 169, 73, 67, 86, 81, 135, 50, 49, 53, 171, 172, 170, 51, 189, 152, 56, 198, 154, 99, 70, 136, 137, 131],
+            vertex: &[0, 27, 115],
+            fragment: &[0, 27, 33, 30, 31, 32, 38, 11, 25, 42, 43, 44, 45, 46, 47, 48, 20, 157, 76, 197, 164, 159, 111, 69, 70, 66, 63, 86, 62, 81, 97, 110, 188, 80, 59, 72, 65, 200, 196, 170, 74, 68, 87, 82, 136, 51, 50, 54, 172, 173, 171, 52, 190, 153, 57, 199, 155, 100, 71, 137, 138, 132],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["g1", "g2", "g3", "g4", "g5", "g6", "g7"],
         },
@@ -486,6 +502,13 @@ pub mod airglow {
 
     /// What a ray enters before the air; off: what it leaves last, behind the air.
     pub const BEFORE: u32 = 1 << 0;
+    /// Whole numbers that the shader calls by these names.
+    #[allow(missing_docs)]
+    pub mod numbers {
+        pub const REDUCED: u32 = 1;
+        pub const SHELL_DIMS: u32 = 2;
+    }
+
     /// The row of the table.
     pub static INFO: ProgramInfo = ProgramInfo {
         name: "airglow",
@@ -498,8 +521,8 @@ pub mod airglow {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 114],
-            fragment: &[0, 26, 32, 29, 30, 38, 7, 24, 41, 19, 156, 75, 62, 85, 96, 109, 161, 185, 184, 118],
+            vertex: &[0, 27, 115],
+            fragment: &[0, 27, 33, 30, 31, 39, 8, 25, 42, 20, 157, 76, 63, 86, 97, 110, 162, 186, 185, 119],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["g1"],
         },
@@ -522,15 +545,16 @@ pub mod copy {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 114],
-            fragment: &[0, 26, 41, 19, 130],
+            vertex: &[0, 27, 115],
+            fragment: &[0, 27, 42, 20, 131],
             blocks: ["", ""],
             samplers: &["g1"],
         },
     };
 }
 
-/// The moon's disk with its phase, dimmed by the air like the sun's.
+/// The moon's disk with its phase, dimmed by the air like the sun's. As a body, before the sky is drawn, it
+/// hides what lies behind it.
 pub mod moon_disk {
     use super::*;
 
@@ -542,9 +566,13 @@ pub mod moon_disk {
     pub const OZONE: u32 = 1 << 2;
     /// There is air that dims the disk.
     pub const AIR: u32 = 1 << 3;
+    /// Nothing but what it hides, in alpha; off: its light, laid over the sky.
+    pub const BODY: u32 = 1 << 4;
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
+        pub const REDUCED: u32 = 1;
+        pub const SHELL_DIMS: u32 = 2;
         pub const DISK_STEPS: u32 = 128;
         pub const VERTICES: u32 = 4;
     }
@@ -554,15 +582,15 @@ pub mod moon_disk {
         name: "moon_disk",
         uniform_size: 272,
         textures: &[],
-        constants: &["RAYLEIGH", "MIE", "OZONE", "AIR"],
+        constants: &["RAYLEIGH", "MIE", "OZONE", "AIR", "BODY"],
         vertices: Vertices::Strip(4),
         #[cfg(any(feature = "wgpu", feature = "translate"))]
         wgsl: &[text::LIB_FRAME, text::LIB_VIEW, text::LIB_GEOMETRY, text::LIB_MEDIUM, text::LIB_PATH, text::LIB_CELESTIAL_DISK, text::PASS_MOON_DISK],
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 32, 29, 30, 39, 11, 25, 113],
-            fragment: &[0, 26, 32, 29, 30, 39, 11, 24, 19, 156, 62, 85, 61, 80, 96, 108, 187, 79, 57, 104, 67, 74, 86, 191, 153, 78, 77, 112, 141, 116],
+            vertex: &[0, 27, 33, 30, 31, 40, 12, 26, 114],
+            fragment: &[0, 27, 33, 30, 31, 40, 13, 25, 20, 157, 63, 86, 62, 81, 97, 109, 188, 80, 58, 105, 68, 75, 87, 192, 154, 79, 78, 113, 142, 117],
             blocks: ["Uniforms_block_0Vertex", "Uniforms_block_0Fragment"],
             samplers: &[],
         },
@@ -586,6 +614,8 @@ pub mod multi_scattering_gather {
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
+        pub const REDUCED: u32 = 1;
+        pub const SHELL_DIMS: u32 = 2;
         pub const MOMENTS: u32 = 6;
         pub const ZENITHS: u32 = 16;
         pub const AZIMUTHS: u32 = 8;
@@ -603,8 +633,8 @@ pub mod multi_scattering_gather {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 114],
-            fragment: &[0, 26, 32, 31, 40, 2, 24, 41, 42, 19, 62, 85, 61, 80, 96, 165, 175, 79, 102, 155, 166, 104, 74, 86, 191, 81, 135, 72, 111, 69, 65, 189, 152, 63, 194, 174, 145, 192, 147, 97, 146, 92, 178, 181, 87, 159, 99, 89, 149, 94, 126],
+            vertex: &[0, 27, 115],
+            fragment: &[0, 27, 33, 32, 41, 3, 25, 42, 43, 20, 63, 86, 62, 81, 97, 166, 176, 80, 103, 156, 167, 105, 75, 87, 192, 82, 136, 73, 112, 70, 66, 190, 153, 64, 195, 175, 146, 193, 148, 98, 147, 93, 179, 182, 88, 160, 100, 90, 150, 95, 127],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["g1", "g2"],
         },
@@ -619,6 +649,8 @@ pub mod multi_scattering_lut {
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
+        pub const REDUCED: u32 = 1;
+        pub const SHELL_DIMS: u32 = 2;
         pub const MOMENTS: u32 = 6;
         pub const ZENITHS: u32 = 16;
         pub const AZIMUTHS: u32 = 8;
@@ -636,8 +668,8 @@ pub mod multi_scattering_lut {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 114],
-            fragment: &[0, 26, 32, 31, 40, 5, 24, 41, 19, 194, 97, 85, 89, 150, 138, 121],
+            vertex: &[0, 27, 115],
+            fragment: &[0, 27, 33, 32, 41, 6, 25, 42, 20, 195, 98, 86, 90, 151, 139, 122],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["g1"],
         },
@@ -659,6 +691,13 @@ pub mod sky_march {
     pub const CORNETTE_SHANKS: u32 = 1 << 3;
     /// Sunlight reaches the air; off: it dims what lies behind and sends no light.
     pub const SUNLIGHT: u32 = 1 << 4;
+    /// Whole numbers that the shader calls by these names.
+    #[allow(missing_docs)]
+    pub mod numbers {
+        pub const REDUCED: u32 = 1;
+        pub const SHELL_DIMS: u32 = 2;
+    }
+
     /// The row of the table.
     pub static INFO: ProgramInfo = ProgramInfo {
         name: "sky_march",
@@ -671,8 +710,8 @@ pub mod sky_march {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 114],
-            fragment: &[0, 26, 32, 29, 30, 13, 20, 19, 156, 196, 62, 85, 61, 80, 96, 165, 175, 176, 108, 187, 79, 58, 59, 155, 101, 166, 104, 67, 74, 86, 191, 81, 153, 135, 72, 111, 159, 99, 70, 136, 177, 178, 167, 120],
+            vertex: &[0, 27, 115],
+            fragment: &[0, 27, 33, 30, 31, 15, 21, 20, 157, 197, 63, 86, 62, 81, 97, 166, 176, 177, 109, 188, 80, 59, 60, 156, 102, 167, 105, 68, 75, 87, 192, 82, 154, 136, 73, 112, 160, 100, 71, 137, 178, 179, 168, 121],
             blocks: ["", "Frame_block_0Fragment"],
             samplers: &[],
         },
@@ -698,6 +737,8 @@ pub mod sky_march_eclipse {
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
+        pub const REDUCED: u32 = 1;
+        pub const SHELL_DIMS: u32 = 2;
         pub const MOMENTS: u32 = 6;
     }
 
@@ -713,8 +754,8 @@ pub mod sky_march_eclipse {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 114],
-            fragment: &[0, 26, 32, 29, 30, 31, 33, 36, 15, 41, 24, 42, 43, 19, 156, 196, 62, 85, 61, 80, 96, 165, 175, 176, 108, 187, 79, 58, 59, 155, 101, 166, 104, 67, 74, 86, 191, 81, 153, 135, 72, 111, 69, 65, 189, 152, 63, 174, 145, 147, 97, 146, 139, 95, 157, 164, 197, 142, 140, 143, 179, 144, 182, 88, 159, 99, 70, 136, 137, 177, 167, 60, 83, 119],
+            vertex: &[0, 27, 115],
+            fragment: &[0, 27, 33, 30, 31, 32, 34, 37, 17, 42, 25, 43, 44, 20, 157, 197, 63, 86, 62, 81, 97, 166, 176, 177, 109, 188, 80, 59, 60, 156, 102, 167, 105, 68, 75, 87, 192, 82, 154, 136, 73, 112, 70, 66, 190, 153, 64, 175, 146, 148, 98, 147, 140, 96, 158, 165, 198, 143, 141, 144, 180, 145, 183, 89, 160, 100, 71, 137, 138, 178, 168, 61, 84, 120],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["g1", "g2", "g3"],
         },
@@ -732,6 +773,13 @@ pub mod sky_view {
     pub const MIE_SINGLE: u32 = 1 << 1;
     /// Laid over what is in the target; off: the target holds nothing.
     pub const BLEND: u32 = 1 << 2;
+    /// Whole numbers that the shader calls by these names.
+    #[allow(missing_docs)]
+    pub mod numbers {
+        pub const REDUCED: u32 = 1;
+        pub const SHELL_DIMS: u32 = 2;
+    }
+
     /// The row of the table.
     pub static INFO: ProgramInfo = ProgramInfo {
         name: "sky_view",
@@ -744,8 +792,8 @@ pub mod sky_view {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 114],
-            fragment: &[0, 26, 32, 29, 30, 31, 37, 16, 24, 41, 42, 19, 156, 85, 96, 109, 187, 71, 64, 199, 195, 169, 73, 99, 70, 136, 137, 127],
+            vertex: &[0, 27, 115],
+            fragment: &[0, 27, 33, 30, 31, 32, 38, 18, 25, 42, 43, 20, 157, 86, 97, 110, 188, 72, 65, 200, 196, 170, 74, 100, 71, 137, 138, 128],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["g1", "g2"],
         },
@@ -773,6 +821,8 @@ pub mod sky_view_lut {
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
+        pub const REDUCED: u32 = 1;
+        pub const SHELL_DIMS: u32 = 2;
         pub const MOMENTS: u32 = 6;
     }
 
@@ -788,8 +838,8 @@ pub mod sky_view_lut {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 114],
-            fragment: &[0, 26, 32, 29, 30, 31, 37, 3, 24, 41, 42, 19, 62, 85, 61, 80, 96, 165, 175, 176, 79, 102, 155, 166, 104, 67, 74, 86, 191, 81, 135, 72, 111, 69, 65, 189, 152, 63, 174, 145, 147, 97, 146, 178, 181, 88, 190, 193, 168, 162, 84, 159, 129],
+            vertex: &[0, 27, 115],
+            fragment: &[0, 27, 33, 30, 31, 32, 38, 4, 25, 42, 43, 20, 63, 86, 62, 81, 97, 166, 176, 177, 80, 103, 156, 167, 105, 68, 75, 87, 192, 82, 136, 73, 112, 70, 66, 190, 153, 64, 175, 146, 148, 98, 147, 179, 182, 89, 191, 194, 169, 163, 85, 160, 130],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["g1", "g2"],
         },
@@ -815,6 +865,8 @@ pub mod sun_disk {
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
+        pub const REDUCED: u32 = 1;
+        pub const SHELL_DIMS: u32 = 2;
         pub const DISK_STEPS: u32 = 128;
         pub const VERTICES: u32 = 4;
     }
@@ -831,8 +883,8 @@ pub mod sun_disk {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 32, 29, 30, 39, 11, 25, 113],
-            fragment: &[0, 26, 32, 29, 30, 39, 12, 24, 19, 156, 62, 85, 61, 80, 96, 108, 187, 79, 57, 104, 67, 74, 86, 191, 153, 78, 160, 77, 106, 105, 117],
+            vertex: &[0, 27, 33, 30, 31, 40, 12, 26, 114],
+            fragment: &[0, 27, 33, 30, 31, 40, 14, 25, 20, 157, 63, 86, 62, 81, 97, 109, 188, 80, 58, 105, 68, 75, 87, 192, 154, 79, 161, 78, 107, 106, 118],
             blocks: ["Uniforms_block_0Vertex", "Uniforms_block_0Fragment"],
             samplers: &[],
         },
@@ -858,6 +910,8 @@ pub mod terrain {
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
+        pub const REDUCED: u32 = 1;
+        pub const SHELL_DIMS: u32 = 2;
         pub const MOMENTS: u32 = 6;
         pub const RINGS: u32 = 256;
         pub const SEGMENTS: u32 = 384;
@@ -876,8 +930,8 @@ pub mod terrain {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 32, 29, 30, 31, 33, 34, 14, 22, 28, 62, 85, 61, 80, 104, 67, 74, 86, 191, 153, 177, 103, 151, 98, 90, 93, 66, 115],
-            fragment: &[0, 26, 32, 29, 30, 31, 33, 34, 14, 21, 41, 42, 27, 76, 69, 65, 174, 145, 92, 157, 95, 164, 197, 139, 142, 140, 143, 144, 91, 125],
+            vertex: &[0, 27, 33, 30, 31, 32, 34, 35, 16, 23, 29, 63, 86, 62, 81, 105, 68, 75, 87, 192, 154, 178, 104, 152, 99, 91, 94, 67, 116],
+            fragment: &[0, 27, 33, 30, 31, 32, 34, 35, 16, 22, 42, 43, 28, 77, 70, 66, 175, 146, 93, 158, 96, 165, 198, 140, 143, 141, 144, 145, 92, 126],
             blocks: ["Terrain_block_0Vertex", "Terrain_block_0Fragment"],
             samplers: &["g1", "g2"],
         },
@@ -907,8 +961,8 @@ pub mod tone_map {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 114],
-            fragment: &[0, 26, 35, 1, 23, 41, 19, 48, 55, 148, 186, 173, 82, 124],
+            vertex: &[0, 27, 115],
+            fragment: &[0, 27, 36, 1, 24, 42, 20, 49, 56, 149, 187, 174, 83, 125],
             blocks: ["", "Tone_block_0Fragment"],
             samplers: &["g1"],
         },
@@ -926,6 +980,13 @@ pub mod transmittance_lut {
     pub const MIE: u32 = 1 << 1;
     /// The air holds an absorber.
     pub const OZONE: u32 = 1 << 2;
+    /// Whole numbers that the shader calls by these names.
+    #[allow(missing_docs)]
+    pub mod numbers {
+        pub const REDUCED: u32 = 1;
+        pub const SHELL_DIMS: u32 = 2;
+    }
+
     /// The row of the table.
     pub static INFO: ProgramInfo = ProgramInfo {
         name: "transmittance_lut",
@@ -938,8 +999,8 @@ pub mod transmittance_lut {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 114],
-            fragment: &[0, 26, 32, 31, 40, 17, 24, 19, 62, 85, 61, 188, 104, 74, 191, 153, 122],
+            vertex: &[0, 27, 115],
+            fragment: &[0, 27, 33, 32, 41, 19, 25, 20, 63, 86, 62, 189, 105, 75, 192, 154, 123],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &[],
         },
@@ -950,6 +1011,13 @@ pub mod transmittance_lut {
 /// decided per target pixel, and planet texels (alpha < 0) take no part in the filter.
 pub mod upsample {
     use super::*;
+
+    /// Whole numbers that the shader calls by these names.
+    #[allow(missing_docs)]
+    pub mod numbers {
+        pub const REDUCED: u32 = 1;
+        pub const SHELL_DIMS: u32 = 2;
+    }
 
     /// The row of the table.
     pub static INFO: ProgramInfo = ProgramInfo {
@@ -963,8 +1031,8 @@ pub mod upsample {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 26, 114],
-            fragment: &[0, 26, 32, 29, 30, 6, 20, 41, 19, 156, 85, 96, 107, 100, 134],
+            vertex: &[0, 27, 115],
+            fragment: &[0, 27, 33, 30, 31, 7, 21, 42, 20, 157, 86, 97, 108, 101, 135],
             blocks: ["", "Frame_block_0Fragment"],
             samplers: &["g1"],
         },

@@ -29,12 +29,12 @@ mod text {
 #[cfg(feature = "webgl")]
 static PARTS: &[&str] = &[
     "#version 300 es\n",
-    "const float HALF_MAX = 32000.0;\nconst bool BLEND = true;\nconst bool LIT_FRACTION = true;\nconst float SUBPIXEL = 0.0625;\nconst float LOG_FLOOR = -100.0;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst int AIR_SMOOTH = 0;\nconst int AIR_MIE = 1;\nconst int AIR_BEAM = 2;\nconst int AIR_TRANSMITTANCE = 3;\nconst int AIR_KINDS = 4;\nconst bool MIE_SINGLE = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst float IRRADIANCE_0_ = 0.88622695;\nconst float IRRADIANCE_1_ = 1.0233268;\nconst float IRRADIANCE_2_ = 0.8580855;\nconst float IRRADIANCE_ZZ = 0.24770796;\nconst float IRRADIANCE_XX = 0.42904276;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst float HALF_MAX = 32000.0;\nconst bool BLEND = true;\nconst bool LIT_FRACTION = true;\nconst float SUBPIXEL = 0.0625;\nconst float LOG_FLOOR = -100.0;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst int AIR_SMOOTH = 0;\nconst int AIR_MIE = 1;\nconst int AIR_BEAM = 2;\nconst int AIR_TRANSMITTANCE = 3;\nconst int AIR_KINDS = 4;\nconst bool MIE_SINGLE = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst float IRRADIANCE_0_ = 0.88622695;\nconst float IRRADIANCE_1_ = 1.0233268;\nconst float IRRADIANCE_2_ = 0.8580855;\nconst float IRRADIANCE_ZZ = 0.24770796;\nconst float IRRADIANCE_XX = 0.42904276;\n",
     "layout(location=0)out vec4 o0;\n",
     "layout(std140)uniform SceneAir_block_0Fragment{SceneAir g0;};\n",
     "precision highp float;precision highp int;\n",
     "struct DepthCode{float scale;float bias;float log_;float background;};\n",
-    "struct Frame{Medium medium;vec3 ray_forward;float altitude;vec3 ray_right;float sky_weight;vec3 ray_up;float shell_weight;vec3 sun;float sun_chord;vec2 size;float sun_disk;float pixel_angle;DepthCode depth;uint view_samples;uint light_samples;uint reduced;float camera_altitude;vec4 sky_view_mapping;};\n",
+    "struct Frame{Medium medium;vec3 ray_forward;float altitude;vec3 ray_right;float sky_weight;vec3 ray_up;float shell_weight;vec3 sun;float sun_chord;vec2 size;float sun_disk;float pixel_angle;DepthCode depth;uint view_samples;uint light_samples;uint flags;float camera_altitude;vec4 sky_view_mapping;};\n",
     "struct Luts{vec3 mie_extinction;float altitude_steepness;vec3 mie_moment0_;float altitude_growth;vec3 mie_moment1_;float sun_middle;vec3 mie_moment2_;float sun_width;vec3 mie_asymmetry;float pad;vec3 albedo;float sun_first;float sun_span;float ground_rows;uvec2 size;uint steps;uint shift;uint slices;float aerial_ground_rows;};\n",
     "struct Medium{vec3 rayleigh;float rayleigh_inv_height;vec3 mie_scattering;float mie_inv_height;vec3 mie_extinction;float ozone_center;vec3 mie_asymmetry;float ozone_inv_half_width;vec3 ozone;float radius;vec3 irradiance;float thickness;};\n",
     "struct SceneAir{Frame frame;Luts luts;vec3 zenith_x;float present;vec3 zenith_y;float cornette_shanks;vec3 zenith_z;float mie_light;vec4 harmonics_00_;vec4 harmonics_1y;vec4 harmonics_1z;vec4 harmonics_1x;vec4 harmonics_2xy;vec4 harmonics_2yz;vec4 harmonics_2zz;vec4 harmonics_2xz;vec4 harmonics_2xx;};\n",
@@ -103,6 +103,8 @@ pub mod scene_air {
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
+        pub const REDUCED: u32 = 1;
+        pub const SHELL_DIMS: u32 = 2;
         pub const AIR_SMOOTH: u32 = 0;
         pub const AIR_MIE: u32 = 1;
         pub const AIR_BEAM: u32 = 2;

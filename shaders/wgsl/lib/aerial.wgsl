@@ -35,10 +35,11 @@ struct RayEnd {
 
 // To the scene at a distance (km, negative where there is none), else to the ray's own end. Where there is
 // no scene the pass draws its part of the sky: all of it from orbit, none of it near the ground, where the
-// background pass has drawn it. That pass, as long as it draws any air, has dimmed what lies behind.
+// background pass has drawn it. That pass, as long as it draws any air, has dimmed what lies behind: flags
+// say it, for a weight next to 1 may be rounded to it.
 fn ray_end(
     start: f32, length: f32, r_mu: f32, ground: bool, distance: f32,
-    radius: f32, pixel_angle: f32, shell_weight: f32,
+    radius: f32, pixel_angle: f32, shell_weight: f32, flags: u32,
 ) -> RayEnd {
     if distance >= 0.0 {
         let reach = scene_reach(start, length, r_mu, ground, distance, radius, pixel_angle);
@@ -47,7 +48,7 @@ fn ray_end(
     if ground {
         return RayEnd(length, 1.0, true);
     }
-    return RayEnd(length, shell_weight, shell_weight >= 1.0);
+    return RayEnd(length, shell_weight, (flags & SHELL_DIMS) != 0u);
 }
 
 // How much of the light along a pixel's ray is there: all, or as the user's texture says in its red, 0 to 1.

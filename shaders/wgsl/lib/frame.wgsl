@@ -27,6 +27,9 @@ struct DepthCode {
     background: f32,            // stored depth of the background
 }
 
+const REDUCED: u32 = 1u;    // The target is smaller than the picture; planet pixels get alpha -1.
+const SHELL_DIMS: u32 = 2u; // The depth-aware pass dims what lies behind the air; else the background has.
+
 struct Frame {
     medium: Medium,
     ray_forward: vec3f,         // ray through the middle of the picture, axial part 1
@@ -43,7 +46,7 @@ struct Frame {
     depth: DepthCode,
     view_samples: u32,          // steps along the view ray
     light_samples: u32,         // steps towards the sun
-    reduced: u32,               // 1: smaller than the picture; planet pixels get alpha -1
+    flags: u32,                 // REDUCED and SHELL_DIMS, added
     camera_altitude: f32,       // camera above the surface, km, may be negative (terrain only)
     sky_view_mapping: vec4f,    // of the sky-view LUT's rows, see `zenith_to_v`
 }

@@ -25,7 +25,7 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let ray = air_ray(dir, frame.altitude, m.radius, m.thickness, frame.sun);
     let end = ray_end(
         ray.start, ray.length, ray.r_mu, ray.ground, distance,
-        m.radius, frame.pixel_angle, frame.shell_weight);
+        m.radius, frame.pixel_angle, frame.shell_weight, frame.flags);
     if end.length <= 0.0 || end.weight <= 0.0 {
         return scene;
     }

@@ -28,7 +28,7 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let ray = air_ray(dir, f.altitude, m.radius, m.thickness, f.sun);
     let end = ray_end(
         ray.start, ray.length, ray.r_mu, ray.ground, distance,
-        m.radius, f.pixel_angle, f.shell_weight);
+        m.radius, f.pixel_angle, f.shell_weight, f.flags);
     if end.length <= 0.0 || end.weight <= 0.0 {
         return scene;
     }

@@ -38,7 +38,8 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let path = air_path(line, f.altitude, m.radius, m.thickness);
     let ground = line.ground && path.length >= 0.0;
     let end = ray_end(
-        path.start, path.length, path.r_mu, ground, distance, m.radius, f.pixel_angle, f.shell_weight);
+        path.start, path.length, path.r_mu, ground, distance,
+        m.radius, f.pixel_angle, f.shell_weight, f.flags);
     if end.length <= 0.0 || end.weight <= 0.0 {
         return scene;
     }

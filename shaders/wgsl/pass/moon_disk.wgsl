@@ -1,5 +1,8 @@
 //#include celestial_disk
-// The moon's disk with its phase, dimmed by the air like the sun's.
+// The moon's disk with its phase, dimmed by the air like the sun's. As a body, before the sky is drawn, it
+// hides what lies behind it.
+
+const BODY: bool = true; // Nothing but what it hides, in alpha; off: its light, laid over the sky.
 
 // Radiance per unit of sunlight, 1/sr, of a sphere that scatters light once and alike in all directions,
 // the law of Lommel and Seeliger: 2 albedo / pi mu0 / (mu0 + mu), scaled so that it has its geometric
@@ -29,7 +32,11 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     if line.ground || coverage <= 0.0 {
         discard;
     }
-    let normal = moon_normal(dir, apart, uniforms.moon_sine);
-    let radiance = lommel_seeliger(normal, dir, f.sun, uniforms.albedo_over_pi, uniforms.earthshine);
-    return disk_color(m.irradiance * (coverage * radiance), line, f.altitude, m);
+    if BODY {
+        return vec4f(0.0, 0.0, 0.0, coverage);
+    } else {
+        let normal = moon_normal(dir, apart, uniforms.moon_sine);
+        let radiance = lommel_seeliger(normal, dir, f.sun, uniforms.albedo_over_pi, uniforms.earthshine);
+        return disk_color(m.irradiance * (coverage * radiance), line, f.altitude, m);
+    }
 }

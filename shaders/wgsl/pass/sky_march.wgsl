@@ -11,7 +11,7 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let m = frame.medium;
     let dir = normalize(pixel_ray(position.xy, frame.size, frame.ray_forward, frame.ray_right, frame.ray_up));
     if hits_planet(dir, frame.altitude, m.radius) {
-        if frame.reduced == 0u {
+        if (frame.flags & REDUCED) == 0u {
             discard;
         }
         return vec4f(0.0, 0.0, 0.0, -1.0);

@@ -13,7 +13,7 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let m = f.medium;
     let dir = normalize(pixel_ray(position.xy, f.size, f.ray_forward, f.ray_right, f.ray_up));
     if hits_planet(dir, f.altitude, m.radius) {
-        if f.reduced == 0u {
+        if (f.flags & REDUCED) == 0u {
             discard;
         }
         return vec4f(0.0, 0.0, 0.0, -1.0);

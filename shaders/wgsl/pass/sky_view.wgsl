@@ -26,7 +26,7 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let line = line_past(dir, f.altitude, m.radius);
     if line.ground {
         if BLEND {
-            if f.reduced == 0u {
+            if (f.flags & REDUCED) == 0u {
                 discard;
             }
             return vec4f(0.0, 0.0, 0.0, -1.0);

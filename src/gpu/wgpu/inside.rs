@@ -5,7 +5,7 @@ use std::sync::{Arc, Weak};
 
 use super::{Shape, Texture, WgpuBackend, known_format};
 use crate::error::{Error, Result};
-use crate::gpu::{Format, Pass, Program, TextureDesc, TextureId, Viewport};
+use crate::gpu::{Format, Pass, Program, TextureDesc, TextureId, Viewport, check_open};
 
 /// A render pass of the user's with one colour attachment: what pipelines have to fit to be drawn in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,6 +57,13 @@ pub(super) trait Inside {
     /// Checks that a pass draws to nothing that draws still wait to read in a pass of the user's.
     fn check(&mut self, pass: &Pass) -> Result<()>;
 
+    /// The error for a pass of the user's that is drawn to, or read, as if it were a texture.
+    fn not_a_texture(&self, pass: &str, desc: &TextureDesc) -> Error;
+
+    /// Checks that a pass asks nothing of a pass of the user's that only its beginning can do; answers what
+    /// the target is.
+    fn target(&self, pass: &Pass, desc: TextureDesc) -> Result<TextureDesc>;
+
     /// Notes that draws, until that flag is set or dropped, wait to read these textures.
     fn note(&mut self, drawn: Weak<AtomicBool>, reads: Vec<TextureId>);
 }
@@ -83,6 +90,17 @@ impl Inside for Waiting {
             return Err(Error::invalid(pass.label, value, allowed));
         }
         Ok(())
+    }
+
+    fn not_a_texture(&self, pass: &str, desc: &TextureDesc) -> Error {
+        let value = format_args!("{} (a pass of the user's)", desc.label);
+        let allowed = "a texture; draw in a pass with WgpuBackend::encode_in";
+        Error::invalid(format_args!("pass {pass}"), value, allowed)
+    }
+
+    fn target(&self, pass: &Pass, desc: TextureDesc) -> Result<TextureDesc> {
+        check_open(&pass.target, desc.label)?;
+        Ok(desc)
     }
 
     fn note(&mut self, drawn: Weak<AtomicBool>, reads: Vec<TextureId>) {
@@ -240,12 +258,5 @@ impl WgpuBackend {
             }
         }
         self.check()
-    }
-
-    /// The error for a pass of the user's that is drawn to as if it were a texture.
-    pub(super) fn not_a_texture(pass: &str, desc: &TextureDesc) -> Error {
-        let value = format_args!("{} (a pass of the user's)", desc.label);
-        let allowed = "a texture; draw in a pass with WgpuBackend::encode_in";
-        Error::invalid(format_args!("pass {pass}"), value, allowed)
     }
 }
