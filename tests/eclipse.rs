@@ -477,6 +477,7 @@ fn stars_are_behind_the_moon() {
                 let ray = query(&scene, [N, N], i);
                 let apart = (ray.direction - ray_to(&scene, forward)).length();
                 let (a, b) = (rgb(&dark, i), rgb(&stars, i));
+                // Half a pixel inside of the edge, a seventh of the radius, pixels are covered whole.
                 if apart < 0.7 * 6e6 / DISTANCE {
                     hidden += 1;
                     assert!(

@@ -442,10 +442,10 @@ impl Graph {
         resource: Resource,
     ) -> Option<TextureId> {
         let Resource::Pool(key) = resource else { return None };
-        let at = self.nodes.iter().rposition(|n| n.writes == resource)?;
+        let made = Some(self.content_of(resource)).filter(|content| *content != 0)?;
         pool.begin(backend);
         let id = pool.find(backend, key)?;
-        (self.keys.get(at) == Some(&backend.content(id)) && backend.has_run(id)).then_some(id)
+        (backend.content(id) == made && backend.has_run(id)).then_some(id)
     }
 
     /// The passes of the nodes whose content is not there yet, appended to `passes`; answers where each stage

@@ -119,10 +119,10 @@ fn vec3(v: DVec3) -> [f32; 3] {
 }
 
 impl FrameUniform {
-    /// How the sky table shares its rows above the horizon, at an altitude (metres): the part for rays that
-    /// go down and pass the ground, how far that part is spaced as seen from outside (0 to 1), evenly in the
-    /// altitude that a ray passes, and the share that it has near the ground, as many rows as crowding at the
-    /// horizon alone would give it. Last: the horizon's cosine of the zenith angle with its sign changed.
+    /// How the sky-view LUT shares its rows above the horizon, at an altitude (metres): the part for rays
+    /// that go down and pass the ground, how far that part is spaced as seen from outside (0 to 1), evenly in
+    /// the altitude that a ray passes, and the share that it has near the ground, as many rows as crowding at
+    /// the horizon alone would give it. Last: the horizon's cosine of the zenith angle with its sign changed.
     pub(crate) fn sky_view_mapping(altitude: f64, p: &AtmosphereParams) -> [f32; 4] {
         let radius = p.planet_radius;
         let horizon = (altitude * (2.0 * radius + altitude)).sqrt() / (radius + altitude);

@@ -101,8 +101,8 @@ impl WebGlSky {
         scene: &Scene,
         draw: impl FnOnce(&glow::Context, &WebGlFrame<'_>),
     ) -> Result<()> {
-        type None = fn(&glow::Context, &WebGlFrame<'_>);
-        self.layers(framebuffer, size, scene, draw, Option::<None>::None)
+        type Nothing = fn(&glow::Context, &WebGlFrame<'_>);
+        self.layers(framebuffer, size, scene, draw, None::<Nothing>)
     }
 
     /// As [`Self::draw`], with a second layer that you draw once the air lies before the first: glass, water,
@@ -138,14 +138,13 @@ impl WebGlSky {
         backend.run(around.before)?;
         let (light, frame) = (light.get(), around.frame);
         let air = around.air.map(|air| light.map_or(air, |light| air.with_light(light)));
-        let bindings = |backend: &mut WebGlBackend| air.map(|air| backend.scene_air(&air)).transpose();
-        let air = bindings(backend)?;
+        // Good for both layers: few passes run between them.
+        let air = air.map(|air| backend.scene_air(&air)).transpose()?;
         backend.with_framebuffer(around.color, around.depth, |gl, framebuffer| {
             opaque(gl, &WebGlFrame { framebuffer, light, air, frame });
         })?;
         let Some(transparent) = transparent else { return backend.run(around.after) };
         backend.run(around.aerial)?;
-        let air = bindings(backend)?;
         backend.with_framebuffer(around.radiance, around.depth, |gl, framebuffer| {
             transparent(gl, &WebGlFrame { framebuffer, light, air, frame });
         })?;

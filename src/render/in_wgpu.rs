@@ -152,8 +152,8 @@ impl WgpuSky {
         scene: &Scene,
         draw: impl FnOnce(&mut wgpu::CommandEncoder, &WgpuFrame<'_>),
     ) -> Result<()> {
-        type None = fn(&mut wgpu::CommandEncoder, &WgpuFrame<'_>);
-        self.layers(encoder, output, scene, draw, Option::<None>::None)
+        type Nothing = fn(&mut wgpu::CommandEncoder, &WgpuFrame<'_>);
+        self.layers(encoder, output, scene, draw, None::<Nothing>)
     }
 
     /// As [`Self::draw`], with a second layer that you draw once the air lies before the first: glass, water,

@@ -115,15 +115,19 @@ fn renamed(text: &str, name: impl Fn(&str) -> Option<String>) -> String {
     out + rest
 }
 
-/// A shader with a text behind its first lines: directives, precision, comments and blank lines.
+/// A shader with a text behind its first lines: directives, precision, comments and blank lines, and never
+/// between `#if` and its `#endif`.
 #[cfg(feature = "webgl")]
 fn insert(shader: &str, text: &str) -> String {
-    let (mut at, mut end, mut line, mut next) = (0, 0, 1, 1);
+    let (mut at, mut end, mut line, mut next, mut depth) = (0, 0, 1, 1, 0);
     for text in shader.split_inclusive('\n') {
         (at, line) = (at + text.len(), line + 1);
         let text = text.trim_start();
+        depth += i32::from(text.starts_with("#if")) - i32::from(text.starts_with("#endif"));
         if text.starts_with('#') || text.starts_with("precision ") {
-            (end, next) = (at, line);
+            if depth == 0 {
+                (end, next) = (at, line);
+            }
         } else if !text.is_empty() && !text.starts_with("//") {
             break;
         }
@@ -169,6 +173,10 @@ mod tests {
         ] {
             assert!(text.contains(part), "{part}\n{text}");
         }
+        // Code that only one side of a condition has does not take the functions with it.
+        let either = super::glsl("#version 300 es\n#ifdef A\nin vec3 a;\n#endif\nvoid main() {}\n");
+        assert!(either.starts_with("#version 300 es\nprecision highp float;"), "{either}");
+        assert!(either.ends_with("\n#line 2\n#ifdef A\nin vec3 a;\n#endif\nvoid main() {}\n"));
         assert_eq!(text.matches("void main").count(), 1);
         assert!(!text.contains("_group_0") && !super::words(&text).any(|word| word == "g0"), "{text}");
     }

@@ -7,7 +7,7 @@
 // sky_view_lut, mie_single_lut: the light of every direction around the camera.
 // aerial_lut:           the air up to a distance, in every direction.
 //
-// Rust twin: `TablesUniform` in src/frame/lut.rs.
+// Rust twin: `LutsUniform` in src/frame/luts.rs.
 
 struct Luts {
     mie_extinction: vec3f,      // aerosol, less the light that it turns by small angles only, 1/km

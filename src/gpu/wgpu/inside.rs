@@ -126,7 +126,8 @@ impl InPass {
     }
 
     /// Draws in a render bundle, which is good for that encoder's pass and not for another frame's. A bundle
-    /// has no viewport: set that of the targets, if they have one, in the pass that it is executed in.
+    /// has no viewport: set that of the targets, if they have one, in the pass that it is executed in. Drop
+    /// this once it was executed: until then nobody may draw to the LUTs that it reads.
     pub fn draw_in_bundle<'a>(&'a self, bundle: &mut wgpu::RenderBundleEncoder<'a>) {
         for draw in &self.draws {
             bundle.set_pipeline(&draw.pipeline);
