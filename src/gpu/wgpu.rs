@@ -7,6 +7,7 @@
 mod import;
 mod inside;
 mod recording;
+mod uncaptured;
 
 use std::num::NonZeroU64;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -205,9 +206,9 @@ impl WgpuBackend {
             .device
             .set_device_lost_callback(move |reason, text| *lock(&lost) = Some(format!("{reason:?}: {text}")));
         let failure = backend.failure.clone();
-        backend.device.on_uncaptured_error(Arc::new(move |e: wgpu::Error| {
-            lock(&failure).get_or_insert_with(|| e.to_string());
-        }));
+        uncaptured::on_error(&backend.device, move |text| {
+            lock(&failure).get_or_insert(text);
+        });
         Ok(backend)
     }
 
