@@ -32,6 +32,8 @@ pub mod split_structs;
 #[cfg(feature = "translate")]
 pub mod struct_lint;
 #[cfg(feature = "translate")]
+mod tidy;
+#[cfg(feature = "translate")]
 pub mod translate;
 
 pub use generated::*;

@@ -12,6 +12,7 @@ use naga::back::glsl;
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 
 use super::split_structs::{split_outputs, split_structs};
+use super::tidy::tidy;
 use crate::error::{Error, Result};
 use crate::gpu::{Program, ProgramInfo, SAMPLER_BINDING, TEXTURES_MAX};
 
@@ -393,13 +394,16 @@ impl Parts {
     }
 }
 
-/// A part as it travels: without indentation and blank lines, and a function with short names for what is
-/// local to it. naga numbers names over a whole shader, so that the same function has other names in every
-/// program.
+/// A part as it travels: without indentation and blank lines, and a function tidied and with short names for
+/// what is local to it. naga numbers names over a whole shader, so that the same function has other names in
+/// every program.
 fn pack(part: &str) -> String {
     let lines: Vec<&str> = part.lines().map(str::trim).filter(|line| !line.is_empty()).collect();
+    let is_function = lines.first().is_some_and(|line| line.ends_with(") {"));
+    let tidied = if is_function { tidy(&lines) } else { Vec::new() };
+    let lines: Vec<&str> = if is_function { tidied.iter().map(String::as_str).collect() } else { lines };
     let mut locals = Vec::new();
-    if lines.first().is_some_and(|line| line.ends_with(") {")) {
+    if is_function {
         // The last words of the header's arguments, and of declarations.
         let arguments = lines[0].split_once('(').map_or("", |(_, rest)| rest.trim_end_matches(") {"));
         locals.extend(
@@ -474,12 +478,12 @@ fn tight(part: &str) -> String {
     out
 }
 
-fn is_word(c: char) -> bool {
+pub(super) fn is_word(c: char) -> bool {
     c.is_ascii_alphanumeric() || c == '_'
 }
 
 /// The words of a text and its numbers, in order, with whether a dot before it makes a word a member's name.
-fn words(text: &str) -> impl Iterator<Item = (&str, bool)> {
+pub(super) fn words(text: &str) -> impl Iterator<Item = (&str, bool)> {
     let mut rest = text;
     std::iter::from_fn(move || {
         let start = rest.find(is_word)?;
