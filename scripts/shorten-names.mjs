@@ -1,12 +1,13 @@
-// Usage: node scripts/shorten-imports.mjs GLUE.js MODULE.wasm
+// Usage: node scripts/shorten-names.mjs GLUE.js MODULE.wasm
 //
 // wasm-bindgen names each import of the module after what it calls and ends that in 16 random digits, which
-// no compression makes smaller. This gives them names of one or two letters, in both files, and takes
-// comments and indentation out of the glue.
+// no compression makes smaller; many exports have such names too. This gives both names of one or two
+// letters, in both files, drops exports that the glue never asks for, and takes comments and indentation out
+// of the glue.
 import { readFileSync, writeFileSync } from 'node:fs';
 
 const [glueFile, moduleFile] = process.argv.slice(2);
-const IMPORTS = 2; // the section's number
+const [IMPORTS, EXPORTS] = [2, 7]; // the sections' numbers
 const SPACE = './welkin_bg.js'; // where wasm-bindgen's imports are from
 
 const module = readFileSync(moduleFile);
@@ -36,16 +37,11 @@ const short = (i) =>
   (i < LETTERS.length ? '' : short(Math.floor(i / LETTERS.length) - 1)) + LETTERS[i % LETTERS.length];
 
 const names = new Map();
-const sections = [module.subarray(0, 8)];
-while (at < module.length) {
-  const begin = at;
-  const kind = module[at++];
-  const end = number() + at;
-  if (kind !== IMPORTS) {
-    at = end;
-    sections.push(module.subarray(begin, end));
-    continue;
-  }
+const exports = new Map();
+const glueAsMade = readFileSync(glueFile, 'utf8');
+const asked = new Set(Array.from(glueAsMade.matchAll(/\bwasm\.(\w+)/g), ([, name]) => name));
+
+function shorterImports() {
   const count = number();
   const parts = [encoded(count)];
   for (let i = 0; i < count; i++) {
@@ -58,18 +54,51 @@ while (at < module.length) {
     if (!names.has(name)) names.set(name, short(names.size));
     parts.push(encodedText('w'), encodedText(names.get(name)), module.subarray(from, at));
   }
-  const body = Buffer.concat(parts);
-  sections.push(Buffer.from([IMPORTS]), encoded(body.length), body);
+  return parts;
+}
+
+function shorterExports() {
+  const count = number();
+  const parts = [];
+  for (let i = 0; i < count; i++) {
+    const name = text();
+    const from = at;
+    bytes(1); // its kind
+    number(); // its index
+    if (!asked.has(name)) continue;
+    exports.set(name, short(exports.size));
+    parts.push(encodedText(exports.get(name)), module.subarray(from, at));
+  }
+  return [encoded(exports.size), ...parts];
+}
+
+const sections = [module.subarray(0, 8)];
+while (at < module.length) {
+  const begin = at;
+  const kind = module[at++];
+  const end = number() + at;
+  if (kind === IMPORTS || kind === EXPORTS) {
+    const body = Buffer.concat(kind === IMPORTS ? shorterImports() : shorterExports());
+    sections.push(Buffer.from([kind]), encoded(body.length), body);
+  } else {
+    at = end;
+    sections.push(module.subarray(begin, end));
+  }
+}
+const missing = [...asked].filter((name) => !exports.has(name));
+if (missing.length > 0) {
+  throw new Error(`${moduleFile} does not export ${missing.join(', ')}: has wasm-bindgen changed?`);
 }
 
 let seen = 0;
-const glue = readFileSync(glueFile, 'utf8')
+const glue = glueAsMade
   .replace(/^( +)(\w+)(?=: )/gm, (whole, indent, name) => {
     if (!names.has(name)) return whole;
     seen++;
     return indent + names.get(name);
   })
   .replace(`"${SPACE}": import0`, 'w: import0')
+  .replace(/\bwasm\.(\w+)/g, (_, name) => `wasm.${exports.get(name)}`)
   .replace(/^ *\/\*\*.*?\*\/\n/gms, '')
   .replace(/^ *\/\/.*\n/gm, '')
   .replace(/^ +/gm, '');
