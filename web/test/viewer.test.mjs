@@ -728,6 +728,37 @@ for (const backend of BACKENDS) {
   });
 }
 
+describe('errors of the device', () => {
+  it('are told by the next frame on WebGPU, with kind and message', async (t) => {
+    const page = await use(t, {
+      backend: 'webgpu',
+      hash: MARCH,
+      prepare: () => {
+        const made = GPUAdapter.prototype.requestDevice;
+        GPUAdapter.prototype.requestDevice = async function (...options) {
+          return (window.device_ = await made.apply(this, options));
+        };
+      },
+    });
+    const said = await page.evaluate(async () => {
+      const told = new Promise((done) => window.device_.addEventListener('uncapturederror', done));
+      window.device_.createBuffer({ label: 'without a use', size: 4, usage: 0 });
+      await told;
+      const frame = () => {
+        try {
+          welkin.viewer.render();
+          return 'drawn';
+        } catch (error) {
+          return error.message;
+        }
+      };
+      return [frame(), frame()];
+    });
+    assert.match(said[0], /^webgpu: device: GPUValidationError: .*without a use/s);
+    assert.equal(said[1], 'drawn');
+  });
+});
+
 describe('both backends', () => {
   it('give the same pixels', async (t) => {
     const [gl, gpu] = [await share(t, 'webgl2', ''), await share(t, 'webgpu', '')];
