@@ -46,18 +46,17 @@ fn emission(glow: &Airglow, radius: f64, query: &RayQuery, ground: bool) -> [f64
     [before, behind]
 }
 
-fn draw(b: &mut dyn Backend, scene: &Scene, settings: SkySettings) -> Vec<f32> {
+/// By a renderer that may have drawn others.
+fn draw(b: &mut dyn Backend, sky: &mut SkyRenderer, scene: &Scene) -> Vec<f32> {
     let [color, depth, out] = frame_textures(b, SIZE);
     let far = scene.depth.background() as f32;
     b.write_texture(depth, &[far; 64]).unwrap();
-    let mut sky = SkyRenderer::new(settings).unwrap();
-    let (mut passes, last) = frame_passes(b, &mut sky, scene, cleared(color), [color, depth, out]);
+    let (mut passes, last) = frame_passes(b, sky, scene, cleared(color), [color, depth, out]);
     if !passes.iter().any(|p| p.target.color == color) {
         passes.insert(0, welkin::gpu::Pass::clear("clear", cleared(color)));
     }
     b.run(&passes).unwrap();
     let pixels = b.read(last).unwrap();
-    sky.destroy(b);
     free(b, [color, depth, out]);
     pixels
 }
@@ -70,13 +69,14 @@ fn it_is_the_emission_along_the_ray() {
     on_both(|b| {
         let mut worst: f64 = 0.0;
         for glow in [Airglow::EARTH, thin] {
+            let mut sky = SkyRenderer::new(glowing(glow, None)).unwrap();
             for (altitude, pitch, fov) in
                 [(2.0, 90.0, 20.0), (2.0, 10.0, 18.0), (85e3, 5.0, 20.0), (4e5, 60.0, 10.0)]
             {
                 let params = AtmosphereParams { sun_intensity: 1e6, ..next_to_nothing() };
                 let view = View { params, altitude, pitch, fov, sun_elevation: -60.0, ..View::default() };
                 let scene = view.scene();
-                let pixels = draw(b, &scene, glowing(glow, None));
+                let pixels = draw(b, &mut sky, &scene);
                 for i in 0..64 {
                     let query = query(&scene, SIZE, i);
                     let ground = false;
@@ -87,6 +87,7 @@ fn it_is_the_emission_along_the_ray() {
                     worst = worst.max((got - want).abs() / want.max(0.01 * brightest));
                 }
             }
+            sky.destroy(b);
         }
         println!("{}: off by {worst:.5} at most", b.info().backend);
         assert!(worst < 0.01, "{worst}");
@@ -104,8 +105,12 @@ fn the_ground_sees_it_through_the_air() {
             let scene = view.scene();
             let dark = Airglow { zenith: [0.0; 3], ..Airglow::EARTH };
             let bound = Some(Bound::LINEAR);
-            let [with, without] =
-                [Airglow::EARTH, dark].map(|glow| rgb(&draw(b, &scene, glowing(glow, bound)), 27));
+            let [with, without] = [Airglow::EARTH, dark].map(|glow| {
+                let mut sky = SkyRenderer::new(glowing(glow, bound)).unwrap();
+                let pixels = draw(b, &mut sky, &scene);
+                sky.destroy(b);
+                rgb(&pixels, 27)
+            });
             let query = query(&scene, SIZE, 27);
             let through = transmittance(&params, &query, Tolerance::PICTURE).unwrap();
             // Laid over by blending, the sky dims it by the grey mean.
@@ -124,6 +129,7 @@ fn orbit_sees_a_bright_limb() {
     let params = AtmosphereParams { sun_intensity: 1e6, ..next_to_nothing() };
     let (radius, altitude) = (params.planet_radius, 4e5);
     on_both(|b| {
+        let mut sky = SkyRenderer::new(glowing(Airglow::EARTH, None)).unwrap();
         for (tangent, least) in [(87e3, 50.0), (30e3, 10.0), (101e3, 0.0)] {
             let pitch = -((radius + tangent) / (radius + altitude)).acos().to_degrees();
             let view = View {
@@ -137,7 +143,7 @@ fn orbit_sees_a_bright_limb() {
             let scene = view.scene();
             let [before, behind] = emission(&Airglow::EARTH, radius, &query(&scene, SIZE, 27), false);
             let want = (before + behind) / Airglow::EARTH.zenith[0];
-            let drawn = draw(b, &scene, glowing(Airglow::EARTH, None));
+            let drawn = draw(b, &mut sky, &scene);
             let got = f64::from(drawn[4 * 27]) / 1e6 / Airglow::EARTH.zenith[0];
             println!("{}: {got:.2} zeniths at a tangent of {tangent} m, {want:.2} in f64", b.info().backend);
             assert!((got - want).abs() < 0.005 * want.max(1.0) && want >= least);
@@ -150,8 +156,9 @@ fn orbit_sees_a_bright_limb() {
             sun_elevation: -80.0,
             ..View::default()
         };
-        let veil = f64::from(draw(b, &nadir.scene(), glowing(Airglow::EARTH, None))[4 * 27]) / 1e6;
+        let veil = f64::from(draw(b, &mut sky, &nadir.scene())[4 * 27]) / 1e6;
         assert!((veil / Airglow::EARTH.zenith[0] - 1.0).abs() < 0.01, "{veil:e}");
+        sky.destroy(b);
     });
 }
 

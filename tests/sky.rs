@@ -322,10 +322,11 @@ fn what_lies_behind_is_dimmed_once_where_the_hand_over_ends() {
             // Through the air, a third of its depth up.
             let lowest = params.planet_radius + 0.1 * params.thickness();
             let down = -(lowest / (params.planet_radius + end)).acos().to_degrees();
-            let disk = |b: &mut dyn Backend, altitude: f64| {
+            let mut renderer = PictureRenderer::default();
+            let mut disk = |b: &mut dyn Backend, altitude: f64| {
                 let view = View { altitude, pitch: down, sun_elevation: down, fov: 1.5, ..View::default() };
                 let scene = View { params: params.clone(), aspect: 1.0, ..view }.scene();
-                let pixels = picture(b, &scene, &over_black(settings), [15, 15]);
+                let pixels = draw(b, &mut renderer, &scene, &over_black(settings), [15, 15]);
                 rgb(&pixels, 7 * 15 + 7)
             };
             let above = disk(b, end + 1.0);
@@ -337,6 +338,7 @@ fn what_lies_behind_is_dimmed_once_where_the_hand_over_ends() {
                     assert!(off < 0.05, "{name}, {part:e} below the end: {below:?}, above {above:?}");
                 }
             }
+            renderer.destroy(b);
         }
     });
 }
