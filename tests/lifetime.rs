@@ -20,9 +20,9 @@ fn luts_are_freed() {
             world.size = [1 + i % 12, 1 + i % 8];
             world.sky.render_scale = if i.is_multiple_of(3) { 0.5 } else { 1.0 };
             // Now and then other LUTs, and another medium's.
-            world.lut = LutSettings { sky_view: [8 + i % 100 / 50, 12], ..TINY };
+            world.lut = LutSettings { sky_view: [8 + i % 40 / 20, 12], ..TINY };
             world.view.params =
-                if i % 50 < 25 { AtmosphereParams::earth() } else { AtmosphereParams::rayleigh() };
+                if i % 20 < 10 { AtmosphereParams::earth() } else { AtmosphereParams::rayleigh() };
             world.sky.look.composition =
                 if i.is_multiple_of(5) { Composition::SkyDome } else { Composition::Full };
             let settings = over_black(world.sky());
@@ -31,12 +31,12 @@ fn luts_are_freed() {
                 finish(b);
             }
         };
-        (0..100).for_each(|i| frame(b, i));
+        (0..120).for_each(|i| frame(b, i));
         let after_few = b.live();
         assert!(after_few.textures > before.textures + 4 + 5);
         // A multiple of every period, so that the last frame is alike.
-        let frames = if everything() { 1200 } else { 600 };
-        (100..100 + frames).for_each(|i| frame(b, i));
+        let frames = if everything() { 1200 } else { 120 };
+        (120..120 + frames).for_each(|i| frame(b, i));
         assert_eq!(b.live(), after_few);
         renderer.destroy(b);
         let left = b.live();
@@ -59,7 +59,9 @@ fn nothing_leaks_over_many_sizes_and_settings() {
         };
         (0..4).for_each(|i| draw(backend, i));
         let after_few = backend.live();
-        (0..1000).for_each(|i| draw(backend, i));
+        // Every size at either scale, twice.
+        let frames = if everything() { 2000 } else { 4 * 7 * 13 };
+        (0..frames).for_each(|i| draw(backend, i));
         (0..4).for_each(|i| draw(backend, i));
         assert_eq!(backend.live(), after_few);
         renderer.destroy(backend);
