@@ -7,8 +7,8 @@
 //   --only TEXT      only the cases whose name begins with it: --only 'sky alone'
 //   --seconds S      at most so long for each measurement in a round, but two frames at least (default 1)
 //   --old DIR        also times the page in DIR, the folder web/ of an earlier checkout with its module
-//                    built, in turn with this one, and prints what it takes and this page's time as a
-//                    ratio to it
+//                    built, in turn with this one (each begins every other round), and prints what it
+//                    takes, and of the rounds' ratios of this page's time to it the middle one and the range
 //
 // Headless Chromium draws with its software GPU, 1280 × 720, Earth, the sun 20° high. Run scripts/build-web
 // before.
@@ -344,8 +344,9 @@ async function main() {
   const { old, backends, cases, rounds, seconds } = options();
   const browser = await launch({ folders: old ? [old] : [] });
   try {
-    const best = new Map();
-    const take = (key, value) => best.set(key, Math.min(best.get(key) ?? Infinity, value));
+    // Of each round.
+    const times = new Map();
+    const take = (key, value) => times.set(key, [...(times.get(key) ?? []), value]);
     let adapter = '';
     let revision = '';
     for (let round = 1; round <= rounds; round++) {
@@ -371,6 +372,7 @@ async function main() {
         revision = three.revision;
         const pages = [['', page]];
         if (old) pages.push(['old ', await browser.open({ folder: old, backend, prepare, query: SIZE })]);
+        if (round % 2 === 0) pages.reverse();
         for (const view of VIEWS) {
           for (const one of cases) {
             for (const [which, opened] of pages) {
@@ -389,6 +391,7 @@ async function main() {
         }
       }
     }
+    const best = (key) => Math.min(...times.get(key));
     const date = new Date().toISOString().slice(0, 10);
     console.log(
       `Chromium ${browser.version}, ${SIZE.width} × ${SIZE.height}, ${date}, ` +
@@ -396,12 +399,20 @@ async function main() {
         `(ratio to three.js's Sky, revision ${revision}).`,
     );
     console.log(`${adapter}\n`);
-    const sky = (backend) => best.get(`${backend} three`);
+    const sky = (backend) => best(`${backend} three`);
     for (const backend of backends) {
       console.log(
-        `${backend}: copy ${ms(best.get(`${backend} copy`))} ms, three.js's Sky ${ms(sky(backend))} ms.`,
+        `${backend}: copy ${ms(best(`${backend} copy`))} ms, three.js's Sky ${ms(sky(backend))} ms.`,
       );
     }
+    const against = (key) => {
+      const before = times.get(`old ${key}`);
+      const ratios = times.get(key).map((time, i) => time / before[i]);
+      ratios.sort((a, b) => a - b);
+      const middle = 0.5 * (ratios[(rounds - 1) >> 1] + ratios[rounds >> 1]);
+      const shown = [middle, ratios[0], ratios[rounds - 1]].map((x) => x.toFixed(3));
+      return `, before ${ms(Math.min(...before))}: ${shown[0]} (${shown[1]} to ${shown[2]})`;
+    };
     for (const backend of backends) {
       console.log(
         `\n| ${backend} | ${VIEWS.map((v) => `from ${v.name}`).join(' | ')} |\n` +
@@ -409,10 +420,9 @@ async function main() {
       );
       for (const { name } of cases) {
         const cells = VIEWS.map((view) => {
-          const time = best.get(`${backend} ${view.name} ${name}`);
-          const before = best.get(`old ${backend} ${view.name} ${name}`);
-          const against = before === undefined ? '' : `, before ${ms(before)}: ${(time / before).toFixed(3)}`;
-          return `${ms(time)} (${(time / sky(backend)).toFixed(1)}×)${against}`;
+          const key = `${backend} ${view.name} ${name}`;
+          const time = best(key);
+          return `${ms(time)} (${(time / sky(backend)).toFixed(1)}×)${old ? against(key) : ''}`;
         });
         console.log(`| ${name} | ${cells.join(' | ')} |`);
       }
