@@ -162,6 +162,8 @@ struct Grid {
     steepness: f64,
     /// Middle and half width, radians, of the twilight in which sun angles crowd.
     twilight: (f64, f64),
+    /// [`Self::stretch`] of the first and the last sun angle.
+    stretched: [f64; 2],
 }
 
 /// How much denser the sun angles are in twilight than at noon.
@@ -182,6 +184,7 @@ impl Grid {
             top,
             steepness: (1.0 + top / (8.0 * scale)).ln().clamp(0.5, 9.0),
             twilight: (FRAC_PI_2 + 0.5 * dip, (0.8 * dip).clamp(0.05, 0.7)),
+            stretched: [0.0; 2],
         };
         let n = settings.altitudes as usize;
         grid.altitudes = (0..n)
@@ -191,7 +194,8 @@ impl Grid {
             })
             .collect();
         let n = settings.sun_angles as usize;
-        let (first, last) = (grid.stretch(0.0), grid.stretch(PI));
+        let [first, last] = [0.0, PI].map(|angle| grid.stretch(angle));
+        grid.stretched = [first, last];
         grid.sun_angles = (0..n)
             .map(|i| {
                 let target = first + (last - first) * i as f64 / (n - 1) as f64;
@@ -219,7 +223,7 @@ impl Grid {
 
     /// First of four neighbouring sun angles, and their weights, by the cosine of the sun's zenith angle.
     fn sun_weights(&self, mu: f64) -> (usize, [f64; 4]) {
-        let (first, last) = (self.stretch(0.0), self.stretch(PI));
+        let [first, last] = self.stretched;
         let x = (self.stretch(mu.clamp(-1.0, 1.0).acos()) - first) / (last - first);
         cubic(x * (self.sun_angles.len() - 1) as f64, self.sun_angles.len())
     }
