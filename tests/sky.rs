@@ -319,7 +319,7 @@ fn what_lies_behind_is_dimmed_once_where_the_hand_over_ends() {
             // So dark that no target clips its disk.
             let params = AtmosphereParams { sun_intensity: 0.1, ..params };
             let (_, end) = hand_over(params.thickness());
-            // Through the air, a third of its depth up.
+            // Through the air, a tenth of its depth up.
             let lowest = params.planet_radius + 0.1 * params.thickness();
             let down = -(lowest / (params.planet_radius + end)).acos().to_degrees();
             let mut renderer = PictureRenderer::default();
