@@ -7,7 +7,9 @@ use welkin::{
 
 use crate::embedding::scene;
 use crate::harness::world::World;
-use crate::harness::{TINY, View, background_passes, everything, finish, march, on_both, over_black, target};
+use crate::harness::{
+    TINY, View, background_passes, cleared, everything, finish, march, on_both, over_black, target,
+};
 use crate::plan::luts;
 
 #[test]
@@ -112,7 +114,7 @@ fn a_night_keeps_the_luts_of_the_medium_for_a_while() {
             |sun_elevation| View { sun_elevation, pitch: 20.0, heading: 180.0, ..View::default() }.scene();
         let [day, night] = [30.0, -60.0].map(scene);
         let mut labels = |b: &mut dyn Backend, scene| -> Vec<&str> {
-            let passes = background_passes(b, &mut renderer, scene, Target::color(color));
+            let passes = background_passes(b, &mut renderer, scene, cleared(color));
             b.run(&passes).unwrap();
             passes.iter().map(|p| p.label).collect()
         };

@@ -30,6 +30,7 @@ mod layers;
 mod lifetime;
 mod lighting;
 mod lit_fraction;
+mod lowest_ground;
 mod plan;
 mod properties;
 mod random_use;

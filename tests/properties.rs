@@ -37,12 +37,14 @@ fn vector(scale: f64) -> impl Strategy<Value = DVec3> {
 }
 
 fn air() -> impl Strategy<Value = AtmosphereParams> {
-    let body = (near(1e2, 1e9), near(1e-6, 4.0), three(0.0, 1.0), near(0.1, 1e7));
+    let deep = prop_oneof![2 => Just(0.0), 1 => near(-0.1, 0.0)];
+    let body = (near(1e2, 1e9), near(1e-6, 4.0), three(0.0, 1.0), near(0.1, 1e7), deep);
     let aerosol = (three(0.0, 1.0), three(0.0, 1.0), near(0.1, 1e7), three(-0.999, 0.999), any::<bool>());
     let rest =
         (three(0.0, 1.0), near(0.0, 1e7), near(1.0, 1e7), three(0.0, 1.0), near(0.0, 1e6), near(1e-5, 0.5));
     (body, aerosol, rest).prop_map(|(body, aerosol, rest)| AtmosphereParams {
         planet_radius: body.0,
+        lowest_ground: body.0 * body.4,
         atmosphere_radius: body.0 * (1.0 + body.1),
         rayleigh_scattering: body.2,
         rayleigh_scale_height: body.3,

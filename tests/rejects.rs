@@ -61,6 +61,17 @@ fn wrong_scenes_are_refused_by_name_value_and_range() {
         ),
         ("shell too thick", air(|p| p.atmosphere_radius *= 9.0), ["atmosphere.atmosphere_radius", "× 5"]),
         (
+            "ground above its datum",
+            air(|p| p.lowest_ground = 1.0),
+            ["atmosphere.lowest_ground = 1 ", "× -0.1 to 0"],
+        ),
+        ("ground too deep", air(|p| p.lowest_ground = -7e5), ["atmosphere.lowest_ground", "-700000"]),
+        (
+            "ground that is no number",
+            air(|p| p.lowest_ground = f64::NAN),
+            ["atmosphere.lowest_ground", "NaN"],
+        ),
+        (
             "negative scattering",
             air(|p| p.rayleigh_scattering[2] = -1e-6),
             ["rayleigh_scattering[2]", "-1e-6"],

@@ -11,8 +11,8 @@ use welkin::{
 
 use crate::harness::{
     View, aerial_passes, airless, assert_physical, background, background_by, background_passes, clear_pass,
-    cleared, composed, copy_pass, draw, draw_both, frame_textures, free, march, mean, on_both, over_black,
-    picture, picture_passes, query, rays, rgb, texture, with_disk, without_disk,
+    cleared, composed, copy_pass, draw, draw_both, frame_passes, frame_textures, free, march, mean, on_both,
+    over_black, picture, picture_passes, query, rays, rgb, texture, with_disk, without_disk,
 };
 
 const FINE: SkySettings = SkySettings {
@@ -339,6 +339,49 @@ fn what_lies_behind_is_dimmed_once_where_the_hand_over_ends() {
                 }
             }
             renderer.destroy(b);
+        }
+    });
+}
+
+/// What lies behind the air is dimmed channel by channel, by whichever pass: a star seen low through the air
+/// is red from below the hand-over's end as from above it. (A blend with one alpha made it grey.)
+#[test]
+fn stars_keep_their_color_through_the_air() {
+    const SIZE: [u32; 2] = [4, 4];
+    on_each(|b, settings| {
+        for (altitude, pitch) in [(2.0, 3.0), (2.0, 40.0), (14e3, -1.5), (49.9e3, -6.0), (50.001e3, -6.0)] {
+            for render_scale in [1.0, 0.5] {
+                let mut settings = SkySettings { render_scale, bound: None, ..settings };
+                if settings.quality.is_single_scattering() {
+                    settings.quality = march(64, 8); // By its samples a march knows how much air there is.
+                }
+                let scene =
+                    View { altitude, pitch, fov: 1.0, sun_elevation: -30.0, ..View::default() }.scene();
+                let [color, depth, out] = frame_textures(b, SIZE);
+                b.write_texture(depth, &[scene.depth.background() as f32; 16]).unwrap();
+                let mut sky = SkyRenderer::new(settings).unwrap();
+                let [without, with] = [0.0, 1.0].map(|star: f32| {
+                    let mut passes = vec![clear_pass(color, [star, star, star, 1.0])];
+                    let textures = [color, depth, out];
+                    let (frame, last) = frame_passes(b, &mut sky, &scene, Target::color(color), textures);
+                    passes.extend(frame);
+                    b.run(&passes).unwrap();
+                    b.read(last).unwrap()
+                });
+                for (i, query) in rays(&scene, SIZE).iter().enumerate() {
+                    let want = transmittance(&scene.atmosphere, query, Tolerance::PICTURE).unwrap();
+                    for c in 0..3 {
+                        let through = rgb(&with, i)[c] - rgb(&without, i)[c];
+                        let name = format!(
+                            "{altitude} m, {pitch}°, scale {render_scale}, {}, channel {c}",
+                            settings.quality
+                        );
+                        assert!((through - want[c]).abs() < 2e-3, "{name}: {through} {}", want[c]);
+                    }
+                }
+                sky.destroy(b);
+                free(b, [color, depth, out]);
+            }
         }
     });
 }

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail};
 use image::{ExtendedColorType, ImageEncoder};
+use welkin::gpu;
 
 use crate::args::output::OPTION;
 use crate::args::usage::UsageError;
@@ -113,6 +114,14 @@ impl Output {
             ));
         }
         Ok(Self { file: Destination::new(path, OPTION)?, format })
+    }
+
+    /// What a picture for this file is drawn in: nothing is cut that the file can hold.
+    pub fn radiance(&self) -> gpu::Format {
+        match self.format {
+            Format::Png => gpu::Format::Rgba16Float,
+            Format::Exr | Format::Hdr => gpu::Format::Rgba32Float,
+        }
     }
 
     /// Writes what the format holds of the picture.

@@ -25,14 +25,27 @@ pub struct RenderRequest {
     pub dither: bool,
     /// The ground; `None` leaves it out.
     pub terrain: Option<TerrainStyle>,
+    /// What the picture's radiance is drawn in: halves, where the brightest is cut at 32,000 (the sun's disk
+    /// is brighter), or 32-bit floats, where nothing is.
+    pub radiance: Format,
 }
 
 impl RenderRequest {
-    /// A scene drawn as the options say, with this sky.
+    /// A scene drawn as the options say, with this sky, for display.
     pub fn new(framed: FramedScene, look: &LookArgs, sky: SkySettings) -> Self {
         let FramedScene { view, scene, terrain, size: [width, height] } = framed;
         let (tone_map, dither) = (look.tone_map(), look.dither());
-        Self { scene, width, height, sky, exposure: view.exposure, tone_map, dither, terrain }
+        Self {
+            scene,
+            width,
+            height,
+            sky,
+            exposure: view.exposure,
+            tone_map,
+            dither,
+            terrain,
+            radiance: Format::Rgba16Float,
+        }
     }
 
     /// What the library's renderer is told.
@@ -43,7 +56,7 @@ impl RenderRequest {
             tone_map: self.tone_map,
             dither: self.dither,
             terrain: self.terrain,
-            radiance: Format::Rgba16Float,
+            radiance: self.radiance,
         }
     }
 }

@@ -16,6 +16,10 @@ struct Medium {
     float radius;
     vec3 irradiance;
     float thickness;
+    float datum;
+    float pad1_;
+    float pad2_;
+    float pad3_;
 };
 struct DepthCode {
     float scale;
@@ -45,7 +49,9 @@ struct Frame {
 };
 const uint REDUCED = 1u;
 const uint SHELL_DIMS = 2u;
+const uint WIDE = 4u;
 const float HALF_MAX = 32000.0;
+const float FLOAT_MAX = 1e38;
 const bool BLEND = true;
 const bool LIT_FRACTION = true;
 const float SUBPIXEL = 0.0625;
@@ -66,6 +72,10 @@ uniform highp sampler2D _group_0_binding_3_fs;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
+float most_light(uint flags) {
+    return (((flags & WIDE) != 0u) ? FLOAT_MAX : HALF_MAX);
+}
+
 vec3 pixel_ray(vec2 pixel, vec2 size, vec3 forward, vec3 right, vec3 up) {
     vec2 ndc = (((pixel / size) * vec2(2.0, -2.0)) + vec2(-1.0, 1.0));
     return ((forward + (right * ndc.x)) + (up * ndc.y));
@@ -85,24 +95,73 @@ float depth_distance(float c_scale, float c_bias, float c_log, float c_backgroun
     return (ray_length_1 / inverse_);
 }
 
-vec4 veil(vec3 inscatter, vec3 transmittance) {
-    return vec4(min(inscatter, vec3(32000.0)), (1.0 - dot(transmittance, vec3(0.33333334))));
+vec4 veil(vec3 inscatter, vec3 transmittance, float most) {
+    return vec4(min(inscatter, vec3(most)), (1.0 - dot(transmittance, vec3(0.33333334))));
 }
 
-float scene_reach(float start, float length_, float r_mu, bool ground, float distance_, float radius, float pixel_angle) {
-    float reach = min(length_, (distance_ - start));
-    if (!(ground)) {
-        return reach;
+float snapped(float distance_, float pixel_angle, float cosine) {
+    return (((SUBPIXEL * pixel_angle) * distance_) / max(cosine, 0.05));
+}
+
+float excess_of(float h, float radius) {
+    return (h * ((2.0 * radius) + h));
+}
+
+float distance_to_ground(float excess, float r_mu, float root) {
+    return min((excess / (root - r_mu)), -(r_mu));
+}
+
+void line_to_scene(float line_r_mu_1, float line_perigee_1, float line_perigee_excess_1, bool line_ground_1, float h_1, float distance_1, float radius_1, float thickness, float pixel_angle_1, inout float out_r_mu, inout float out_perigee, inout float out_perigee_excess, inout bool out_ground) {
+    bool local_1 = false;
+    bool local_2 = false;
+    float _e6 = excess_of(h_1, radius_1);
+    float horizon = sqrt(_e6);
+    float half_1 = sqrt(max(-(line_perigee_excess_1), 0.0));
+    float _e16 = distance_to_ground(_e6, line_r_mu_1, half_1);
+    float deeper = (distance_1 - _e16);
+    if (!(!(line_ground_1))) {
+        local_1 = (deeper <= 0.0);
+    } else {
+        local_1 = true;
     }
-    float slant = max((abs((r_mu + length_)) / radius), 0.05);
-    float snap = (((SUBPIXEL * pixel_angle) * distance_) / slant);
-    float before = smoothstep((0.5 * snap), snap, (length_ - reach));
-    return ((length_ * (1.0 - before)) + (reach * before));
+    bool _e26 = local_1;
+    if (!(_e26)) {
+        float _e29 = excess_of(thickness, radius_1);
+        local_2 = (distance_1 > (horizon + sqrt(_e29)));
+    } else {
+        local_2 = true;
+    }
+    bool _e36 = local_2;
+    if (_e36) {
+        out_r_mu = line_r_mu_1;
+        out_perigee = line_perigee_1;
+        out_perigee_excess = line_perigee_excess_1;
+        out_ground = line_ground_1;
+        return;
+    }
+    float _e39 = snapped(distance_1, pixel_angle_1, (half_1 / radius_1));
+    float reach = (_e16 + (deeper * smoothstep((0.5 * _e39), _e39, deeper)));
+    float d_2 = clamp(reach, 1e-9, max(horizon, 1e-9));
+    float raised = max((half_1 - ((0.5 * (d_2 - _e16)) * (1.0 + ((_e16 + (2.0 * half_1)) / d_2)))), 0.0);
+    out_r_mu = -((d_2 + raised));
+    out_perigee = sqrt(((radius_1 - raised) * (radius_1 + raised)));
+    out_perigee_excess = (-(raised) * raised);
+    out_ground = (reach < horizon);
 }
 
-void ray_end(float start_1, float length_1, float r_mu_1, bool ground_1, float distance_1, float radius_1, float pixel_angle_1, float shell_weight, uint flags, inout float out_length, inout float out_weight, inout bool out_dims) {
-    if ((distance_1 >= 0.0)) {
-        float _e12 = scene_reach(start_1, length_1, r_mu_1, ground_1, distance_1, radius_1, pixel_angle_1);
+float scene_reach(float start, float length_, float r_mu_1, bool ground, float distance_2, float radius_2, float pixel_angle_2) {
+    float reach_1 = min(length_, (distance_2 - start));
+    if (!(ground)) {
+        return reach_1;
+    }
+    float _e13 = snapped(distance_2, pixel_angle_2, (abs((r_mu_1 + length_)) / radius_2));
+    float before = smoothstep((0.5 * _e13), _e13, (length_ - reach_1));
+    return ((length_ * (1.0 - before)) + (reach_1 * before));
+}
+
+void ray_end(float start_1, float length_1, float r_mu_2, bool ground_1, float distance_3, float radius_3, float pixel_angle_3, float shell_weight, uint flags_1, inout float out_length, inout float out_weight, inout bool out_dims) {
+    if ((distance_3 >= 0.0)) {
+        float _e12 = scene_reach(start_1, length_1, r_mu_2, ground_1, distance_3, radius_3, pixel_angle_3);
         out_length = _e12;
         out_weight = 1.0;
         out_dims = true;
@@ -116,7 +175,7 @@ void ray_end(float start_1, float length_1, float r_mu_1, bool ground_1, float d
     }
     out_length = length_1;
     out_weight = shell_weight;
-    out_dims = ((flags & SHELL_DIMS) != 0u);
+    out_dims = ((flags_1 & SHELL_DIMS) != 0u);
 }
 
 float lit_fraction_at(highp sampler2D visibility, ivec2 pixel_1) {
@@ -128,54 +187,50 @@ float lit_fraction_at(highp sampler2D visibility, ivec2 pixel_1) {
     }
 }
 
-vec4 compose(vec4 scene_1, vec3 transmittance_1, vec3 inscatter_1) {
+vec4 compose(vec4 scene_1, vec3 transmittance_1, vec3 inscatter_1, float most_1) {
     if (BLEND) {
-        vec4 _e3 = veil(inscatter_1, transmittance_1);
-        return _e3;
+        vec4 _e4 = veil(inscatter_1, transmittance_1, most_1);
+        return _e4;
     } else {
         vec3 dimmed = (scene_1.xyz * transmittance_1);
-        return vec4((dimmed + min(inscatter_1, max((vec3(32000.0) - dimmed), vec3(0.0)))), scene_1.w);
+        return vec4((dimmed + min(inscatter_1, max((vec3(most_1) - dimmed), vec3(0.0)))), scene_1.w);
     }
 }
 
-float altitude_of(float excess, float radius_2) {
-    return (excess / (radius_2 + sqrt(max(((radius_2 * radius_2) + excess), 0.0))));
+float altitude_of(float excess_1, float radius_4) {
+    return (excess_1 / (radius_4 + sqrt(max(((radius_4 * radius_4) + excess_1), 0.0))));
 }
 
-float excess_of(float h, float radius_3) {
-    return (h * ((2.0 * radius_3) + h));
-}
-
-float altitude_after(float excess_1, float r_mu_2, float t, float radius_4) {
-    float _e9 = altitude_of((excess_1 + (t * ((2.0 * r_mu_2) + t))), radius_4);
+float altitude_after(float excess_2, float r_mu_3, float t, float radius_5) {
+    float _e9 = altitude_of((excess_2 + (t * ((2.0 * r_mu_3) + t))), radius_5);
     return max(_e9, 0.0);
 }
 
-float distance_to_top(float excess_2, float r_mu_3, float top_excess) {
-    float c = max((top_excess - excess_2), 0.0);
-    float root_1 = sqrt(((r_mu_3 * r_mu_3) + c));
-    if ((r_mu_3 > 0.0)) {
-        return (c / (r_mu_3 + root_1));
+float distance_to_top(float excess_3, float r_mu_4, float top_excess) {
+    float c = max((top_excess - excess_3), 0.0);
+    float root_1 = sqrt(((r_mu_4 * r_mu_4) + c));
+    if ((r_mu_4 > 0.0)) {
+        return (c / (r_mu_4 + root_1));
     }
-    return (root_1 - r_mu_3);
+    return (root_1 - r_mu_4);
 }
 
-float half_chord2_(float r_mu_4, float above, float depth_1, float p) {
+float half_chord2_(float r_mu_5, float above, float depth_1, float p) {
     float sphere = (depth_1 + p);
-    if ((abs(r_mu_4) < sphere)) {
-        return ((r_mu_4 * r_mu_4) - above);
+    if ((abs(r_mu_5) < sphere)) {
+        return ((r_mu_5 * r_mu_5) - above);
     }
     return (depth_1 * (sphere + p));
 }
 
-float shadow_half2_(float s_sin2_, float s_shadow_b, float s_shadow_c, float side_z, float r, float radius_5) {
+float shadow_half2_(float s_sin2_, float s_shadow_b, float s_shadow_c, float side_z, float r, float radius_6) {
     float sine = max(sqrt(s_sin2_), 1e-18);
     float p_1 = ((r * abs(side_z)) / sine);
-    float _e14 = half_chord2_((s_shadow_b / sine), s_shadow_c, (radius_5 - p_1), p_1);
+    float _e14 = half_chord2_((s_shadow_b / sine), s_shadow_c, (radius_6 - p_1), p_1);
     return _e14;
 }
 
-void sun_side_inside(vec3 dir, vec3 sun, float r_1, float excess_3, float radius_6, inout float out_sun_r_mu, inout float out_nu, inout float out_sin2_, inout float out_shadow_b, inout float out_shadow_c, inout float out_shadow_half2_) {
+void sun_side_inside(vec3 dir, vec3 sun, float r_1, float excess_4, float radius_7, inout float out_sun_r_mu, inout float out_nu, inout float out_sin2_, inout float out_shadow_b, inout float out_shadow_c, inout float out_shadow_half2_) {
     out_sun_r_mu = 0.0;
     out_nu = 0.0;
     out_sin2_ = 0.0;
@@ -190,16 +245,16 @@ void sun_side_inside(vec3 dir, vec3 sun, float r_1, float excess_3, float radius
     out_shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
     float q = (r_1 * length(sun.xy));
     float _e45 = out_sun_r_mu;
-    float _e49 = half_chord2_(_e45, excess_3, (radius_6 - q), q);
+    float _e49 = half_chord2_(_e45, excess_4, (radius_7 - q), q);
     out_shadow_c = -(_e49);
     float _e51 = out_sin2_;
     float _e52 = out_shadow_b;
     float _e53 = out_shadow_c;
-    float _e55 = shadow_half2_(_e51, _e52, _e53, side.z, r_1, radius_6);
+    float _e55 = shadow_half2_(_e51, _e52, _e53, side.z, r_1, radius_7);
     out_shadow_half2_ = _e55;
 }
 
-void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start_2, float half_, float top_excess_1, float radius_7, inout float out_sun_r_mu_1, inout float out_nu_1, inout float out_sin2_1, inout float out_shadow_b_1, inout float out_shadow_c_1, inout float out_shadow_half2_1) {
+void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start_2, float half_, float top_excess_1, float radius_8, inout float out_sun_r_mu_1, inout float out_nu_1, inout float out_sin2_1, inout float out_shadow_b_1, inout float out_shadow_c_1, inout float out_shadow_half2_1) {
     out_sun_r_mu_1 = 0.0;
     out_nu_1 = 0.0;
     out_sin2_1 = 0.0;
@@ -226,173 +281,176 @@ void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start_2, float ha
     out_shadow_b_1 = (dot(perigee_side, side_1) - (half_ * _e68));
     float q_1 = length((perigee_side - (half_ * side_1)));
     float _e74 = out_sun_r_mu_1;
-    float _e78 = half_chord2_(_e74, top_excess_1, (radius_7 - q_1), q_1);
+    float _e78 = half_chord2_(_e74, top_excess_1, (radius_8 - q_1), q_1);
     out_shadow_c_1 = -(_e78);
     float _e80 = out_sin2_1;
     float _e81 = out_shadow_b_1;
     float _e82 = out_shadow_c_1;
-    float _e84 = shadow_half2_(_e80, _e81, _e82, side_1.z, r_2, radius_7);
+    float _e84 = shadow_half2_(_e80, _e81, _e82, side_1.z, r_2, radius_8);
     out_shadow_half2_1 = _e84;
 }
 
-void line_past(vec3 dir_2, float h_1, float radius_8, inout float out_r_mu, inout float out_perigee_excess, inout bool out_ground) {
-    bool local_1 = false;
-    float r_3 = (radius_8 + h_1);
-    float r_mu_7 = (r_3 * dir_2.z);
-    float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
-    float _e14 = excess_of(h_1, radius_8);
-    float _e16 = half_chord2_(r_mu_7, _e14, (radius_8 - p_2), p_2);
-    if ((r_mu_7 < 0.0)) {
-        local_1 = (_e16 >= 0.0);
+void line_past(vec3 dir_2, float h_2, float radius_9, inout float out_r_mu_1, inout float out_perigee_1, inout float out_perigee_excess_1, inout bool out_ground_1) {
+    bool local_3 = false;
+    float r_4 = (radius_9 + h_2);
+    float r_mu_8 = (r_4 * dir_2.z);
+    float p_2 = (r_4 * sqrt(dot(dir_2.xy, dir_2.xy)));
+    float _e15 = excess_of(h_2, radius_9);
+    float _e17 = half_chord2_(r_mu_8, _e15, (radius_9 - p_2), p_2);
+    if ((r_mu_8 < 0.0)) {
+        local_3 = (_e17 >= 0.0);
     } else {
-        local_1 = false;
+        local_3 = false;
     }
-    bool _e25 = local_1;
-    out_r_mu = r_mu_7;
-    out_perigee_excess = -(_e16);
-    out_ground = _e25;
+    bool _e26 = local_3;
+    out_r_mu_1 = r_mu_8;
+    out_perigee_1 = p_2;
+    out_perigee_excess_1 = -(_e17);
+    out_ground_1 = _e26;
 }
 
-float top_half_chord2_(float line_r_mu, float line_perigee_excess, float h_2, float radius_9, float thickness) {
-    float r_mu2_ = (line_r_mu * line_r_mu);
-    float _e5 = excess_of(thickness, radius_9);
-    float above_1 = ((h_2 - thickness) * (((2.0 * radius_9) + thickness) + h_2));
-    return ((r_mu2_ < _e5) ? (r_mu2_ - above_1) : (_e5 - line_perigee_excess));
+vec3 line_direction(float line_r_mu_2, float line_perigee_2, vec3 dir_3, float r_3) {
+    if ((line_r_mu_2 == (r_3 * dir_3.z))) {
+        return dir_3;
+    }
+    float sine_1 = length(dir_3.xy);
+    vec2 azimuth = ((sine_1 > 1e-9) ? (dir_3.xy / vec2(sine_1)) : vec2(1.0, 0.0));
+    return vec3((azimuth * (line_perigee_2 / r_3)), (line_r_mu_2 / r_3));
 }
 
-float distance_to_ground(float excess_4, float r_mu_5, float root) {
-    return min((excess_4 / (root - r_mu_5)), -(r_mu_5));
+float top_half_chord2_(float line_r_mu_3, float line_perigee_excess_2, float h_3, float radius_10, float thickness_1) {
+    float r_mu2_ = (line_r_mu_3 * line_r_mu_3);
+    float _e5 = excess_of(thickness_1, radius_10);
+    float above_1 = ((h_3 - thickness_1) * (((2.0 * radius_10) + thickness_1) + h_3));
+    return ((r_mu2_ < _e5) ? (r_mu2_ - above_1) : (_e5 - line_perigee_excess_2));
 }
 
-void air_path(float line_r_mu_1, float line_perigee_excess_1, bool line_ground, float h_3, float radius_10, float thickness_1, inout float out_start, inout float out_length_1, inout float out_excess, inout float out_r_mu_1) {
-    bool local_2 = false;
-    float _e6 = excess_of(thickness_1, radius_10);
-    float ground_root = sqrt(max(-(line_perigee_excess_1), 0.0));
-    if ((h_3 <= thickness_1)) {
-        float _e16 = excess_of(h_3, radius_10);
-        float _e17 = distance_to_top(_e16, line_r_mu_1, _e6);
-        float _e18 = distance_to_ground(_e16, line_r_mu_1, ground_root);
+void air_path(float line_r_mu_4, float line_perigee_excess_3, bool line_ground_2, float h_4, float radius_11, float thickness_2, inout float out_start, inout float out_length_1, inout float out_excess, inout float out_r_mu_2) {
+    bool local_4 = false;
+    float _e6 = excess_of(thickness_2, radius_11);
+    float ground_root = sqrt(max(-(line_perigee_excess_3), 0.0));
+    if ((h_4 <= thickness_2)) {
+        float _e16 = excess_of(h_4, radius_11);
+        float _e17 = distance_to_top(_e16, line_r_mu_4, _e6);
+        float _e18 = distance_to_ground(_e16, line_r_mu_4, ground_root);
         out_start = 0.0;
-        out_length_1 = (line_ground ? _e18 : _e17);
+        out_length_1 = (line_ground_2 ? _e18 : _e17);
         out_excess = _e16;
-        out_r_mu_1 = line_r_mu_1;
+        out_r_mu_2 = line_r_mu_4;
         return;
     }
-    float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_10) + thickness_1) + h_3));
-    float _e27 = top_half_chord2_(line_r_mu_1, line_perigee_excess_1, h_3, radius_10, thickness_1);
-    if (!((line_r_mu_1 >= 0.0))) {
-        local_2 = (_e27 <= 0.0);
+    float above_2 = ((h_4 - thickness_2) * (((2.0 * radius_11) + thickness_2) + h_4));
+    float _e27 = top_half_chord2_(line_r_mu_4, line_perigee_excess_3, h_4, radius_11, thickness_2);
+    if (!((line_r_mu_4 >= 0.0))) {
+        local_4 = (_e27 <= 0.0);
     } else {
-        local_2 = true;
+        local_4 = true;
     }
-    bool _e36 = local_2;
+    bool _e36 = local_4;
     if (_e36) {
         out_start = 0.0;
         out_length_1 = -1.0;
         out_excess = 0.0;
-        out_r_mu_1 = 0.0;
+        out_r_mu_2 = 0.0;
         return;
     }
-    float half_1 = sqrt(_e27);
-    float _e45 = distance_to_ground(_e6, -(half_1), ground_root);
-    float reach_1 = (line_ground ? _e45 : (2.0 * half_1));
-    out_start = (above_2 / (half_1 - line_r_mu_1));
-    out_length_1 = reach_1;
+    float half_2 = sqrt(_e27);
+    float _e45 = distance_to_ground(_e6, -(half_2), ground_root);
+    float reach_2 = (line_ground_2 ? _e45 : (2.0 * half_2));
+    out_start = (above_2 / (half_2 - line_r_mu_4));
+    out_length_1 = reach_2;
     out_excess = _e6;
-    out_r_mu_1 = -(half_1);
+    out_r_mu_2 = -(half_2);
 }
 
-void air_ray(vec3 dir_3, float h_4, float radius_11, float thickness_2, vec3 sun_2, inout float out_start_1, inout float out_length_2, inout float out_excess_1, inout float out_r_mu_2, inout float out_perigee_excess_1, inout float out_sun_r_mu_2, inout float out_nu_2, inout float out_sin2_2, inout float out_shadow_b_2, inout float out_shadow_c_2, inout float out_shadow_half2_2, inout bool out_ground_1) {
+void air_ray_of(float line_r_mu_5, float line_perigee_excess_4, bool line_ground_3, vec3 dir_4, float h_5, float radius_12, float thickness_3, vec3 sun_2, inout float out_start_1, inout float out_length_2, inout float out_excess_1, inout float out_r_mu_3, inout float out_perigee_excess_2, inout float out_sun_r_mu_2, inout float out_nu_2, inout float out_sin2_2, inout float out_shadow_b_2, inout float out_shadow_c_2, inout float out_shadow_half2_2, inout bool out_ground_2) {
     float s_sun_r_mu = 0.0;
     float s_nu = 0.0;
     float s_sin2_1 = 0.0;
     float s_shadow_b_1 = 0.0;
     float s_shadow_c_1 = 0.0;
     float s_shadow_half2_ = 0.0;
-    bool local_3 = false;
-    float line_r_mu_2 = 0.0;
-    float line_perigee_excess_2 = 0.0;
-    bool line_ground_1 = false;
+    bool local_5 = false;
     float path_start = 0.0;
     float path_length = 0.0;
     float path_excess = 0.0;
     float path_r_mu = 0.0;
-    line_past(dir_3, h_4, radius_11, line_r_mu_2, line_perigee_excess_2, line_ground_1);
-    float _e18 = line_r_mu_2;
-    float _e19 = line_perigee_excess_2;
-    bool _e20 = line_ground_1;
-    air_path(_e18, _e19, _e20, h_4, radius_11, thickness_2, path_start, path_length, path_excess, path_r_mu);
-    float _e26 = path_start;
-    float _e27 = path_length;
-    float _e28 = path_excess;
-    float _e29 = path_r_mu;
-    if ((h_4 <= thickness_2)) {
-        sun_side_inside(dir_3, sun_2, (radius_11 + h_4), _e28, radius_11, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
+    air_path(line_r_mu_5, line_perigee_excess_4, line_ground_3, h_5, radius_12, thickness_3, path_start, path_length, path_excess, path_r_mu);
+    float _e22 = path_start;
+    float _e23 = path_length;
+    float _e24 = path_excess;
+    float _e25 = path_r_mu;
+    if ((h_5 <= thickness_3)) {
+        sun_side_inside(dir_4, sun_2, (radius_12 + h_5), _e24, radius_12, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
     } else {
-        if ((_e27 > 0.0)) {
-            sun_side_outside(dir_3, sun_2, (radius_11 + h_4), _e26, -(_e29), _e28, radius_11, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
+        if ((_e23 > 0.0)) {
+            sun_side_outside(dir_4, sun_2, (radius_12 + h_5), _e22, -(_e25), _e24, radius_12, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
         } else {
-            s_nu = dot(dir_3, sun_2);
+            s_nu = dot(dir_4, sun_2);
         }
     }
-    if (_e20) {
-        local_3 = (_e27 >= 0.0);
+    if (line_ground_3) {
+        local_5 = (_e23 >= 0.0);
     } else {
-        local_3 = false;
+        local_5 = false;
     }
-    bool ground_2 = local_3;
-    float _e50 = s_sun_r_mu;
-    float _e51 = s_nu;
-    float _e52 = s_sin2_1;
-    float _e53 = s_shadow_b_1;
-    float _e54 = s_shadow_c_1;
-    float _e55 = s_shadow_half2_;
-    out_start_1 = _e26;
-    out_length_2 = _e27;
-    out_excess_1 = _e28;
-    out_r_mu_2 = _e29;
-    out_perigee_excess_1 = _e19;
-    out_sun_r_mu_2 = _e50;
-    out_nu_2 = _e51;
-    out_sin2_2 = _e52;
-    out_shadow_b_2 = _e53;
-    out_shadow_c_2 = _e54;
-    out_shadow_half2_2 = _e55;
-    out_ground_1 = ground_2;
+    bool ground_2 = local_5;
+    float _e47 = s_sun_r_mu;
+    float _e48 = s_nu;
+    float _e49 = s_sin2_1;
+    float _e50 = s_shadow_b_1;
+    float _e51 = s_shadow_c_1;
+    float _e52 = s_shadow_half2_;
+    out_start_1 = _e22;
+    out_length_2 = _e23;
+    out_excess_1 = _e24;
+    out_r_mu_3 = _e25;
+    out_perigee_excess_2 = line_perigee_excess_4;
+    out_sun_r_mu_2 = _e47;
+    out_nu_2 = _e48;
+    out_sin2_2 = _e49;
+    out_shadow_b_2 = _e50;
+    out_shadow_c_2 = _e51;
+    out_shadow_half2_2 = _e52;
+    out_ground_2 = ground_2;
 }
 
-void perigee_of(float ray_length_2, float ray_excess_1, float ray_r_mu_1, float ray_perigee_excess_1, bool ray_ground_1, float length_2, float radius_12, inout float out_distance, inout float out_excess_2, inout float out_r_mu_3) {
-    bool local_4 = false;
-    if ((ray_r_mu_1 >= 0.0)) {
+void lowest_point(float excess_5, float r_mu_6, float perigee_excess, bool to_ground, float length_2, float radius_13, inout float out_distance, inout float out_excess_2, inout float out_r_mu_4) {
+    if ((r_mu_6 >= 0.0)) {
         out_distance = 0.0;
-        out_excess_2 = ray_excess_1;
-        out_r_mu_3 = ray_r_mu_1;
+        out_excess_2 = excess_5;
+        out_r_mu_4 = r_mu_6;
         return;
     }
-    if ((-(ray_r_mu_1) <= length_2)) {
-        out_distance = -(ray_r_mu_1);
-        out_excess_2 = ray_perigee_excess_1;
-        out_r_mu_3 = 0.0;
+    if ((-(r_mu_6) <= length_2)) {
+        out_distance = -(r_mu_6);
+        out_excess_2 = perigee_excess;
+        out_r_mu_4 = 0.0;
         return;
     }
-    float r_mu_8 = (ray_r_mu_1 + length_2);
-    if (ray_ground_1) {
-        local_4 = (length_2 >= ray_length_2);
-    } else {
-        local_4 = false;
-    }
-    bool _e21 = local_4;
-    if (_e21) {
+    float end = (r_mu_6 + length_2);
+    if (to_ground) {
         out_distance = length_2;
         out_excess_2 = 0.0;
-        out_r_mu_3 = r_mu_8;
+        out_r_mu_4 = end;
         return;
     }
-    bool far = ((-(ray_r_mu_1) * length_2) > (radius_12 * radius_12));
-    float near_excess = (ray_excess_1 + (length_2 * ((2.0 * ray_r_mu_1) + length_2)));
+    bool far = ((-(r_mu_6) * length_2) > (radius_13 * radius_13));
+    float near_excess = (excess_5 + (length_2 * ((2.0 * r_mu_6) + length_2)));
     out_distance = length_2;
-    out_excess_2 = (far ? (ray_perigee_excess_1 + (r_mu_8 * r_mu_8)) : near_excess);
-    out_r_mu_3 = r_mu_8;
+    out_excess_2 = (far ? (perigee_excess + (end * end)) : near_excess);
+    out_r_mu_4 = end;
+}
+
+void perigee_of(float ray_length_2, float ray_excess_1, float ray_r_mu_1, float ray_perigee_excess_1, bool ray_ground_1, float length_3, float radius_14, inout float out_distance_1, inout float out_excess_3, inout float out_r_mu_5) {
+    bool local_6 = false;
+    if (ray_ground_1) {
+        local_6 = (length_3 >= ray_length_2);
+    } else {
+        local_6 = false;
+    }
+    bool to_ground_1 = local_6;
+    lowest_point(ray_excess_1, ray_r_mu_1, ray_perigee_excess_1, to_ground_1, length_3, radius_14, out_distance_1, out_excess_3, out_r_mu_5);
 }
 
 vec2 shadow_stretch(float ray_sun_r_mu_1, float ray_nu_1, float ray_sin2_1, float ray_shadow_b_1, float ray_shadow_c_1, float ray_shadow_half2_1) {
@@ -430,27 +488,30 @@ vec2 shadow_stretch(float ray_sun_r_mu_1, float ray_nu_1, float ray_sin2_1, floa
     return _e54;
 }
 
-vec4 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width) {
-    return vec4(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_center, m_ozone_inv_half_width);
+mat2x3 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width, float m_datum) {
+    vec3 fall = vec3(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_inv_half_width);
+    return mat2x3(fall, vec3(m_datum, m_ozone_center, 0.0));
 }
 
 mat3x3 coefficients_of(vec3 m_rayleigh, vec3 m_mie_extinction, vec3 m_ozone) {
     return mat3x3(m_rayleigh, m_mie_extinction, m_ozone);
 }
 
-vec3 densities(vec4 layers, float h_5) {
+vec3 densities(mat2x3 layers, float h_6) {
     vec3 d = vec3(0.0);
+    vec3 fall_1 = layers[0];
+    float z = max((h_6 - layers[1].x), 0.0);
     if (RAYLEIGH) {
-        d.x = exp((-(h_5) * layers.x));
+        d.x = exp((-(z) * fall_1.x));
     }
     if (MIE) {
-        d.y = exp((-(h_5) * layers.y));
+        d.y = exp((-(z) * fall_1.y));
     }
     if (OZONE) {
-        d.z = max(0.0, (1.0 - (abs((h_5 - layers.z)) * layers.w)));
+        d.z = max(0.0, (1.0 - (abs((z - layers[1].y)) * fall_1.z)));
     }
-    vec3 _e28 = d;
-    return _e28;
+    vec3 _e35 = d;
+    return _e35;
 }
 
 vec3 extinction(mat3x3 coefficients, vec3 d_1) {
@@ -479,13 +540,13 @@ float distance_to_u(float perigee_1, float t_1) {
     return (sign((t_1 - perigee_1)) * sqrt(abs((t_1 - perigee_1))));
 }
 
-vec3 path_densities(vec4 layers_1, float radius_13, float excess_5, float r_mu_6, float distance_2, uint samples) {
+vec3 path_densities(mat2x3 layers_1, float radius_15, float excess_6, float r_mu_7, float distance_4, uint samples) {
     vec3 sum_1 = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
-    float perigee_4 = clamp(-(r_mu_6), 0.0, distance_2);
+    float perigee_4 = clamp(-(r_mu_7), 0.0, distance_4);
     float u0_ = -(sqrt(perigee_4));
-    float du = ((sqrt((distance_2 - perigee_4)) - u0_) / float(samples));
+    float du = ((sqrt((distance_4 - perigee_4)) - u0_) / float(samples));
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
@@ -503,7 +564,7 @@ vec3 path_densities(vec4 layers_1, float radius_13, float excess_5, float r_mu_6
             float u_1 = (u0_ + (du * float(_e20)));
             float _e27 = u_to_distance(perigee_4, (u_1 + (0.5 * du)));
             float _e29 = u_to_distance(perigee_4, (u_1 + du));
-            float _e32 = altitude_after(excess_5, r_mu_6, _e27, radius_13);
+            float _e32 = altitude_after(excess_6, r_mu_7, _e27, radius_15);
             vec3 _e34 = sum_1;
             vec3 _e36 = densities(layers_1, _e32);
             float _e38 = t0_;
@@ -522,8 +583,8 @@ vec3 mean_transmittance(vec3 tau) {
 
 vec3 dark_part(vec2 shadow, float t0_1, float t1_) {
     float begin = clamp(shadow.x, t0_1, t1_);
-    float end = clamp(shadow.y, t0_1, t1_);
-    return vec3(begin, end, ((shadow.y > shadow.x) ? max((end - begin), 0.0) : 0.0));
+    float end_1 = clamp(shadow.y, t0_1, t1_);
+    return vec3(begin, end_1, ((shadow.y > shadow.x) ? max((end_1 - begin), 0.0) : 0.0));
 }
 
 float lit_middle(vec3 dark, float perigee_2, float t0_2, float t1_1) {
@@ -562,19 +623,19 @@ vec3 mie_phase(float away_2, float toward_2, vec3 asymmetry) {
     }
 }
 
-vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_14, float thickness_3, float excess_6, float sun_r_mu, uint samples_1) {
-    float _e2 = excess_of(thickness_3, radius_14);
-    float _e5 = distance_to_top(excess_6, sun_r_mu, _e2);
-    vec3 _e8 = path_densities(layers_2, radius_14, excess_6, sun_r_mu, _e5, samples_1);
+vec3 sun_transmittance(mat3x3 coefficients_1, mat2x3 layers_2, float radius_16, float thickness_4, float excess_7, float sun_r_mu, uint samples_1) {
+    float _e2 = excess_of(thickness_4, radius_16);
+    float _e5 = distance_to_top(excess_7, sun_r_mu, _e2);
+    vec3 _e8 = path_densities(layers_2, radius_16, excess_7, sun_r_mu, _e5, samples_1);
     vec3 _e10 = extinction(coefficients_1, _e8);
     return exp(-(_e10));
 }
 
-vec3 sun_visibility(vec3 dir_4, float distance_3) {
+vec3 sun_visibility(vec3 dir_5, float distance_5) {
     return vec3(1.0);
 }
 
-void single_scattering(vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, vec3 m_mie_extinction_1, float m_ozone_center_1, vec3 m_mie_asymmetry, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_thickness, float ray_start_1, float ray_length_3, float ray_excess_2, float ray_r_mu_2, float ray_perigee_excess_2, float ray_sun_r_mu_2, float ray_nu_2, float ray_sin2_2, float ray_shadow_b_2, float ray_shadow_c_2, float ray_shadow_half2_2, bool ray_ground_2, vec3 dir_5, float length_3, float away_3, uint view_samples, uint light_samples, inout vec3 out_radiance, inout vec3 out_transmittance) {
+void single_scattering(vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, vec3 m_mie_extinction_1, float m_ozone_center_1, vec3 m_mie_asymmetry, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_thickness, float m_datum_1, float ray_start_1, float ray_length_3, float ray_excess_2, float ray_r_mu_2, float ray_perigee_excess_2, float ray_sun_r_mu_2, float ray_nu_2, float ray_sin2_2, float ray_shadow_b_2, float ray_shadow_c_2, float ray_shadow_half2_2, bool ray_ground_2, vec3 dir_6, float length_4, float away_3, uint view_samples, uint light_samples, inout vec3 out_radiance, inout vec3 out_transmittance) {
     vec3 rayleigh = vec3(0.0);
     vec3 mie = vec3(0.0);
     vec2 shadow_1 = vec2(0.0);
@@ -583,7 +644,7 @@ void single_scattering(vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_
     float lit = 0.0;
     vec3 source = vec3(0.0);
     float perigee_distance = 0.0;
-    float perigee_excess = 0.0;
+    float perigee_excess_1 = 0.0;
     float perigee_r_mu = 0.0;
     out_radiance = vec3(0.0);
     out_transmittance = vec3(1.0);
@@ -591,92 +652,92 @@ void single_scattering(vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_
         vec2 _e27 = shadow_stretch(ray_sun_r_mu_2, ray_nu_2, ray_sin2_2, ray_shadow_b_2, ray_shadow_c_2, ray_shadow_half2_2);
         shadow_1 = _e27;
         if (RAYLEIGH) {
-            float _e44 = rayleigh_phase((1.0 - away_3));
-            rayleigh = (m_rayleigh_1 * _e44);
+            float _e45 = rayleigh_phase((1.0 - away_3));
+            rayleigh = (m_rayleigh_1 * _e45);
         }
         if (MIE) {
             float toward_3 = ((away_3 > 1.0) ? (ray_sin2_2 / max(away_3, 1.0)) : (2.0 - away_3));
-            vec3 _e56 = mie_phase(away_3, toward_3, m_mie_asymmetry);
-            mie = (m_mie_scattering * _e56);
+            vec3 _e57 = mie_phase(away_3, toward_3, m_mie_asymmetry);
+            mie = (m_mie_scattering * _e57);
         }
     }
-    vec4 _e59 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
-    mat3x3 _e60 = coefficients_of(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
-    perigee_of(ray_length_3, ray_excess_2, ray_r_mu_2, ray_perigee_excess_2, ray_ground_2, length_3, m_radius, perigee_distance, perigee_excess, perigee_r_mu);
+    mat2x3 _e60 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1, m_datum_1);
+    mat3x3 _e61 = coefficients_of(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
+    perigee_of(ray_length_3, ray_excess_2, ray_r_mu_2, ray_perigee_excess_2, ray_ground_2, length_4, m_radius, perigee_distance, perigee_excess_1, perigee_r_mu);
     float nearest = perigee_distance;
-    float _e66 = perigee_excess;
-    float _e67 = perigee_r_mu;
+    float _e67 = perigee_excess_1;
+    float _e68 = perigee_r_mu;
     float u0_1 = -(sqrt(nearest));
-    float du_1 = ((sqrt((length_3 - nearest)) - u0_1) / float(view_samples));
+    float du_1 = ((sqrt((length_4 - nearest)) - u0_1) / float(view_samples));
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            uint _e164 = i_1;
-            i_1 = (_e164 + 1u);
+            uint _e165 = i_1;
+            i_1 = (_e165 + 1u);
         }
         loop_init_1 = false;
-        uint _e77 = i_1;
-        if ((_e77 < view_samples)) {
+        uint _e78 = i_1;
+        if ((_e78 < view_samples)) {
         } else {
             break;
         }
         {
-            uint _e79 = i_1;
-            float u_2 = (u0_1 + (du_1 * float(_e79)));
-            float _e84 = u_to_distance(nearest, (u_2 + du_1));
-            float _e88 = u_to_distance(nearest, (u_2 + (0.5 * du_1)));
-            float _e90 = altitude_after(_e66, _e67, (_e88 - nearest), m_radius);
-            float _e92 = t0_3;
-            float step_ = (_e84 - _e92);
-            vec3 _e94 = densities(_e59, _e90);
-            vec3 _e95 = extinction(_e60, _e94);
-            vec3 tau_1 = (_e95 * step_);
+            uint _e80 = i_1;
+            float u_2 = (u0_1 + (du_1 * float(_e80)));
+            float _e85 = u_to_distance(nearest, (u_2 + du_1));
+            float _e89 = u_to_distance(nearest, (u_2 + (0.5 * du_1)));
+            float _e91 = altitude_after(_e67, _e68, (_e89 - nearest), m_radius);
+            float _e93 = t0_3;
+            float step_ = (_e85 - _e93);
+            vec3 _e95 = densities(_e60, _e91);
+            vec3 _e96 = extinction(_e61, _e95);
+            vec3 tau_1 = (_e96 * step_);
             if (SUNLIGHT) {
-                vec2 _e98 = shadow_1;
-                float _e99 = t0_3;
-                vec3 _e100 = dark_part(_e98, _e99, _e84);
-                if ((_e100.z < step_)) {
-                    lit = _e88;
-                    if ((_e100.z > 0.0)) {
-                        float _e107 = t0_3;
-                        float _e108 = lit_middle(_e100, nearest, _e107, _e84);
-                        lit = _e108;
+                vec2 _e99 = shadow_1;
+                float _e100 = t0_3;
+                vec3 _e101 = dark_part(_e99, _e100, _e85);
+                if ((_e101.z < step_)) {
+                    lit = _e89;
+                    if ((_e101.z > 0.0)) {
+                        float _e108 = t0_3;
+                        float _e109 = lit_middle(_e101, nearest, _e108, _e85);
+                        lit = _e109;
                     }
-                    float _e109 = lit;
-                    float past = (_e109 - nearest);
-                    float excess_7 = (_e66 + (past * ((2.0 * _e67) + past)));
-                    float _e116 = altitude_of(excess_7, m_radius);
-                    vec3 _e119 = densities(_e59, max(_e116, 0.0));
+                    float _e110 = lit;
+                    float past = (_e110 - nearest);
+                    float excess_8 = (_e67 + (past * ((2.0 * _e68) + past)));
+                    float _e117 = altitude_of(excess_8, m_radius);
+                    vec3 _e120 = densities(_e60, max(_e117, 0.0));
                     source = vec3(0.0);
                     if (RAYLEIGH) {
-                        vec3 _e124 = source;
-                        vec3 _e125 = rayleigh;
-                        source = (_e124 + (_e125 * _e119.x));
+                        vec3 _e125 = source;
+                        vec3 _e126 = rayleigh;
+                        source = (_e125 + (_e126 * _e120.x));
                     }
                     if (MIE) {
-                        vec3 _e130 = source;
-                        vec3 _e131 = mie;
-                        source = (_e130 + (_e131 * _e119.y));
+                        vec3 _e131 = source;
+                        vec3 _e132 = mie;
+                        source = (_e131 + (_e132 * _e120.y));
                     }
-                    float _e135 = lit;
-                    float sun_r_mu_1 = (ray_sun_r_mu_2 + (ray_nu_2 * _e135));
-                    vec3 _e138 = source;
-                    vec3 _e140 = sun_transmittance(_e60, _e59, m_radius, m_thickness, excess_7, sun_r_mu_1, light_samples);
-                    source = (_e138 * _e140);
-                    vec3 _e142 = source;
-                    float _e143 = lit;
-                    vec3 _e146 = sun_visibility(dir_5, (ray_start_1 + _e143));
-                    source = (_e142 * _e146);
-                    vec3 _e150 = out_radiance;
-                    vec3 _e151 = out_transmittance;
-                    vec3 _e152 = mean_transmittance(tau_1);
-                    vec3 _e154 = source;
-                    out_radiance = (_e150 + (((_e151 * _e152) * _e154) * (step_ - _e100.z)));
+                    float _e136 = lit;
+                    float sun_r_mu_1 = (ray_sun_r_mu_2 + (ray_nu_2 * _e136));
+                    vec3 _e139 = source;
+                    vec3 _e141 = sun_transmittance(_e61, _e60, m_radius, m_thickness, excess_8, sun_r_mu_1, light_samples);
+                    source = (_e139 * _e141);
+                    vec3 _e143 = source;
+                    float _e144 = lit;
+                    vec3 _e147 = sun_visibility(dir_6, (ray_start_1 + _e144));
+                    source = (_e143 * _e147);
+                    vec3 _e151 = out_radiance;
+                    vec3 _e152 = out_transmittance;
+                    vec3 _e153 = mean_transmittance(tau_1);
+                    vec3 _e155 = source;
+                    out_radiance = (_e151 + (((_e152 * _e153) * _e155) * (step_ - _e101.z)));
                 }
             }
-            vec3 _e160 = out_transmittance;
-            out_transmittance = (_e160 * exp(-(tau_1)));
-            t0_3 = _e84;
+            vec3 _e161 = out_transmittance;
+            out_transmittance = (_e161 * exp(-(tau_1)));
+            t0_3 = _e85;
         }
     }
 }
@@ -685,6 +746,14 @@ void main() {
     vec4 position = gl_FragCoord;
     vec4 scene = vec4(0.0);
     bool local = false;
+    float line_past_r_mu = 0.0;
+    float line_past_perigee = 0.0;
+    float line_past_perigee_excess = 0.0;
+    bool line_past_ground = false;
+    float line_r_mu = 0.0;
+    float line_perigee = 0.0;
+    float line_perigee_excess = 0.0;
+    bool line_ground = false;
     float ray_start = 0.0;
     float ray_length = 0.0;
     float ray_excess = 0.0;
@@ -714,71 +783,89 @@ void main() {
     float m_radius_1 = _group_0_binding_0_fs.medium.radius;
     vec3 m_irradiance = _group_0_binding_0_fs.medium.irradiance;
     float m_thickness_1 = _group_0_binding_0_fs.medium.thickness;
+    float m_datum_2 = _group_0_binding_0_fs.medium.datum;
     ivec2 pixel_2 = ivec2(position.xy);
     if (BLEND) {
     } else {
-        vec4 _e34 = texelFetch(_group_0_binding_1_fs, pixel_2, 0);
-        scene = _e34;
+        vec4 _e36 = texelFetch(_group_0_binding_1_fs, pixel_2, 0);
+        scene = _e36;
     }
-    vec2 _e39 = _group_0_binding_0_fs.size;
-    vec3 _e42 = _group_0_binding_0_fs.ray_forward;
-    vec3 _e45 = _group_0_binding_0_fs.ray_right;
-    vec3 _e48 = _group_0_binding_0_fs.ray_up;
-    vec3 _e49 = pixel_ray(position.xy, _e39, _e42, _e45, _e48);
-    float ray_length_4 = length(_e49);
-    float _e54 = _group_0_binding_0_fs.depth.scale;
-    float _e56 = _group_0_binding_0_fs.depth.bias;
-    float _e58 = _group_0_binding_0_fs.depth.log_;
-    float _e60 = _group_0_binding_0_fs.depth.background;
-    vec4 _e63 = texelFetch(_group_0_binding_2_fs, pixel_2, 0);
-    float _e65 = depth_distance(_e54, _e56, _e58, _e60, _e63.x, ray_length_4);
-    vec3 dir_6 = (_e49 / vec3(ray_length_4));
-    float _e70 = _group_0_binding_0_fs.altitude;
-    vec3 _e73 = _group_0_binding_0_fs.sun;
-    air_ray(dir_6, _e70, m_radius_1, m_thickness_1, _e73, ray_start, ray_length, ray_excess, ray_r_mu, ray_perigee_excess, ray_sun_r_mu, ray_nu, ray_sin2_, ray_shadow_b, ray_shadow_c, ray_shadow_half2_, ray_ground);
-    float _e86 = ray_start;
-    float _e87 = ray_length;
-    float _e88 = ray_excess;
-    float _e89 = ray_r_mu;
-    float _e90 = ray_perigee_excess;
-    float _e91 = ray_sun_r_mu;
-    float _e92 = ray_nu;
-    float _e93 = ray_sin2_;
-    float _e94 = ray_shadow_b;
-    float _e95 = ray_shadow_c;
-    float _e96 = ray_shadow_half2_;
-    bool _e97 = ray_ground;
-    float _e100 = _group_0_binding_0_fs.pixel_angle;
-    float _e103 = _group_0_binding_0_fs.shell_weight;
-    uint _e106 = _group_0_binding_0_fs.flags;
-    ray_end(_e86, _e87, _e89, _e97, _e65, m_radius_1, _e100, _e103, _e106, end_length, end_weight, end_dims);
-    float _e110 = end_length;
-    float _e111 = end_weight;
-    bool _e112 = end_dims;
-    if (!((_e110 <= 0.0))) {
-        local = (_e111 <= 0.0);
+    vec2 _e41 = _group_0_binding_0_fs.size;
+    vec3 _e44 = _group_0_binding_0_fs.ray_forward;
+    vec3 _e47 = _group_0_binding_0_fs.ray_right;
+    vec3 _e50 = _group_0_binding_0_fs.ray_up;
+    vec3 _e51 = pixel_ray(position.xy, _e41, _e44, _e47, _e50);
+    float ray_length_4 = length(_e51);
+    float _e56 = _group_0_binding_0_fs.depth.scale;
+    float _e58 = _group_0_binding_0_fs.depth.bias;
+    float _e60 = _group_0_binding_0_fs.depth.log_;
+    float _e62 = _group_0_binding_0_fs.depth.background;
+    vec4 _e65 = texelFetch(_group_0_binding_2_fs, pixel_2, 0);
+    float _e67 = depth_distance(_e56, _e58, _e60, _e62, _e65.x, ray_length_4);
+    vec3 seen = (_e51 / vec3(ray_length_4));
+    float _e72 = _group_0_binding_0_fs.altitude;
+    line_past(seen, _e72, m_radius_1, line_past_r_mu, line_past_perigee, line_past_perigee_excess, line_past_ground);
+    float _e77 = line_past_r_mu;
+    float _e78 = line_past_perigee;
+    float _e79 = line_past_perigee_excess;
+    bool _e80 = line_past_ground;
+    float _e83 = _group_0_binding_0_fs.altitude;
+    float _e86 = _group_0_binding_0_fs.pixel_angle;
+    line_to_scene(_e77, _e78, _e79, _e80, _e83, _e67, m_radius_1, m_thickness_1, _e86, line_r_mu, line_perigee, line_perigee_excess, line_ground);
+    float _e91 = line_r_mu;
+    float _e92 = line_perigee;
+    float _e93 = line_perigee_excess;
+    bool _e94 = line_ground;
+    float _e97 = _group_0_binding_0_fs.altitude;
+    vec3 _e99 = line_direction(_e91, _e92, seen, (m_radius_1 + _e97));
+    float _e102 = _group_0_binding_0_fs.altitude;
+    vec3 _e105 = _group_0_binding_0_fs.sun;
+    air_ray_of(_e91, _e93, _e94, _e99, _e102, m_radius_1, m_thickness_1, _e105, ray_start, ray_length, ray_excess, ray_r_mu, ray_perigee_excess, ray_sun_r_mu, ray_nu, ray_sin2_, ray_shadow_b, ray_shadow_c, ray_shadow_half2_, ray_ground);
+    float _e118 = ray_start;
+    float _e119 = ray_length;
+    float _e120 = ray_excess;
+    float _e121 = ray_r_mu;
+    float _e122 = ray_perigee_excess;
+    float _e123 = ray_sun_r_mu;
+    float _e124 = ray_nu;
+    float _e125 = ray_sin2_;
+    float _e126 = ray_shadow_b;
+    float _e127 = ray_shadow_c;
+    float _e128 = ray_shadow_half2_;
+    bool _e129 = ray_ground;
+    float _e132 = _group_0_binding_0_fs.pixel_angle;
+    float _e135 = _group_0_binding_0_fs.shell_weight;
+    uint _e138 = _group_0_binding_0_fs.flags;
+    ray_end(_e118, _e119, _e121, _e129, _e67, m_radius_1, _e132, _e135, _e138, end_length, end_weight, end_dims);
+    float _e142 = end_length;
+    float _e143 = end_weight;
+    bool _e144 = end_dims;
+    if (!((_e142 <= 0.0))) {
+        local = (_e143 <= 0.0);
     } else {
         local = true;
     }
-    bool _e121 = local;
-    if (_e121) {
-        vec4 _e122 = scene;
-        _fs2p_location0 = _e122;
+    bool _e153 = local;
+    if (_e153) {
+        vec4 _e154 = scene;
+        _fs2p_location0 = _e154;
         return;
     }
-    vec3 _e125 = _group_0_binding_0_fs.sun;
-    vec3 offset = (dir_6 - _e125);
-    uint _e132 = _group_0_binding_0_fs.view_samples;
-    uint _e135 = _group_0_binding_0_fs.light_samples;
-    single_scattering(m_rayleigh_2, m_rayleigh_inv_height_2, m_mie_scattering_1, m_mie_inv_height_2, m_mie_extinction_2, m_ozone_center_2, m_mie_asymmetry_1, m_ozone_inv_half_width_2, m_ozone_2, m_radius_1, m_thickness_1, _e86, _e87, _e88, _e89, _e90, _e91, _e92, _e93, _e94, _e95, _e96, _e97, dir_6, _e110, (0.5 * dot(offset, offset)), _e132, _e135, s_radiance, s_transmittance);
-    vec3 _e138 = s_radiance;
-    vec3 _e139 = s_transmittance;
-    vec3 transmittance_2 = (_e112 ? _e139 : vec3(1.0));
-    float _e145 = lit_fraction_at(_group_0_binding_3_fs, pixel_2);
-    vec3 light = ((_e138 * m_irradiance) * (_e111 * _e145));
-    vec4 _e148 = scene;
-    vec4 _e149 = compose(_e148, transmittance_2, light);
-    _fs2p_location0 = _e149;
+    vec3 _e157 = _group_0_binding_0_fs.sun;
+    vec3 offset = (_e99 - _e157);
+    uint _e164 = _group_0_binding_0_fs.view_samples;
+    uint _e167 = _group_0_binding_0_fs.light_samples;
+    single_scattering(m_rayleigh_2, m_rayleigh_inv_height_2, m_mie_scattering_1, m_mie_inv_height_2, m_mie_extinction_2, m_ozone_center_2, m_mie_asymmetry_1, m_ozone_inv_half_width_2, m_ozone_2, m_radius_1, m_thickness_1, m_datum_2, _e118, _e119, _e120, _e121, _e122, _e123, _e124, _e125, _e126, _e127, _e128, _e129, _e99, _e142, (0.5 * dot(offset, offset)), _e164, _e167, s_radiance, s_transmittance);
+    vec3 _e170 = s_radiance;
+    vec3 _e171 = s_transmittance;
+    vec3 transmittance_2 = (_e144 ? _e171 : vec3(1.0));
+    float _e177 = lit_fraction_at(_group_0_binding_3_fs, pixel_2);
+    vec3 light = ((_e170 * m_irradiance) * (_e143 * _e177));
+    vec4 _e180 = scene;
+    uint _e183 = _group_0_binding_0_fs.flags;
+    float _e184 = most_light(_e183);
+    vec4 _e185 = compose(_e180, transmittance_2, light, _e184);
+    _fs2p_location0 = _e185;
     return;
 }
 

@@ -16,6 +16,10 @@ struct Medium {
     float radius;
     vec3 irradiance;
     float thickness;
+    float datum;
+    float pad1_;
+    float pad2_;
+    float pad3_;
 };
 struct DepthCode {
     float scale;
@@ -60,7 +64,7 @@ struct Luts {
     float ground_rows;
     uvec2 size;
     uint steps;
-    uint shift;
+    uint pad1_;
     uint slices;
     float aerial_ground_rows;
 };
@@ -79,7 +83,9 @@ struct Uniforms {
 };
 const uint REDUCED = 1u;
 const uint SHELL_DIMS = 2u;
+const uint WIDE = 4u;
 const float HALF_MAX = 32000.0;
+const float FLOAT_MAX = 1e38;
 const bool BLEND = true;
 const bool LIT_FRACTION = true;
 const float SUBPIXEL = 0.0625;
@@ -116,6 +122,10 @@ uniform highp sampler2D _group_0_binding_6_fs;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
+float most_light(uint flags) {
+    return (((flags & WIDE) != 0u) ? FLOAT_MAX : HALF_MAX);
+}
+
 vec3 pixel_ray(vec2 pixel, vec2 size, vec3 forward, vec3 right, vec3 up) {
     vec2 ndc = (((pixel / size) * vec2(2.0, -2.0)) + vec2(-1.0, 1.0));
     return ((forward + (right * ndc.x)) + (up * ndc.y));
@@ -135,24 +145,73 @@ float depth_distance(float c_scale, float c_bias, float c_log, float c_backgroun
     return (ray_length_1 / inverse_);
 }
 
-vec4 veil(vec3 inscatter, vec3 transmittance) {
-    return vec4(min(inscatter, vec3(32000.0)), (1.0 - dot(transmittance, vec3(0.33333334))));
+vec4 veil(vec3 inscatter, vec3 transmittance, float most) {
+    return vec4(min(inscatter, vec3(most)), (1.0 - dot(transmittance, vec3(0.33333334))));
 }
 
-float scene_reach(float start, float length_, float r_mu, bool ground, float distance_, float radius, float pixel_angle) {
-    float reach = min(length_, (distance_ - start));
-    if (!(ground)) {
-        return reach;
+float snapped(float distance_, float pixel_angle, float cosine) {
+    return (((SUBPIXEL * pixel_angle) * distance_) / max(cosine, 0.05));
+}
+
+float excess_of(float h, float radius) {
+    return (h * ((2.0 * radius) + h));
+}
+
+float distance_to_ground(float excess, float r_mu, float root) {
+    return min((excess / (root - r_mu)), -(r_mu));
+}
+
+void line_to_scene(float line_r_mu_1, float line_perigee_1, float line_perigee_excess_1, bool line_ground_1, float h_1, float distance_1, float radius_1, float thickness, float pixel_angle_1, inout float out_r_mu, inout float out_perigee, inout float out_perigee_excess, inout bool out_ground) {
+    bool local_1 = false;
+    bool local_2 = false;
+    float _e6 = excess_of(h_1, radius_1);
+    float horizon = sqrt(_e6);
+    float half_2 = sqrt(max(-(line_perigee_excess_1), 0.0));
+    float _e16 = distance_to_ground(_e6, line_r_mu_1, half_2);
+    float deeper = (distance_1 - _e16);
+    if (!(!(line_ground_1))) {
+        local_1 = (deeper <= 0.0);
+    } else {
+        local_1 = true;
     }
-    float slant = max((abs((r_mu + length_)) / radius), 0.05);
-    float snap = (((SUBPIXEL * pixel_angle) * distance_) / slant);
-    float before = smoothstep((0.5 * snap), snap, (length_ - reach));
-    return ((length_ * (1.0 - before)) + (reach * before));
+    bool _e26 = local_1;
+    if (!(_e26)) {
+        float _e29 = excess_of(thickness, radius_1);
+        local_2 = (distance_1 > (horizon + sqrt(_e29)));
+    } else {
+        local_2 = true;
+    }
+    bool _e36 = local_2;
+    if (_e36) {
+        out_r_mu = line_r_mu_1;
+        out_perigee = line_perigee_1;
+        out_perigee_excess = line_perigee_excess_1;
+        out_ground = line_ground_1;
+        return;
+    }
+    float _e39 = snapped(distance_1, pixel_angle_1, (half_2 / radius_1));
+    float reach = (_e16 + (deeper * smoothstep((0.5 * _e39), _e39, deeper)));
+    float d_2 = clamp(reach, 1e-9, max(horizon, 1e-9));
+    float raised = max((half_2 - ((0.5 * (d_2 - _e16)) * (1.0 + ((_e16 + (2.0 * half_2)) / d_2)))), 0.0);
+    out_r_mu = -((d_2 + raised));
+    out_perigee = sqrt(((radius_1 - raised) * (radius_1 + raised)));
+    out_perigee_excess = (-(raised) * raised);
+    out_ground = (reach < horizon);
 }
 
-void ray_end(float start_1, float length_1, float r_mu_1, bool ground_1, float distance_1, float radius_1, float pixel_angle_1, float shell_weight, uint flags, inout float out_length, inout float out_weight, inout bool out_dims) {
-    if ((distance_1 >= 0.0)) {
-        float _e12 = scene_reach(start_1, length_1, r_mu_1, ground_1, distance_1, radius_1, pixel_angle_1);
+float scene_reach(float start, float length_, float r_mu_1, bool ground, float distance_2, float radius_2, float pixel_angle_2) {
+    float reach_1 = min(length_, (distance_2 - start));
+    if (!(ground)) {
+        return reach_1;
+    }
+    float _e13 = snapped(distance_2, pixel_angle_2, (abs((r_mu_1 + length_)) / radius_2));
+    float before = smoothstep((0.5 * _e13), _e13, (length_ - reach_1));
+    return ((length_ * (1.0 - before)) + (reach_1 * before));
+}
+
+void ray_end(float start_1, float length_1, float r_mu_2, bool ground_1, float distance_3, float radius_3, float pixel_angle_3, float shell_weight, uint flags_1, inout float out_length, inout float out_weight, inout bool out_dims) {
+    if ((distance_3 >= 0.0)) {
+        float _e12 = scene_reach(start_1, length_1, r_mu_2, ground_1, distance_3, radius_3, pixel_angle_3);
         out_length = _e12;
         out_weight = 1.0;
         out_dims = true;
@@ -166,7 +225,7 @@ void ray_end(float start_1, float length_1, float r_mu_1, bool ground_1, float d
     }
     out_length = length_1;
     out_weight = shell_weight;
-    out_dims = ((flags & SHELL_DIMS) != 0u);
+    out_dims = ((flags_1 & SHELL_DIMS) != 0u);
 }
 
 float lit_fraction_at(highp sampler2D visibility, ivec2 pixel_1) {
@@ -178,54 +237,50 @@ float lit_fraction_at(highp sampler2D visibility, ivec2 pixel_1) {
     }
 }
 
-vec4 compose(vec4 scene_1, vec3 transmittance_1, vec3 inscatter_1) {
+vec4 compose(vec4 scene_1, vec3 transmittance_1, vec3 inscatter_1, float most_1) {
     if (BLEND) {
-        vec4 _e3 = veil(inscatter_1, transmittance_1);
-        return _e3;
+        vec4 _e4 = veil(inscatter_1, transmittance_1, most_1);
+        return _e4;
     } else {
         vec3 dimmed = (scene_1.xyz * transmittance_1);
-        return vec4((dimmed + min(inscatter_1, max((vec3(32000.0) - dimmed), vec3(0.0)))), scene_1.w);
+        return vec4((dimmed + min(inscatter_1, max((vec3(most_1) - dimmed), vec3(0.0)))), scene_1.w);
     }
 }
 
-float altitude_of(float excess, float radius_2) {
-    return (excess / (radius_2 + sqrt(max(((radius_2 * radius_2) + excess), 0.0))));
+float altitude_of(float excess_1, float radius_4) {
+    return (excess_1 / (radius_4 + sqrt(max(((radius_4 * radius_4) + excess_1), 0.0))));
 }
 
-float excess_of(float h, float radius_3) {
-    return (h * ((2.0 * radius_3) + h));
-}
-
-float altitude_after(float excess_1, float r_mu_2, float t, float radius_4) {
-    float _e9 = altitude_of((excess_1 + (t * ((2.0 * r_mu_2) + t))), radius_4);
+float altitude_after(float excess_2, float r_mu_3, float t, float radius_5) {
+    float _e9 = altitude_of((excess_2 + (t * ((2.0 * r_mu_3) + t))), radius_5);
     return max(_e9, 0.0);
 }
 
-float distance_to_top(float excess_2, float r_mu_3, float top_excess) {
-    float c = max((top_excess - excess_2), 0.0);
-    float root_1 = sqrt(((r_mu_3 * r_mu_3) + c));
-    if ((r_mu_3 > 0.0)) {
-        return (c / (r_mu_3 + root_1));
+float distance_to_top(float excess_3, float r_mu_4, float top_excess) {
+    float c = max((top_excess - excess_3), 0.0);
+    float root_1 = sqrt(((r_mu_4 * r_mu_4) + c));
+    if ((r_mu_4 > 0.0)) {
+        return (c / (r_mu_4 + root_1));
     }
-    return (root_1 - r_mu_3);
+    return (root_1 - r_mu_4);
 }
 
-float half_chord2_(float r_mu_4, float above, float depth_1, float p) {
+float half_chord2_(float r_mu_5, float above, float depth_1, float p) {
     float sphere = (depth_1 + p);
-    if ((abs(r_mu_4) < sphere)) {
-        return ((r_mu_4 * r_mu_4) - above);
+    if ((abs(r_mu_5) < sphere)) {
+        return ((r_mu_5 * r_mu_5) - above);
     }
     return (depth_1 * (sphere + p));
 }
 
-float shadow_half2_(float s_sin2_, float s_shadow_b, float s_shadow_c, float side_z, float r, float radius_5) {
+float shadow_half2_(float s_sin2_, float s_shadow_b, float s_shadow_c, float side_z, float r, float radius_6) {
     float sine = max(sqrt(s_sin2_), 1e-18);
     float p_1 = ((r * abs(side_z)) / sine);
-    float _e14 = half_chord2_((s_shadow_b / sine), s_shadow_c, (radius_5 - p_1), p_1);
+    float _e14 = half_chord2_((s_shadow_b / sine), s_shadow_c, (radius_6 - p_1), p_1);
     return _e14;
 }
 
-void sun_side_inside(vec3 dir, vec3 sun, float r_1, float excess_3, float radius_6, inout float out_sun_r_mu, inout float out_nu, inout float out_sin2_, inout float out_shadow_b, inout float out_shadow_c, inout float out_shadow_half2_) {
+void sun_side_inside(vec3 dir, vec3 sun, float r_1, float excess_4, float radius_7, inout float out_sun_r_mu, inout float out_nu, inout float out_sin2_, inout float out_shadow_b, inout float out_shadow_c, inout float out_shadow_half2_) {
     out_sun_r_mu = 0.0;
     out_nu = 0.0;
     out_sin2_ = 0.0;
@@ -240,16 +295,16 @@ void sun_side_inside(vec3 dir, vec3 sun, float r_1, float excess_3, float radius
     out_shadow_b = (r_1 * ((sun.x * side.y) - (sun.y * side.x)));
     float q = (r_1 * length(sun.xy));
     float _e45 = out_sun_r_mu;
-    float _e49 = half_chord2_(_e45, excess_3, (radius_6 - q), q);
+    float _e49 = half_chord2_(_e45, excess_4, (radius_7 - q), q);
     out_shadow_c = -(_e49);
     float _e51 = out_sin2_;
     float _e52 = out_shadow_b;
     float _e53 = out_shadow_c;
-    float _e55 = shadow_half2_(_e51, _e52, _e53, side.z, r_1, radius_6);
+    float _e55 = shadow_half2_(_e51, _e52, _e53, side.z, r_1, radius_7);
     out_shadow_half2_ = _e55;
 }
 
-void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start_2, float half_, float top_excess_1, float radius_7, inout float out_sun_r_mu_1, inout float out_nu_1, inout float out_sin2_1, inout float out_shadow_b_1, inout float out_shadow_c_1, inout float out_shadow_half2_1) {
+void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start_2, float half_, float top_excess_1, float radius_8, inout float out_sun_r_mu_1, inout float out_nu_1, inout float out_sin2_1, inout float out_shadow_b_1, inout float out_shadow_c_1, inout float out_shadow_half2_1) {
     out_sun_r_mu_1 = 0.0;
     out_nu_1 = 0.0;
     out_sin2_1 = 0.0;
@@ -276,173 +331,176 @@ void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start_2, float ha
     out_shadow_b_1 = (dot(perigee_side, side_1) - (half_ * _e68));
     float q_1 = length((perigee_side - (half_ * side_1)));
     float _e74 = out_sun_r_mu_1;
-    float _e78 = half_chord2_(_e74, top_excess_1, (radius_7 - q_1), q_1);
+    float _e78 = half_chord2_(_e74, top_excess_1, (radius_8 - q_1), q_1);
     out_shadow_c_1 = -(_e78);
     float _e80 = out_sin2_1;
     float _e81 = out_shadow_b_1;
     float _e82 = out_shadow_c_1;
-    float _e84 = shadow_half2_(_e80, _e81, _e82, side_1.z, r_2, radius_7);
+    float _e84 = shadow_half2_(_e80, _e81, _e82, side_1.z, r_2, radius_8);
     out_shadow_half2_1 = _e84;
 }
 
-void line_past(vec3 dir_2, float h_1, float radius_8, inout float out_r_mu, inout float out_perigee_excess, inout bool out_ground) {
-    bool local_1 = false;
-    float r_3 = (radius_8 + h_1);
-    float r_mu_9 = (r_3 * dir_2.z);
-    float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
-    float _e14 = excess_of(h_1, radius_8);
-    float _e16 = half_chord2_(r_mu_9, _e14, (radius_8 - p_2), p_2);
-    if ((r_mu_9 < 0.0)) {
-        local_1 = (_e16 >= 0.0);
+void line_past(vec3 dir_2, float h_2, float radius_9, inout float out_r_mu_1, inout float out_perigee_1, inout float out_perigee_excess_1, inout bool out_ground_1) {
+    bool local_3 = false;
+    float r_4 = (radius_9 + h_2);
+    float r_mu_10 = (r_4 * dir_2.z);
+    float p_2 = (r_4 * sqrt(dot(dir_2.xy, dir_2.xy)));
+    float _e15 = excess_of(h_2, radius_9);
+    float _e17 = half_chord2_(r_mu_10, _e15, (radius_9 - p_2), p_2);
+    if ((r_mu_10 < 0.0)) {
+        local_3 = (_e17 >= 0.0);
     } else {
-        local_1 = false;
+        local_3 = false;
     }
-    bool _e25 = local_1;
-    out_r_mu = r_mu_9;
-    out_perigee_excess = -(_e16);
-    out_ground = _e25;
+    bool _e26 = local_3;
+    out_r_mu_1 = r_mu_10;
+    out_perigee_1 = p_2;
+    out_perigee_excess_1 = -(_e17);
+    out_ground_1 = _e26;
 }
 
-float top_half_chord2_(float line_r_mu, float line_perigee_excess, float h_2, float radius_9, float thickness) {
-    float r_mu2_ = (line_r_mu * line_r_mu);
-    float _e5 = excess_of(thickness, radius_9);
-    float above_1 = ((h_2 - thickness) * (((2.0 * radius_9) + thickness) + h_2));
-    return ((r_mu2_ < _e5) ? (r_mu2_ - above_1) : (_e5 - line_perigee_excess));
+vec3 line_direction(float line_r_mu_2, float line_perigee_2, vec3 dir_3, float r_3) {
+    if ((line_r_mu_2 == (r_3 * dir_3.z))) {
+        return dir_3;
+    }
+    float sine_1 = length(dir_3.xy);
+    vec2 azimuth = ((sine_1 > 1e-9) ? (dir_3.xy / vec2(sine_1)) : vec2(1.0, 0.0));
+    return vec3((azimuth * (line_perigee_2 / r_3)), (line_r_mu_2 / r_3));
 }
 
-float distance_to_ground(float excess_4, float r_mu_5, float root) {
-    return min((excess_4 / (root - r_mu_5)), -(r_mu_5));
+float top_half_chord2_(float line_r_mu_3, float line_perigee_excess_2, float h_3, float radius_10, float thickness_1) {
+    float r_mu2_ = (line_r_mu_3 * line_r_mu_3);
+    float _e5 = excess_of(thickness_1, radius_10);
+    float above_1 = ((h_3 - thickness_1) * (((2.0 * radius_10) + thickness_1) + h_3));
+    return ((r_mu2_ < _e5) ? (r_mu2_ - above_1) : (_e5 - line_perigee_excess_2));
 }
 
-void air_path(float line_r_mu_1, float line_perigee_excess_1, bool line_ground, float h_3, float radius_10, float thickness_1, inout float out_start, inout float out_length_1, inout float out_excess, inout float out_r_mu_1) {
-    bool local_2 = false;
-    float _e6 = excess_of(thickness_1, radius_10);
-    float ground_root = sqrt(max(-(line_perigee_excess_1), 0.0));
-    if ((h_3 <= thickness_1)) {
-        float _e16 = excess_of(h_3, radius_10);
-        float _e17 = distance_to_top(_e16, line_r_mu_1, _e6);
-        float _e18 = distance_to_ground(_e16, line_r_mu_1, ground_root);
+void air_path(float line_r_mu_4, float line_perigee_excess_3, bool line_ground_2, float h_4, float radius_11, float thickness_2, inout float out_start, inout float out_length_1, inout float out_excess, inout float out_r_mu_2) {
+    bool local_4 = false;
+    float _e6 = excess_of(thickness_2, radius_11);
+    float ground_root = sqrt(max(-(line_perigee_excess_3), 0.0));
+    if ((h_4 <= thickness_2)) {
+        float _e16 = excess_of(h_4, radius_11);
+        float _e17 = distance_to_top(_e16, line_r_mu_4, _e6);
+        float _e18 = distance_to_ground(_e16, line_r_mu_4, ground_root);
         out_start = 0.0;
-        out_length_1 = (line_ground ? _e18 : _e17);
+        out_length_1 = (line_ground_2 ? _e18 : _e17);
         out_excess = _e16;
-        out_r_mu_1 = line_r_mu_1;
+        out_r_mu_2 = line_r_mu_4;
         return;
     }
-    float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_10) + thickness_1) + h_3));
-    float _e27 = top_half_chord2_(line_r_mu_1, line_perigee_excess_1, h_3, radius_10, thickness_1);
-    if (!((line_r_mu_1 >= 0.0))) {
-        local_2 = (_e27 <= 0.0);
+    float above_2 = ((h_4 - thickness_2) * (((2.0 * radius_11) + thickness_2) + h_4));
+    float _e27 = top_half_chord2_(line_r_mu_4, line_perigee_excess_3, h_4, radius_11, thickness_2);
+    if (!((line_r_mu_4 >= 0.0))) {
+        local_4 = (_e27 <= 0.0);
     } else {
-        local_2 = true;
+        local_4 = true;
     }
-    bool _e36 = local_2;
+    bool _e36 = local_4;
     if (_e36) {
         out_start = 0.0;
         out_length_1 = -1.0;
         out_excess = 0.0;
-        out_r_mu_1 = 0.0;
+        out_r_mu_2 = 0.0;
         return;
     }
-    float half_2 = sqrt(_e27);
-    float _e45 = distance_to_ground(_e6, -(half_2), ground_root);
-    float reach_1 = (line_ground ? _e45 : (2.0 * half_2));
-    out_start = (above_2 / (half_2 - line_r_mu_1));
-    out_length_1 = reach_1;
+    float half_3 = sqrt(_e27);
+    float _e45 = distance_to_ground(_e6, -(half_3), ground_root);
+    float reach_2 = (line_ground_2 ? _e45 : (2.0 * half_3));
+    out_start = (above_2 / (half_3 - line_r_mu_4));
+    out_length_1 = reach_2;
     out_excess = _e6;
-    out_r_mu_1 = -(half_2);
+    out_r_mu_2 = -(half_3);
 }
 
-void air_ray(vec3 dir_3, float h_4, float radius_11, float thickness_2, vec3 sun_2, inout float out_start_1, inout float out_length_2, inout float out_excess_1, inout float out_r_mu_2, inout float out_perigee_excess_1, inout float out_sun_r_mu_2, inout float out_nu_2, inout float out_sin2_2, inout float out_shadow_b_2, inout float out_shadow_c_2, inout float out_shadow_half2_2, inout bool out_ground_1) {
+void air_ray_of(float line_r_mu_5, float line_perigee_excess_4, bool line_ground_3, vec3 dir_4, float h_5, float radius_12, float thickness_3, vec3 sun_2, inout float out_start_1, inout float out_length_2, inout float out_excess_1, inout float out_r_mu_3, inout float out_perigee_excess_2, inout float out_sun_r_mu_2, inout float out_nu_2, inout float out_sin2_2, inout float out_shadow_b_2, inout float out_shadow_c_2, inout float out_shadow_half2_2, inout bool out_ground_2) {
     float s_sun_r_mu = 0.0;
     float s_nu = 0.0;
     float s_sin2_1 = 0.0;
     float s_shadow_b_1 = 0.0;
     float s_shadow_c_1 = 0.0;
     float s_shadow_half2_ = 0.0;
-    bool local_3 = false;
-    float line_r_mu_2 = 0.0;
-    float line_perigee_excess_2 = 0.0;
-    bool line_ground_1 = false;
+    bool local_5 = false;
     float path_start = 0.0;
     float path_length = 0.0;
     float path_excess = 0.0;
     float path_r_mu = 0.0;
-    line_past(dir_3, h_4, radius_11, line_r_mu_2, line_perigee_excess_2, line_ground_1);
-    float _e18 = line_r_mu_2;
-    float _e19 = line_perigee_excess_2;
-    bool _e20 = line_ground_1;
-    air_path(_e18, _e19, _e20, h_4, radius_11, thickness_2, path_start, path_length, path_excess, path_r_mu);
-    float _e26 = path_start;
-    float _e27 = path_length;
-    float _e28 = path_excess;
-    float _e29 = path_r_mu;
-    if ((h_4 <= thickness_2)) {
-        sun_side_inside(dir_3, sun_2, (radius_11 + h_4), _e28, radius_11, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
+    air_path(line_r_mu_5, line_perigee_excess_4, line_ground_3, h_5, radius_12, thickness_3, path_start, path_length, path_excess, path_r_mu);
+    float _e22 = path_start;
+    float _e23 = path_length;
+    float _e24 = path_excess;
+    float _e25 = path_r_mu;
+    if ((h_5 <= thickness_3)) {
+        sun_side_inside(dir_4, sun_2, (radius_12 + h_5), _e24, radius_12, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
     } else {
-        if ((_e27 > 0.0)) {
-            sun_side_outside(dir_3, sun_2, (radius_11 + h_4), _e26, -(_e29), _e28, radius_11, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
+        if ((_e23 > 0.0)) {
+            sun_side_outside(dir_4, sun_2, (radius_12 + h_5), _e22, -(_e25), _e24, radius_12, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
         } else {
-            s_nu = dot(dir_3, sun_2);
+            s_nu = dot(dir_4, sun_2);
         }
     }
-    if (_e20) {
-        local_3 = (_e27 >= 0.0);
+    if (line_ground_3) {
+        local_5 = (_e23 >= 0.0);
     } else {
-        local_3 = false;
+        local_5 = false;
     }
-    bool ground_2 = local_3;
-    float _e50 = s_sun_r_mu;
-    float _e51 = s_nu;
-    float _e52 = s_sin2_1;
-    float _e53 = s_shadow_b_1;
-    float _e54 = s_shadow_c_1;
-    float _e55 = s_shadow_half2_;
-    out_start_1 = _e26;
-    out_length_2 = _e27;
-    out_excess_1 = _e28;
-    out_r_mu_2 = _e29;
-    out_perigee_excess_1 = _e19;
-    out_sun_r_mu_2 = _e50;
-    out_nu_2 = _e51;
-    out_sin2_2 = _e52;
-    out_shadow_b_2 = _e53;
-    out_shadow_c_2 = _e54;
-    out_shadow_half2_2 = _e55;
-    out_ground_1 = ground_2;
+    bool ground_2 = local_5;
+    float _e47 = s_sun_r_mu;
+    float _e48 = s_nu;
+    float _e49 = s_sin2_1;
+    float _e50 = s_shadow_b_1;
+    float _e51 = s_shadow_c_1;
+    float _e52 = s_shadow_half2_;
+    out_start_1 = _e22;
+    out_length_2 = _e23;
+    out_excess_1 = _e24;
+    out_r_mu_3 = _e25;
+    out_perigee_excess_2 = line_perigee_excess_4;
+    out_sun_r_mu_2 = _e47;
+    out_nu_2 = _e48;
+    out_sin2_2 = _e49;
+    out_shadow_b_2 = _e50;
+    out_shadow_c_2 = _e51;
+    out_shadow_half2_2 = _e52;
+    out_ground_2 = ground_2;
 }
 
-void perigee_of(float ray_length_2, float ray_excess_1, float ray_r_mu_1, float ray_perigee_excess_1, bool ray_ground_1, float length_2, float radius_12, inout float out_distance, inout float out_excess_2, inout float out_r_mu_3) {
-    bool local_4 = false;
-    if ((ray_r_mu_1 >= 0.0)) {
+void lowest_point(float excess_5, float r_mu_6, float perigee_excess, bool to_ground, float length_2, float radius_13, inout float out_distance, inout float out_excess_2, inout float out_r_mu_4) {
+    if ((r_mu_6 >= 0.0)) {
         out_distance = 0.0;
-        out_excess_2 = ray_excess_1;
-        out_r_mu_3 = ray_r_mu_1;
+        out_excess_2 = excess_5;
+        out_r_mu_4 = r_mu_6;
         return;
     }
-    if ((-(ray_r_mu_1) <= length_2)) {
-        out_distance = -(ray_r_mu_1);
-        out_excess_2 = ray_perigee_excess_1;
-        out_r_mu_3 = 0.0;
+    if ((-(r_mu_6) <= length_2)) {
+        out_distance = -(r_mu_6);
+        out_excess_2 = perigee_excess;
+        out_r_mu_4 = 0.0;
         return;
     }
-    float r_mu_10 = (ray_r_mu_1 + length_2);
-    if (ray_ground_1) {
-        local_4 = (length_2 >= ray_length_2);
-    } else {
-        local_4 = false;
-    }
-    bool _e21 = local_4;
-    if (_e21) {
+    float end = (r_mu_6 + length_2);
+    if (to_ground) {
         out_distance = length_2;
         out_excess_2 = 0.0;
-        out_r_mu_3 = r_mu_10;
+        out_r_mu_4 = end;
         return;
     }
-    bool far = ((-(ray_r_mu_1) * length_2) > (radius_12 * radius_12));
-    float near_excess = (ray_excess_1 + (length_2 * ((2.0 * ray_r_mu_1) + length_2)));
+    bool far = ((-(r_mu_6) * length_2) > (radius_13 * radius_13));
+    float near_excess = (excess_5 + (length_2 * ((2.0 * r_mu_6) + length_2)));
     out_distance = length_2;
-    out_excess_2 = (far ? (ray_perigee_excess_1 + (r_mu_10 * r_mu_10)) : near_excess);
-    out_r_mu_3 = r_mu_10;
+    out_excess_2 = (far ? (perigee_excess + (end * end)) : near_excess);
+    out_r_mu_4 = end;
+}
+
+void perigee_of(float ray_length_2, float ray_excess_1, float ray_r_mu_1, float ray_perigee_excess_1, bool ray_ground_1, float length_3, float radius_14, inout float out_distance_1, inout float out_excess_3, inout float out_r_mu_5) {
+    bool local_6 = false;
+    if (ray_ground_1) {
+        local_6 = (length_3 >= ray_length_2);
+    } else {
+        local_6 = false;
+    }
+    bool to_ground_1 = local_6;
+    lowest_point(ray_excess_1, ray_r_mu_1, ray_perigee_excess_1, to_ground_1, length_3, radius_14, out_distance_1, out_excess_3, out_r_mu_5);
 }
 
 vec2 shadow_stretch(float ray_sun_r_mu_1, float ray_nu_1, float ray_sin2_1, float ray_shadow_b_1, float ray_shadow_c_1, float ray_shadow_half2_1) {
@@ -480,27 +538,30 @@ vec2 shadow_stretch(float ray_sun_r_mu_1, float ray_nu_1, float ray_sin2_1, floa
     return _e54;
 }
 
-vec4 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width) {
-    return vec4(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_center, m_ozone_inv_half_width);
+mat2x3 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width, float m_datum) {
+    vec3 fall = vec3(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_inv_half_width);
+    return mat2x3(fall, vec3(m_datum, m_ozone_center, 0.0));
 }
 
 mat3x3 coefficients_of(vec3 m_rayleigh, vec3 m_mie_extinction, vec3 m_ozone) {
     return mat3x3(m_rayleigh, m_mie_extinction, m_ozone);
 }
 
-vec3 densities(vec4 layers, float h_5) {
+vec3 densities(mat2x3 layers, float h_6) {
     vec3 d = vec3(0.0);
+    vec3 fall_1 = layers[0];
+    float z = max((h_6 - layers[1].x), 0.0);
     if (RAYLEIGH) {
-        d.x = exp((-(h_5) * layers.x));
+        d.x = exp((-(z) * fall_1.x));
     }
     if (MIE) {
-        d.y = exp((-(h_5) * layers.y));
+        d.y = exp((-(z) * fall_1.y));
     }
     if (OZONE) {
-        d.z = max(0.0, (1.0 - (abs((h_5 - layers.z)) * layers.w)));
+        d.z = max(0.0, (1.0 - (abs((z - layers[1].y)) * fall_1.z)));
     }
-    vec3 _e28 = d;
-    return _e28;
+    vec3 _e35 = d;
+    return _e35;
 }
 
 vec3 extinction(mat3x3 coefficients, vec3 d_1) {
@@ -529,13 +590,13 @@ float distance_to_u(float perigee_1, float t_1) {
     return (sign((t_1 - perigee_1)) * sqrt(abs((t_1 - perigee_1))));
 }
 
-vec3 path_densities(vec4 layers_1, float radius_13, float excess_5, float r_mu_6, float distance_2, uint samples) {
+vec3 path_densities(mat2x3 layers_1, float radius_15, float excess_6, float r_mu_7, float distance_4, uint samples) {
     vec3 sum_1 = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
-    float perigee_4 = clamp(-(r_mu_6), 0.0, distance_2);
+    float perigee_4 = clamp(-(r_mu_7), 0.0, distance_4);
     float u0_ = -(sqrt(perigee_4));
-    float du = ((sqrt((distance_2 - perigee_4)) - u0_) / float(samples));
+    float du = ((sqrt((distance_4 - perigee_4)) - u0_) / float(samples));
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
@@ -553,7 +614,7 @@ vec3 path_densities(vec4 layers_1, float radius_13, float excess_5, float r_mu_6
             float u_2 = (u0_ + (du * float(_e20)));
             float _e27 = u_to_distance(perigee_4, (u_2 + (0.5 * du)));
             float _e29 = u_to_distance(perigee_4, (u_2 + du));
-            float _e32 = altitude_after(excess_5, r_mu_6, _e27, radius_13);
+            float _e32 = altitude_after(excess_6, r_mu_7, _e27, radius_15);
             vec3 _e34 = sum_1;
             vec3 _e36 = densities(layers_1, _e32);
             float _e38 = t0_;
@@ -572,8 +633,8 @@ vec3 mean_transmittance(vec3 tau) {
 
 vec3 dark_part(vec2 shadow, float t0_1, float t1_) {
     float begin = clamp(shadow.x, t0_1, t1_);
-    float end = clamp(shadow.y, t0_1, t1_);
-    return vec3(begin, end, ((shadow.y > shadow.x) ? max((end - begin), 0.0) : 0.0));
+    float end_1 = clamp(shadow.y, t0_1, t1_);
+    return vec3(begin, end_1, ((shadow.y > shadow.x) ? max((end_1 - begin), 0.0) : 0.0));
 }
 
 float lit_middle(vec3 dark, float perigee_2, float t0_2, float t1_1) {
@@ -606,21 +667,21 @@ vec4 bilinear(highp sampler2D lut, ivec2 c_first, ivec2 c_last, vec2 c_between, 
     return mix(bottom, top, c_between.y);
 }
 
-vec2 transmittance_uv(float excess_6, float h_6, float r_mu_7, float radius_14, float thickness_3) {
-    float _e2 = excess_of(thickness_3, radius_14);
-    float rho = sqrt(max(excess_6, 0.0));
+vec2 transmittance_uv(float excess_7, float h_7, float r_mu_8, float radius_16, float thickness_4) {
+    float _e2 = excess_of(thickness_4, radius_16);
+    float rho = sqrt(max(excess_7, 0.0));
     float rho_top = sqrt(_e2);
-    float _e9 = distance_to_top(excess_6, r_mu_7, _e2);
-    float shortest = max((thickness_3 - h_6), 0.0);
+    float _e9 = distance_to_top(excess_7, r_mu_8, _e2);
+    float shortest = max((thickness_4 - h_7), 0.0);
     return vec2(((_e9 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
 }
 
-vec3 optical_path_to_top(highp sampler2D lut_1, float radius_15, float thickness_4, float excess_7, float h_7, float r_mu_8) {
+vec3 optical_path_to_top(highp sampler2D lut_1, float radius_17, float thickness_5, float excess_8, float h_8, float r_mu_9) {
     ivec2 corner_first = ivec2(0);
     ivec2 corner_last = ivec2(0);
     vec2 corner_between = vec2(0.0);
     ivec2 size_2 = ivec2(uvec2(textureSize(lut_1, 0).xy));
-    vec2 _e8 = transmittance_uv(excess_7, h_7, r_mu_8, radius_15, thickness_4);
+    vec2 _e8 = transmittance_uv(excess_8, h_8, r_mu_9, radius_17, thickness_5);
     vec2 position_4 = (_e8 * vec2((size_2 - ivec2(1))));
     corner(position_4, size_2, corner_first, corner_last, corner_between);
     ivec2 _e17 = corner_first;
@@ -630,8 +691,8 @@ vec3 optical_path_to_top(highp sampler2D lut_1, float radius_15, float thickness
     return exp2(_e22.xyz);
 }
 
-float altitude_to_v(float steepness, float growth, float h_8, float thickness_5) {
-    float grown = ((max(h_8, 0.0) / thickness_5) * growth);
+float altitude_to_v(float steepness, float growth, float h_9, float thickness_6) {
+    float grown = ((max(h_9, 0.0) / thickness_6) * growth);
     float series_1 = (grown * (1.0 - (grown * (0.5 - (grown * (0.33333334 - (grown * 0.25)))))));
     return sqrt((((grown < 0.05) ? series_1 : log((1.0 + grown))) / steepness));
 }
@@ -728,9 +789,9 @@ void multi_scattering_source(highp sampler2D lut_3, vec2 node, vec3 gas, mat3x3 
     }
 }
 
-vec2 moon_before_sun(float apart, float along_1, float radius_16, float tan_sun_radius) {
-    float scale = (1.0 / (max(along_1, (0.001 * radius_16)) * tan_sun_radius));
-    return ((along_1 > 0.0) ? (vec2(radius_16, apart) * scale) : vec2(0.0, 1000.0));
+vec2 moon_before_sun(float apart, float along_1, float radius_18, float tan_sun_radius) {
+    float scale = (1.0 / (max(along_1, (0.001 * radius_18)) * tan_sun_radius));
+    return ((along_1 > 0.0) ? (vec2(radius_18, apart) * scale) : vec2(0.0, 1000.0));
 }
 
 vec2 half_angle(float own, float apart_1, float other) {
@@ -800,7 +861,7 @@ float moon_distance_to_u(float moon_1, float apart_3) {
 
 vec3 moon_shadow_visibility(highp sampler2D lut_5, vec3 s_across, float s_along, float s_radius, float s_tan_sun_radius, float s_min_visibility, vec3 position_2, vec3 sun_3) {
     vec3 visible = vec3(0.0);
-    bool local_5 = false;
+    bool local_7 = false;
     float beside = dot(position_2, sun_3);
     float apart_5 = length((s_across - (position_2 - (sun_3 * beside))));
     vec2 _e13 = moon_before_sun(apart_5, (s_along - beside), s_radius, s_tan_sun_radius);
@@ -809,11 +870,11 @@ vec3 moon_shadow_visibility(highp sampler2D lut_5, vec3 s_across, float s_along,
     float _e20 = visible.x;
     if ((_e20 > 0.0)) {
         float _e24 = visible.x;
-        local_5 = (_e24 < 1.0);
+        local_7 = (_e24 < 1.0);
     } else {
-        local_5 = false;
+        local_7 = false;
     }
-    bool _e30 = local_5;
+    bool _e30 = local_7;
     if (_e30) {
         vec3 _e31 = visible;
         float _e34 = moon_distance_to_u(_e13.x, _e13.y);
@@ -824,14 +885,14 @@ vec3 moon_shadow_visibility(highp sampler2D lut_5, vec3 s_across, float s_along,
     return max(_e39, vec3(s_min_visibility));
 }
 
-vec3 sun_visibility(vec3 dir_4, float distance_3) {
+vec3 sun_visibility(vec3 dir_5, float distance_5) {
     vec3 _e3 = _group_0_binding_0_fs.moon_shadow.across;
     float _e5 = _group_0_binding_0_fs.moon_shadow.along;
     float _e7 = _group_0_binding_0_fs.moon_shadow.radius;
     float _e9 = _group_0_binding_0_fs.moon_shadow.tan_sun_radius;
     float _e11 = _group_0_binding_0_fs.moon_shadow.min_visibility;
     vec3 _e18 = _group_0_binding_0_fs.frame.sun;
-    vec3 _e20 = moon_shadow_visibility(_group_0_binding_3_fs, _e3, _e5, _e7, _e9, _e11, (dir_4 * distance_3), _e18);
+    vec3 _e20 = moon_shadow_visibility(_group_0_binding_3_fs, _e3, _e5, _e7, _e9, _e11, (dir_5 * distance_5), _e18);
     return _e20;
 }
 
@@ -841,16 +902,16 @@ vec3 moon_shadow_visibility_around(highp sampler2D lut_6, vec3 s_across_1, float
     return max(_e13, vec3(s_min_visibility_1));
 }
 
-vec3 sun_visibility_around(vec3 dir_5, float distance_4) {
+vec3 sun_visibility_around(vec3 dir_6, float distance_6) {
     vec3 _e3 = _group_0_binding_0_fs.moon_shadow.across;
     float _e5 = _group_0_binding_0_fs.moon_shadow.min_visibility;
     float _e7 = _group_0_binding_0_fs.moon_shadow.inv_extent;
     vec3 _e14 = _group_0_binding_0_fs.frame.sun;
-    vec3 _e16 = moon_shadow_visibility_around(_group_0_binding_3_fs, _e3, _e5, _e7, (dir_5 * distance_4), _e14);
+    vec3 _e16 = moon_shadow_visibility_around(_group_0_binding_3_fs, _e3, _e5, _e7, (dir_6 * distance_6), _e14);
     return _e16;
 }
 
-void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_lut, vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, float m_ozone_center_1, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_thickness, vec3 luts_mie_extinction, float luts_altitude_steepness, vec3 luts_mie_moment0_, float luts_altitude_growth, vec3 luts_mie_moment1_, float luts_sun_middle_1, vec3 luts_mie_moment2_, float luts_sun_width_1, float luts_sun_first_1, float luts_sun_span_1, uint luts_steps, float ray_start_1, float ray_sun_r_mu_2, float ray_nu_2, float ray_sin2_2, float ray_shadow_b_2, float ray_shadow_c_2, float ray_shadow_half2_2, vec3 dir_6, float perigee_distance, float perigee_excess, float perigee_r_mu, float u_from, float u_to, vec3 gas_1, vec3 aerosol_1, float multiple, inout vec3 out_radiance, inout vec3 out_transmittance, inout vec3 out_optical_path) {
+void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_lut, vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, float m_ozone_center_1, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_thickness, float m_datum_1, vec3 luts_mie_extinction, float luts_altitude_steepness, vec3 luts_mie_moment0_, float luts_altitude_growth, vec3 luts_mie_moment1_, float luts_sun_middle_1, vec3 luts_mie_moment2_, float luts_sun_width_1, float luts_sun_first_1, float luts_sun_span_1, float ray_start_1, float ray_sun_r_mu_2, float ray_nu_2, float ray_sin2_2, float ray_shadow_b_2, float ray_shadow_c_2, float ray_shadow_half2_2, vec3 dir_7, float perigee_distance, float perigee_excess_1, float perigee_r_mu, float u_from, float u_to, uint steps, vec3 gas_1, vec3 aerosol_1, float multiple, inout vec3 out_radiance, inout vec3 out_transmittance, inout vec3 out_optical_path) {
     float t0_3 = 0.0;
     uint i_1 = 0u;
     float lit = 0.0;
@@ -860,88 +921,88 @@ void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_
     out_radiance = vec3(0.0);
     out_transmittance = vec3(1.0);
     out_optical_path = vec3(0.0);
-    vec4 _e19 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
+    mat2x3 _e20 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1, m_datum_1);
     mat3x3 coefficients_2 = mat3x3(m_rayleigh_1, luts_mie_extinction, m_ozone_1);
     vec2 _e39 = shadow_stretch(ray_sun_r_mu_2, ray_nu_2, ray_sin2_2, ray_shadow_b_2, ray_shadow_c_2, ray_shadow_half2_2);
     vec4 _e40 = sun_axis(luts_sun_middle_1, luts_sun_width_1, luts_sun_first_1, luts_sun_span_1);
     vec2 _e42 = multi_scattering_span(multi_scattering_lut);
     mat3x3 moments = mat3x3((m_mie_scattering * luts_mie_moment0_), (m_mie_scattering * luts_mie_moment1_), (m_mie_scattering * luts_mie_moment2_));
-    float du_1 = ((u_to - u_from) / float(luts_steps));
-    float _e55 = u_to_distance(perigee_distance, u_from);
-    t0_3 = _e55;
+    float du_1 = ((u_to - u_from) / float(steps));
+    float _e56 = u_to_distance(perigee_distance, u_from);
+    t0_3 = _e56;
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            uint _e178 = i_1;
-            i_1 = (_e178 + 1u);
+            uint _e179 = i_1;
+            i_1 = (_e179 + 1u);
         }
         loop_init_1 = false;
-        uint _e58 = i_1;
-        if ((_e58 < luts_steps)) {
+        uint _e59 = i_1;
+        if ((_e59 < steps)) {
         } else {
             break;
         }
         {
-            uint _e60 = i_1;
-            float u_3 = (u_from + (du_1 * float(_e60)));
-            float _e65 = u_to_distance(perigee_distance, (u_3 + du_1));
-            float _e66 = t0_3;
-            float step_ = (_e65 - _e66);
-            float _e71 = u_to_distance(perigee_distance, (u_3 + (0.5 * du_1)));
-            float _e73 = altitude_after(perigee_excess, perigee_r_mu, (_e71 - perigee_distance), m_radius);
-            vec3 _e74 = densities(_e19, _e73);
-            vec3 _e75 = extinction(coefficients_2, _e74);
-            vec3 tau_1 = (_e75 * step_);
-            vec3 _e80 = out_transmittance;
-            vec3 _e81 = mean_transmittance(tau_1);
-            vec3 weight = (_e80 * _e81);
-            float _e83 = t0_3;
-            vec3 _e84 = dark_part(_e39, _e83, _e65);
-            if ((_e84.z < step_)) {
-                lit = _e71;
-                if ((_e84.z > 0.0)) {
-                    float _e91 = t0_3;
-                    float _e92 = lit_middle(_e84, perigee_distance, _e91, _e65);
-                    lit = _e92;
+            uint _e61 = i_1;
+            float u_3 = (u_from + (du_1 * float(_e61)));
+            float _e66 = u_to_distance(perigee_distance, (u_3 + du_1));
+            float _e67 = t0_3;
+            float step_ = (_e66 - _e67);
+            float _e72 = u_to_distance(perigee_distance, (u_3 + (0.5 * du_1)));
+            float _e74 = altitude_after(perigee_excess_1, perigee_r_mu, (_e72 - perigee_distance), m_radius);
+            vec3 _e75 = densities(_e20, _e74);
+            vec3 _e76 = extinction(coefficients_2, _e75);
+            vec3 tau_1 = (_e76 * step_);
+            vec3 _e81 = out_transmittance;
+            vec3 _e82 = mean_transmittance(tau_1);
+            vec3 weight = (_e81 * _e82);
+            float _e84 = t0_3;
+            vec3 _e85 = dark_part(_e39, _e84, _e66);
+            if ((_e85.z < step_)) {
+                lit = _e72;
+                if ((_e85.z > 0.0)) {
+                    float _e92 = t0_3;
+                    float _e93 = lit_middle(_e85, perigee_distance, _e92, _e66);
+                    lit = _e93;
                 }
-                float _e93 = lit;
-                float past = (_e93 - perigee_distance);
-                float lit_excess = max((perigee_excess + (past * ((2.0 * perigee_r_mu) + past))), 0.0);
-                float _e102 = altitude_of(lit_excess, m_radius);
-                vec3 _e103 = densities(_e19, _e102);
-                float _e104 = lit;
-                float sun_r_mu_1 = (ray_sun_r_mu_2 + (ray_nu_2 * _e104));
-                vec3 _e108 = optical_path_to_top(transmittance_lut, m_radius, m_thickness, lit_excess, _e102, sun_r_mu_1);
-                vec3 _e116 = extinction(coefficients_2, _e108);
-                source = (((gas_1 * _e103.x) + (aerosol_1 * _e103.y)) * exp(-(_e116)));
-                vec3 _e121 = source;
-                float _e122 = lit;
-                vec3 _e125 = sun_visibility(dir_6, (ray_start_1 + _e122));
-                source = (_e121 * _e125);
-                vec3 _e127 = out_radiance;
-                vec3 _e128 = source;
-                out_radiance = (_e127 + ((weight * _e128) * (step_ - _e84.z)));
+                float _e94 = lit;
+                float past = (_e94 - perigee_distance);
+                float lit_excess = max((perigee_excess_1 + (past * ((2.0 * perigee_r_mu) + past))), 0.0);
+                float _e103 = altitude_of(lit_excess, m_radius);
+                vec3 _e104 = densities(_e20, _e103);
+                float _e105 = lit;
+                float sun_r_mu_1 = (ray_sun_r_mu_2 + (ray_nu_2 * _e105));
+                vec3 _e109 = optical_path_to_top(transmittance_lut, m_radius, m_thickness, lit_excess, _e103, sun_r_mu_1);
+                vec3 _e117 = extinction(coefficients_2, _e109);
+                source = (((gas_1 * _e104.x) + (aerosol_1 * _e104.y)) * exp(-(_e117)));
+                vec3 _e122 = source;
+                float _e123 = lit;
+                vec3 _e126 = sun_visibility(dir_7, (ray_start_1 + _e123));
+                source = (_e122 * _e126);
+                vec3 _e128 = out_radiance;
+                vec3 _e129 = source;
+                out_radiance = (_e128 + ((weight * _e129) * (step_ - _e85.z)));
             }
             if (MULTI_SCATTERING) {
-                float r_4 = (m_radius + _e73);
-                float mu_3 = clamp((((perigee_r_mu + _e71) - perigee_distance) / r_4), -1.0, 1.0);
-                float mu_sun_2 = clamp(((ray_sun_r_mu_2 + (ray_nu_2 * _e71)) / r_4), -1.0, 1.0);
-                float _e148 = altitude_to_v(luts_altitude_steepness, luts_altitude_growth, _e73, m_thickness);
-                float _e149 = mu_sun_to_u(_e40, mu_sun_2);
-                vec2 node_1 = (vec2(_e149, _e148) * _e42);
+                float r_5 = (m_radius + _e74);
+                float mu_3 = clamp((((perigee_r_mu + _e72) - perigee_distance) / r_5), -1.0, 1.0);
+                float mu_sun_2 = clamp(((ray_sun_r_mu_2 + (ray_nu_2 * _e72)) / r_5), -1.0, 1.0);
+                float _e149 = altitude_to_v(luts_altitude_steepness, luts_altitude_growth, _e74, m_thickness);
+                float _e150 = mu_sun_to_u(_e40, mu_sun_2);
+                vec2 node_1 = (vec2(_e150, _e149) * _e42);
                 multi_scattering_source(multi_scattering_lut, node_1, m_rayleigh_1, moments, mu_3, mu_sun_2, ray_nu_2, before_gas, before_aerosol);
-                vec3 _e154 = before_gas;
-                vec3 _e155 = before_aerosol;
-                vec3 _e157 = sun_visibility_around(dir_6, (ray_start_1 + _e71));
-                vec3 source_2 = (((_e154 * _e157) * _e74.x) + ((_e155 * _e157) * _e74.y));
-                vec3 _e165 = out_radiance;
-                out_radiance = (_e165 + ((weight * (step_ * multiple)) * source_2));
+                vec3 _e155 = before_gas;
+                vec3 _e156 = before_aerosol;
+                vec3 _e158 = sun_visibility_around(dir_7, (ray_start_1 + _e72));
+                vec3 source_2 = (((_e155 * _e158) * _e75.x) + ((_e156 * _e158) * _e75.y));
+                vec3 _e166 = out_radiance;
+                out_radiance = (_e166 + ((weight * (step_ * multiple)) * source_2));
             }
-            vec3 _e171 = out_transmittance;
-            out_transmittance = (_e171 * exp(-(tau_1)));
-            vec3 _e175 = out_optical_path;
-            out_optical_path = (_e175 + (_e74 * step_));
-            t0_3 = _e65;
+            vec3 _e172 = out_transmittance;
+            out_transmittance = (_e172 * exp(-(tau_1)));
+            vec3 _e176 = out_optical_path;
+            out_optical_path = (_e176 + (_e75 * step_));
+            t0_3 = _e66;
         }
     }
 }
@@ -972,22 +1033,22 @@ vec3 mie_phase(float away_2, float toward_2, vec3 asymmetry) {
     }
 }
 
-vec3 mie_phase_between(vec3 dir_7, vec3 sun_5, vec3 asymmetry_1) {
-    vec3 apart_7 = (dir_7 - sun_5);
-    vec3 together = (dir_7 + sun_5);
+vec3 mie_phase_between(vec3 dir_8, vec3 sun_5, vec3 asymmetry_1) {
+    vec3 apart_7 = (dir_8 - sun_5);
+    vec3 together = (dir_8 + sun_5);
     vec3 _e11 = mie_phase((0.5 * dot(apart_7, apart_7)), (0.5 * dot(together, together)), asymmetry_1);
     return _e11;
 }
 
-vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_17, float thickness_6, float excess_8, float sun_r_mu, uint samples_1) {
-    float _e2 = excess_of(thickness_6, radius_17);
-    float _e5 = distance_to_top(excess_8, sun_r_mu, _e2);
-    vec3 _e8 = path_densities(layers_2, radius_17, excess_8, sun_r_mu, _e5, samples_1);
+vec3 sun_transmittance(mat3x3 coefficients_1, mat2x3 layers_2, float radius_19, float thickness_7, float excess_9, float sun_r_mu, uint samples_1) {
+    float _e2 = excess_of(thickness_7, radius_19);
+    float _e5 = distance_to_top(excess_9, sun_r_mu, _e2);
+    vec3 _e8 = path_densities(layers_2, radius_19, excess_9, sun_r_mu, _e5, samples_1);
     vec3 _e10 = extinction(coefficients_1, _e8);
     return exp(-(_e10));
 }
 
-void single_scattering(vec3 m_rayleigh_2, float m_rayleigh_inv_height_2, vec3 m_mie_scattering_1, float m_mie_inv_height_2, vec3 m_mie_extinction_1, float m_ozone_center_2, vec3 m_mie_asymmetry, float m_ozone_inv_half_width_2, vec3 m_ozone_2, float m_radius_1, float m_thickness_1, float ray_start_2, float ray_length_3, float ray_excess_2, float ray_r_mu_2, float ray_perigee_excess_2, float ray_sun_r_mu_3, float ray_nu_3, float ray_sin2_3, float ray_shadow_b_3, float ray_shadow_c_3, float ray_shadow_half2_3, bool ray_ground_2, vec3 dir_8, float length_3, float away_3, uint view_samples, uint light_samples, inout vec3 out_radiance_1, inout vec3 out_transmittance_1) {
+void single_scattering(vec3 m_rayleigh_2, float m_rayleigh_inv_height_2, vec3 m_mie_scattering_1, float m_mie_inv_height_2, vec3 m_mie_extinction_1, float m_ozone_center_2, vec3 m_mie_asymmetry, float m_ozone_inv_half_width_2, vec3 m_ozone_2, float m_radius_1, float m_thickness_1, float m_datum_2, float ray_start_2, float ray_length_3, float ray_excess_2, float ray_r_mu_2, float ray_perigee_excess_2, float ray_sun_r_mu_3, float ray_nu_3, float ray_sin2_3, float ray_shadow_b_3, float ray_shadow_c_3, float ray_shadow_half2_3, bool ray_ground_2, vec3 dir_9, float length_4, float away_3, uint view_samples, uint light_samples, inout vec3 out_radiance_1, inout vec3 out_transmittance_1) {
     vec3 rayleigh = vec3(0.0);
     vec3 mie = vec3(0.0);
     vec2 shadow_1 = vec2(0.0);
@@ -996,7 +1057,7 @@ void single_scattering(vec3 m_rayleigh_2, float m_rayleigh_inv_height_2, vec3 m_
     float lit_1 = 0.0;
     vec3 source_1 = vec3(0.0);
     float perigee_distance_1 = 0.0;
-    float perigee_excess_1 = 0.0;
+    float perigee_excess_2 = 0.0;
     float perigee_r_mu_1 = 0.0;
     out_radiance_1 = vec3(0.0);
     out_transmittance_1 = vec3(1.0);
@@ -1004,129 +1065,129 @@ void single_scattering(vec3 m_rayleigh_2, float m_rayleigh_inv_height_2, vec3 m_
         vec2 _e27 = shadow_stretch(ray_sun_r_mu_3, ray_nu_3, ray_sin2_3, ray_shadow_b_3, ray_shadow_c_3, ray_shadow_half2_3);
         shadow_1 = _e27;
         if (RAYLEIGH) {
-            float _e44 = rayleigh_phase((1.0 - away_3));
-            rayleigh = (m_rayleigh_2 * _e44);
+            float _e45 = rayleigh_phase((1.0 - away_3));
+            rayleigh = (m_rayleigh_2 * _e45);
         }
         if (MIE) {
             float toward_3 = ((away_3 > 1.0) ? (ray_sin2_3 / max(away_3, 1.0)) : (2.0 - away_3));
-            vec3 _e56 = mie_phase(away_3, toward_3, m_mie_asymmetry);
-            mie = (m_mie_scattering_1 * _e56);
+            vec3 _e57 = mie_phase(away_3, toward_3, m_mie_asymmetry);
+            mie = (m_mie_scattering_1 * _e57);
         }
     }
-    vec4 _e59 = layers_of(m_rayleigh_inv_height_2, m_mie_inv_height_2, m_ozone_center_2, m_ozone_inv_half_width_2);
-    mat3x3 _e60 = coefficients_of(m_rayleigh_2, m_mie_extinction_1, m_ozone_2);
-    perigee_of(ray_length_3, ray_excess_2, ray_r_mu_2, ray_perigee_excess_2, ray_ground_2, length_3, m_radius_1, perigee_distance_1, perigee_excess_1, perigee_r_mu_1);
+    mat2x3 _e60 = layers_of(m_rayleigh_inv_height_2, m_mie_inv_height_2, m_ozone_center_2, m_ozone_inv_half_width_2, m_datum_2);
+    mat3x3 _e61 = coefficients_of(m_rayleigh_2, m_mie_extinction_1, m_ozone_2);
+    perigee_of(ray_length_3, ray_excess_2, ray_r_mu_2, ray_perigee_excess_2, ray_ground_2, length_4, m_radius_1, perigee_distance_1, perigee_excess_2, perigee_r_mu_1);
     float nearest = perigee_distance_1;
-    float _e66 = perigee_excess_1;
-    float _e67 = perigee_r_mu_1;
+    float _e67 = perigee_excess_2;
+    float _e68 = perigee_r_mu_1;
     float u0_1 = -(sqrt(nearest));
-    float du_2 = ((sqrt((length_3 - nearest)) - u0_1) / float(view_samples));
+    float du_2 = ((sqrt((length_4 - nearest)) - u0_1) / float(view_samples));
     bool loop_init_2 = true;
     while(true) {
         if (!loop_init_2) {
-            uint _e164 = i_2;
-            i_2 = (_e164 + 1u);
+            uint _e165 = i_2;
+            i_2 = (_e165 + 1u);
         }
         loop_init_2 = false;
-        uint _e77 = i_2;
-        if ((_e77 < view_samples)) {
+        uint _e78 = i_2;
+        if ((_e78 < view_samples)) {
         } else {
             break;
         }
         {
-            uint _e79 = i_2;
-            float u_4 = (u0_1 + (du_2 * float(_e79)));
-            float _e84 = u_to_distance(nearest, (u_4 + du_2));
-            float _e88 = u_to_distance(nearest, (u_4 + (0.5 * du_2)));
-            float _e90 = altitude_after(_e66, _e67, (_e88 - nearest), m_radius_1);
-            float _e92 = t0_4;
-            float step_1 = (_e84 - _e92);
-            vec3 _e94 = densities(_e59, _e90);
-            vec3 _e95 = extinction(_e60, _e94);
-            vec3 tau_2 = (_e95 * step_1);
+            uint _e80 = i_2;
+            float u_4 = (u0_1 + (du_2 * float(_e80)));
+            float _e85 = u_to_distance(nearest, (u_4 + du_2));
+            float _e89 = u_to_distance(nearest, (u_4 + (0.5 * du_2)));
+            float _e91 = altitude_after(_e67, _e68, (_e89 - nearest), m_radius_1);
+            float _e93 = t0_4;
+            float step_1 = (_e85 - _e93);
+            vec3 _e95 = densities(_e60, _e91);
+            vec3 _e96 = extinction(_e61, _e95);
+            vec3 tau_2 = (_e96 * step_1);
             if (SUNLIGHT) {
-                vec2 _e98 = shadow_1;
-                float _e99 = t0_4;
-                vec3 _e100 = dark_part(_e98, _e99, _e84);
-                if ((_e100.z < step_1)) {
-                    lit_1 = _e88;
-                    if ((_e100.z > 0.0)) {
-                        float _e107 = t0_4;
-                        float _e108 = lit_middle(_e100, nearest, _e107, _e84);
-                        lit_1 = _e108;
+                vec2 _e99 = shadow_1;
+                float _e100 = t0_4;
+                vec3 _e101 = dark_part(_e99, _e100, _e85);
+                if ((_e101.z < step_1)) {
+                    lit_1 = _e89;
+                    if ((_e101.z > 0.0)) {
+                        float _e108 = t0_4;
+                        float _e109 = lit_middle(_e101, nearest, _e108, _e85);
+                        lit_1 = _e109;
                     }
-                    float _e109 = lit_1;
-                    float past_1 = (_e109 - nearest);
-                    float excess_9 = (_e66 + (past_1 * ((2.0 * _e67) + past_1)));
-                    float _e116 = altitude_of(excess_9, m_radius_1);
-                    vec3 _e119 = densities(_e59, max(_e116, 0.0));
+                    float _e110 = lit_1;
+                    float past_1 = (_e110 - nearest);
+                    float excess_10 = (_e67 + (past_1 * ((2.0 * _e68) + past_1)));
+                    float _e117 = altitude_of(excess_10, m_radius_1);
+                    vec3 _e120 = densities(_e60, max(_e117, 0.0));
                     source_1 = vec3(0.0);
                     if (RAYLEIGH) {
-                        vec3 _e124 = source_1;
-                        vec3 _e125 = rayleigh;
-                        source_1 = (_e124 + (_e125 * _e119.x));
+                        vec3 _e125 = source_1;
+                        vec3 _e126 = rayleigh;
+                        source_1 = (_e125 + (_e126 * _e120.x));
                     }
                     if (MIE) {
-                        vec3 _e130 = source_1;
-                        vec3 _e131 = mie;
-                        source_1 = (_e130 + (_e131 * _e119.y));
+                        vec3 _e131 = source_1;
+                        vec3 _e132 = mie;
+                        source_1 = (_e131 + (_e132 * _e120.y));
                     }
-                    float _e135 = lit_1;
-                    float sun_r_mu_2 = (ray_sun_r_mu_3 + (ray_nu_3 * _e135));
-                    vec3 _e138 = source_1;
-                    vec3 _e140 = sun_transmittance(_e60, _e59, m_radius_1, m_thickness_1, excess_9, sun_r_mu_2, light_samples);
-                    source_1 = (_e138 * _e140);
-                    vec3 _e142 = source_1;
-                    float _e143 = lit_1;
-                    vec3 _e146 = sun_visibility(dir_8, (ray_start_2 + _e143));
-                    source_1 = (_e142 * _e146);
-                    vec3 _e150 = out_radiance_1;
-                    vec3 _e151 = out_transmittance_1;
-                    vec3 _e152 = mean_transmittance(tau_2);
-                    vec3 _e154 = source_1;
-                    out_radiance_1 = (_e150 + (((_e151 * _e152) * _e154) * (step_1 - _e100.z)));
+                    float _e136 = lit_1;
+                    float sun_r_mu_2 = (ray_sun_r_mu_3 + (ray_nu_3 * _e136));
+                    vec3 _e139 = source_1;
+                    vec3 _e141 = sun_transmittance(_e61, _e60, m_radius_1, m_thickness_1, excess_10, sun_r_mu_2, light_samples);
+                    source_1 = (_e139 * _e141);
+                    vec3 _e143 = source_1;
+                    float _e144 = lit_1;
+                    vec3 _e147 = sun_visibility(dir_9, (ray_start_2 + _e144));
+                    source_1 = (_e143 * _e147);
+                    vec3 _e151 = out_radiance_1;
+                    vec3 _e152 = out_transmittance_1;
+                    vec3 _e153 = mean_transmittance(tau_2);
+                    vec3 _e155 = source_1;
+                    out_radiance_1 = (_e151 + (((_e152 * _e153) * _e155) * (step_1 - _e101.z)));
                 }
             }
-            vec3 _e160 = out_transmittance_1;
-            out_transmittance_1 = (_e160 * exp(-(tau_2)));
-            t0_4 = _e84;
+            vec3 _e161 = out_transmittance_1;
+            out_transmittance_1 = (_e161 * exp(-(tau_2)));
+            t0_4 = _e85;
         }
     }
 }
 
-void all_orders(highp sampler2D transmittance_lut_1, highp sampler2D multi_scattering_lut_1, vec3 m_rayleigh_3, float m_rayleigh_inv_height_3, vec3 m_mie_scattering_2, float m_mie_inv_height_3, vec3 m_mie_extinction_2, float m_ozone_center_3, vec3 m_mie_asymmetry_1, float m_ozone_inv_half_width_3, vec3 m_ozone_3, float m_radius_2, float m_thickness_2, vec3 luts_mie_extinction_1, float luts_altitude_steepness_1, vec3 luts_mie_moment0_1, float luts_altitude_growth_1, vec3 luts_mie_moment1_1, float luts_sun_middle_2, vec3 luts_mie_moment2_1, float luts_sun_width_2, float luts_sun_first_2, float luts_sun_span_2, uint luts_steps_1, float ray_start_3, float ray_length_4, float ray_excess_3, float ray_r_mu_3, float ray_perigee_excess_3, float ray_sun_r_mu_4, float ray_nu_4, float ray_sin2_4, float ray_shadow_b_4, float ray_shadow_c_4, float ray_shadow_half2_4, bool ray_ground_3, vec3 dir_9, vec3 sun_6, float length_4, inout vec3 out_radiance_2, inout vec3 out_transmittance_2) {
+void all_orders(highp sampler2D transmittance_lut_1, highp sampler2D multi_scattering_lut_1, vec3 m_rayleigh_3, float m_rayleigh_inv_height_3, vec3 m_mie_scattering_2, float m_mie_inv_height_3, vec3 m_mie_extinction_2, float m_ozone_center_3, vec3 m_mie_asymmetry_1, float m_ozone_inv_half_width_3, vec3 m_ozone_3, float m_radius_2, float m_thickness_2, float m_datum_3, vec3 luts_mie_extinction_1, float luts_altitude_steepness_1, vec3 luts_mie_moment0_1, float luts_altitude_growth_1, vec3 luts_mie_moment1_1, float luts_sun_middle_2, vec3 luts_mie_moment2_1, float luts_sun_width_2, float luts_sun_first_2, float luts_sun_span_2, uint luts_steps, float ray_start_3, float ray_length_4, float ray_excess_3, float ray_r_mu_3, float ray_perigee_excess_3, float ray_sun_r_mu_4, float ray_nu_4, float ray_sin2_4, float ray_shadow_b_4, float ray_shadow_c_4, float ray_shadow_half2_4, bool ray_ground_3, vec3 dir_10, vec3 sun_6, float length_5, inout vec3 out_radiance_2, inout vec3 out_transmittance_2) {
     float perigee_distance_2 = 0.0;
-    float perigee_excess_2 = 0.0;
+    float perigee_excess_3 = 0.0;
     float perigee_r_mu_2 = 0.0;
     vec3 g_radiance = vec3(0.0);
     vec3 g_transmittance = vec3(0.0);
     vec3 g_optical_path = vec3(0.0);
-    perigee_of(ray_length_4, ray_excess_3, ray_r_mu_3, ray_perigee_excess_3, ray_ground_3, length_4, m_radius_2, perigee_distance_2, perigee_excess_2, perigee_r_mu_2);
-    float _e29 = perigee_distance_2;
-    float _e30 = perigee_excess_2;
-    float _e31 = perigee_r_mu_2;
-    float _e33 = distance_to_u(_e29, 0.0);
-    float _e34 = distance_to_u(_e29, length_4);
-    float _e35 = rayleigh_phase(ray_nu_4);
-    vec3 gas_2 = (m_rayleigh_3 * _e35);
-    vec3 _e39 = mie_phase_between(dir_9, sun_6, m_mie_asymmetry_1);
-    vec3 aerosol_2 = (m_mie_scattering_2 * _e39);
-    gather(transmittance_lut_1, multi_scattering_lut_1, m_rayleigh_3, m_rayleigh_inv_height_3, m_mie_scattering_2, m_mie_inv_height_3, m_ozone_center_3, m_ozone_inv_half_width_3, m_ozone_3, m_radius_2, m_thickness_2, luts_mie_extinction_1, luts_altitude_steepness_1, luts_mie_moment0_1, luts_altitude_growth_1, luts_mie_moment1_1, luts_sun_middle_2, luts_mie_moment2_1, luts_sun_width_2, luts_sun_first_2, luts_sun_span_2, luts_steps_1, ray_start_3, ray_sun_r_mu_4, ray_nu_4, ray_sin2_4, ray_shadow_b_4, ray_shadow_c_4, ray_shadow_half2_4, dir_9, _e29, _e30, _e31, _e33, _e34, gas_2, aerosol_2, 1.0, g_radiance, g_transmittance, g_optical_path);
-    vec3 _e58 = g_radiance;
-    vec3 _e59 = g_optical_path;
-    mat3x3 _e60 = coefficients_of(m_rayleigh_3, m_mie_extinction_2, m_ozone_3);
-    vec3 _e61 = extinction(_e60, _e59);
-    out_radiance_2 = _e58;
-    out_transmittance_2 = exp(-(_e61));
+    perigee_of(ray_length_4, ray_excess_3, ray_r_mu_3, ray_perigee_excess_3, ray_ground_3, length_5, m_radius_2, perigee_distance_2, perigee_excess_3, perigee_r_mu_2);
+    float _e30 = perigee_distance_2;
+    float _e31 = perigee_excess_3;
+    float _e32 = perigee_r_mu_2;
+    float _e34 = distance_to_u(_e30, 0.0);
+    float _e35 = distance_to_u(_e30, length_5);
+    float _e36 = rayleigh_phase(ray_nu_4);
+    vec3 gas_2 = (m_rayleigh_3 * _e36);
+    vec3 _e40 = mie_phase_between(dir_10, sun_6, m_mie_asymmetry_1);
+    vec3 aerosol_2 = (m_mie_scattering_2 * _e40);
+    gather(transmittance_lut_1, multi_scattering_lut_1, m_rayleigh_3, m_rayleigh_inv_height_3, m_mie_scattering_2, m_mie_inv_height_3, m_ozone_center_3, m_ozone_inv_half_width_3, m_ozone_3, m_radius_2, m_thickness_2, m_datum_3, luts_mie_extinction_1, luts_altitude_steepness_1, luts_mie_moment0_1, luts_altitude_growth_1, luts_mie_moment1_1, luts_sun_middle_2, luts_mie_moment2_1, luts_sun_width_2, luts_sun_first_2, luts_sun_span_2, ray_start_3, ray_sun_r_mu_4, ray_nu_4, ray_sin2_4, ray_shadow_b_4, ray_shadow_c_4, ray_shadow_half2_4, dir_10, _e30, _e31, _e32, _e34, _e35, luts_steps, gas_2, aerosol_2, 1.0, g_radiance, g_transmittance, g_optical_path);
+    vec3 _e59 = g_radiance;
+    vec3 _e60 = g_optical_path;
+    mat3x3 _e61 = coefficients_of(m_rayleigh_3, m_mie_extinction_2, m_ozone_3);
+    vec3 _e62 = extinction(_e61, _e60);
+    out_radiance_2 = _e59;
+    out_transmittance_2 = exp(-(_e62));
 }
 
-void eclipsed_light(highp sampler2D transmittance_lut_2, highp sampler2D multi_scattering_lut_2, vec3 m_rayleigh_4, float m_rayleigh_inv_height_4, vec3 m_mie_scattering_3, float m_mie_inv_height_4, vec3 m_mie_extinction_3, float m_ozone_center_4, vec3 m_mie_asymmetry_2, float m_ozone_inv_half_width_4, vec3 m_ozone_4, float m_radius_3, float m_thickness_3, vec3 luts_mie_extinction_2, float luts_altitude_steepness_2, vec3 luts_mie_moment0_2, float luts_altitude_growth_2, vec3 luts_mie_moment1_2, float luts_sun_middle_3, vec3 luts_mie_moment2_2, float luts_sun_width_3, float luts_sun_first_3, float luts_sun_span_3, uint luts_steps_2, float ray_start_4, float ray_length_5, float ray_excess_4, float ray_r_mu_4, float ray_perigee_excess_4, float ray_sun_r_mu_5, float ray_nu_5, float ray_sin2_5, float ray_shadow_b_5, float ray_shadow_c_5, float ray_shadow_half2_5, bool ray_ground_4, vec3 dir_10, vec3 sun_7, float length_5, uint view_samples_1, uint light_samples_1, inout vec3 out_radiance_3, inout vec3 out_transmittance_3) {
+void eclipsed_light(highp sampler2D transmittance_lut_2, highp sampler2D multi_scattering_lut_2, vec3 m_rayleigh_4, float m_rayleigh_inv_height_4, vec3 m_mie_scattering_3, float m_mie_inv_height_4, vec3 m_mie_extinction_3, float m_ozone_center_4, vec3 m_mie_asymmetry_2, float m_ozone_inv_half_width_4, vec3 m_ozone_4, float m_radius_3, float m_thickness_3, float m_datum_4, vec3 luts_mie_extinction_2, float luts_altitude_steepness_2, vec3 luts_mie_moment0_2, float luts_altitude_growth_2, vec3 luts_mie_moment1_2, float luts_sun_middle_3, vec3 luts_mie_moment2_2, float luts_sun_width_3, float luts_sun_first_3, float luts_sun_span_3, uint luts_steps_1, float ray_start_4, float ray_length_5, float ray_excess_4, float ray_r_mu_4, float ray_perigee_excess_4, float ray_sun_r_mu_5, float ray_nu_5, float ray_sin2_5, float ray_shadow_b_5, float ray_shadow_c_5, float ray_shadow_half2_5, bool ray_ground_4, vec3 dir_11, vec3 sun_7, float length_6, uint view_samples_1, uint light_samples_1, inout vec3 out_radiance_3, inout vec3 out_transmittance_3) {
     if (MULTI_SCATTERING) {
-        all_orders(transmittance_lut_2, multi_scattering_lut_2, m_rayleigh_4, m_rayleigh_inv_height_4, m_mie_scattering_3, m_mie_inv_height_4, m_mie_extinction_3, m_ozone_center_4, m_mie_asymmetry_2, m_ozone_inv_half_width_4, m_ozone_4, m_radius_3, m_thickness_3, luts_mie_extinction_2, luts_altitude_steepness_2, luts_mie_moment0_2, luts_altitude_growth_2, luts_mie_moment1_2, luts_sun_middle_3, luts_mie_moment2_2, luts_sun_width_3, luts_sun_first_3, luts_sun_span_3, luts_steps_2, ray_start_4, ray_length_5, ray_excess_4, ray_r_mu_4, ray_perigee_excess_4, ray_sun_r_mu_5, ray_nu_5, ray_sin2_5, ray_shadow_b_5, ray_shadow_c_5, ray_shadow_half2_5, ray_ground_4, dir_10, sun_7, length_5, out_radiance_3, out_transmittance_3);
+        all_orders(transmittance_lut_2, multi_scattering_lut_2, m_rayleigh_4, m_rayleigh_inv_height_4, m_mie_scattering_3, m_mie_inv_height_4, m_mie_extinction_3, m_ozone_center_4, m_mie_asymmetry_2, m_ozone_inv_half_width_4, m_ozone_4, m_radius_3, m_thickness_3, m_datum_4, luts_mie_extinction_2, luts_altitude_steepness_2, luts_mie_moment0_2, luts_altitude_growth_2, luts_mie_moment1_2, luts_sun_middle_3, luts_mie_moment2_2, luts_sun_width_3, luts_sun_first_3, luts_sun_span_3, luts_steps_1, ray_start_4, ray_length_5, ray_excess_4, ray_r_mu_4, ray_perigee_excess_4, ray_sun_r_mu_5, ray_nu_5, ray_sin2_5, ray_shadow_b_5, ray_shadow_c_5, ray_shadow_half2_5, ray_ground_4, dir_11, sun_7, length_6, out_radiance_3, out_transmittance_3);
         return;
     } else {
-        vec3 offset = (dir_10 - sun_7);
-        single_scattering(m_rayleigh_4, m_rayleigh_inv_height_4, m_mie_scattering_3, m_mie_inv_height_4, m_mie_extinction_3, m_ozone_center_4, m_mie_asymmetry_2, m_ozone_inv_half_width_4, m_ozone_4, m_radius_3, m_thickness_3, ray_start_4, ray_length_5, ray_excess_4, ray_r_mu_4, ray_perigee_excess_4, ray_sun_r_mu_5, ray_nu_5, ray_sin2_5, ray_shadow_b_5, ray_shadow_c_5, ray_shadow_half2_5, ray_ground_4, dir_10, length_5, (0.5 * dot(offset, offset)), view_samples_1, light_samples_1, out_radiance_3, out_transmittance_3);
+        vec3 offset = (dir_11 - sun_7);
+        single_scattering(m_rayleigh_4, m_rayleigh_inv_height_4, m_mie_scattering_3, m_mie_inv_height_4, m_mie_extinction_3, m_ozone_center_4, m_mie_asymmetry_2, m_ozone_inv_half_width_4, m_ozone_4, m_radius_3, m_thickness_3, m_datum_4, ray_start_4, ray_length_5, ray_excess_4, ray_r_mu_4, ray_perigee_excess_4, ray_sun_r_mu_5, ray_nu_5, ray_sin2_5, ray_shadow_b_5, ray_shadow_c_5, ray_shadow_half2_5, ray_ground_4, dir_11, length_6, (0.5 * dot(offset, offset)), view_samples_1, light_samples_1, out_radiance_3, out_transmittance_3);
         return;
     }
 }
@@ -1135,6 +1196,14 @@ void main() {
     vec4 position = gl_FragCoord;
     vec4 scene = vec4(0.0);
     bool local = false;
+    float line_past_r_mu = 0.0;
+    float line_past_perigee = 0.0;
+    float line_past_perigee_excess = 0.0;
+    bool line_past_ground = false;
+    float line_r_mu = 0.0;
+    float line_perigee = 0.0;
+    float line_perigee_excess = 0.0;
+    bool line_ground = false;
     float ray_start = 0.0;
     float ray_length = 0.0;
     float ray_excess = 0.0;
@@ -1164,6 +1233,7 @@ void main() {
     float f_medium_radius = _group_0_binding_0_fs.frame.medium.radius;
     vec3 f_medium_irradiance = _group_0_binding_0_fs.frame.medium.irradiance;
     float f_medium_thickness = _group_0_binding_0_fs.frame.medium.thickness;
+    float f_medium_datum = _group_0_binding_0_fs.frame.medium.datum;
     vec3 f_ray_forward = _group_0_binding_0_fs.frame.ray_forward;
     float f_altitude = _group_0_binding_0_fs.frame.altitude;
     vec3 f_ray_right = _group_0_binding_0_fs.frame.ray_right;
@@ -1182,62 +1252,74 @@ void main() {
     ivec2 pixel_2 = ivec2(position.xy);
     if (BLEND) {
     } else {
-        vec4 _e66 = texelFetch(_group_0_binding_1_fs, pixel_2, 0);
-        scene = _e66;
+        vec4 _e68 = texelFetch(_group_0_binding_1_fs, pixel_2, 0);
+        scene = _e68;
     }
-    vec3 _e69 = pixel_ray(position.xy, f_size, f_ray_forward, f_ray_right, f_ray_up);
-    float ray_length_6 = length(_e69);
-    vec4 _e73 = texelFetch(_group_0_binding_2_fs, pixel_2, 0);
-    float _e75 = depth_distance(f_depth_scale, f_depth_bias, f_depth_log, f_depth_background, _e73.x, ray_length_6);
-    vec3 dir_11 = (_e69 / vec3(ray_length_6));
-    air_ray(dir_11, f_altitude, f_medium_radius, f_medium_thickness, f_sun, ray_start, ray_length, ray_excess, ray_r_mu, ray_perigee_excess, ray_sun_r_mu, ray_nu, ray_sin2_, ray_shadow_b, ray_shadow_c, ray_shadow_half2_, ray_ground);
-    float _e90 = ray_start;
-    float _e91 = ray_length;
-    float _e92 = ray_excess;
-    float _e93 = ray_r_mu;
-    float _e94 = ray_perigee_excess;
-    float _e95 = ray_sun_r_mu;
-    float _e96 = ray_nu;
-    float _e97 = ray_sin2_;
-    float _e98 = ray_shadow_b;
-    float _e99 = ray_shadow_c;
-    float _e100 = ray_shadow_half2_;
-    bool _e101 = ray_ground;
-    ray_end(_e90, _e91, _e93, _e101, _e75, f_medium_radius, f_pixel_angle, f_shell_weight, f_flags, end_length, end_weight, end_dims);
-    float _e105 = end_length;
-    float _e106 = end_weight;
-    bool _e107 = end_dims;
-    if (!((_e105 <= 0.0))) {
-        local = (_e106 <= 0.0);
+    vec3 _e71 = pixel_ray(position.xy, f_size, f_ray_forward, f_ray_right, f_ray_up);
+    float ray_length_6 = length(_e71);
+    vec4 _e75 = texelFetch(_group_0_binding_2_fs, pixel_2, 0);
+    float _e77 = depth_distance(f_depth_scale, f_depth_bias, f_depth_log, f_depth_background, _e75.x, ray_length_6);
+    vec3 seen = (_e71 / vec3(ray_length_6));
+    line_past(seen, f_altitude, f_medium_radius, line_past_r_mu, line_past_perigee, line_past_perigee_excess, line_past_ground);
+    float _e84 = line_past_r_mu;
+    float _e85 = line_past_perigee;
+    float _e86 = line_past_perigee_excess;
+    bool _e87 = line_past_ground;
+    line_to_scene(_e84, _e85, _e86, _e87, f_altitude, _e77, f_medium_radius, f_medium_thickness, f_pixel_angle, line_r_mu, line_perigee, line_perigee_excess, line_ground);
+    float _e92 = line_r_mu;
+    float _e93 = line_perigee;
+    float _e94 = line_perigee_excess;
+    bool _e95 = line_ground;
+    vec3 _e97 = line_direction(_e92, _e93, seen, (f_medium_radius + f_altitude));
+    air_ray_of(_e92, _e94, _e95, _e97, f_altitude, f_medium_radius, f_medium_thickness, f_sun, ray_start, ray_length, ray_excess, ray_r_mu, ray_perigee_excess, ray_sun_r_mu, ray_nu, ray_sin2_, ray_shadow_b, ray_shadow_c, ray_shadow_half2_, ray_ground);
+    float _e110 = ray_start;
+    float _e111 = ray_length;
+    float _e112 = ray_excess;
+    float _e113 = ray_r_mu;
+    float _e114 = ray_perigee_excess;
+    float _e115 = ray_sun_r_mu;
+    float _e116 = ray_nu;
+    float _e117 = ray_sin2_;
+    float _e118 = ray_shadow_b;
+    float _e119 = ray_shadow_c;
+    float _e120 = ray_shadow_half2_;
+    bool _e121 = ray_ground;
+    ray_end(_e110, _e111, _e113, _e121, _e77, f_medium_radius, f_pixel_angle, f_shell_weight, f_flags, end_length, end_weight, end_dims);
+    float _e125 = end_length;
+    float _e126 = end_weight;
+    bool _e127 = end_dims;
+    if (!((_e125 <= 0.0))) {
+        local = (_e126 <= 0.0);
     } else {
         local = true;
     }
-    bool _e116 = local;
-    if (_e116) {
-        vec4 _e117 = scene;
-        _fs2p_location0 = _e117;
+    bool _e136 = local;
+    if (_e136) {
+        vec4 _e137 = scene;
+        _fs2p_location0 = _e137;
         return;
     }
-    vec3 _e121 = _group_0_binding_0_fs.luts.mie_extinction;
-    float _e123 = _group_0_binding_0_fs.luts.altitude_steepness;
-    vec3 _e125 = _group_0_binding_0_fs.luts.mie_moment0_;
-    float _e127 = _group_0_binding_0_fs.luts.altitude_growth;
-    vec3 _e129 = _group_0_binding_0_fs.luts.mie_moment1_;
-    float _e131 = _group_0_binding_0_fs.luts.sun_middle;
-    vec3 _e133 = _group_0_binding_0_fs.luts.mie_moment2_;
-    float _e135 = _group_0_binding_0_fs.luts.sun_width;
-    float _e137 = _group_0_binding_0_fs.luts.sun_first;
-    float _e139 = _group_0_binding_0_fs.luts.sun_span;
-    uint _e141 = _group_0_binding_0_fs.luts.steps;
-    eclipsed_light(_group_0_binding_4_fs, _group_0_binding_5_fs, f_medium_rayleigh, f_medium_rayleigh_inv_height, f_medium_mie_scattering, f_medium_mie_inv_height, f_medium_mie_extinction, f_medium_ozone_center, f_medium_mie_asymmetry, f_medium_ozone_inv_half_width, f_medium_ozone, f_medium_radius, f_medium_thickness, _e121, _e123, _e125, _e127, _e129, _e131, _e133, _e135, _e137, _e139, _e141, _e90, _e91, _e92, _e93, _e94, _e95, _e96, _e97, _e98, _e99, _e100, _e101, dir_11, f_sun, _e105, f_view_samples, f_light_samples, s_radiance, s_transmittance);
-    vec3 _e146 = s_radiance;
-    vec3 _e147 = s_transmittance;
-    vec3 transmittance_2 = (_e107 ? _e147 : vec3(1.0));
-    float _e153 = lit_fraction_at(_group_0_binding_6_fs, pixel_2);
-    vec3 light = ((_e146 * f_medium_irradiance) * (_e106 * _e153));
-    vec4 _e156 = scene;
-    vec4 _e157 = compose(_e156, transmittance_2, light);
-    _fs2p_location0 = _e157;
+    vec3 _e141 = _group_0_binding_0_fs.luts.mie_extinction;
+    float _e143 = _group_0_binding_0_fs.luts.altitude_steepness;
+    vec3 _e145 = _group_0_binding_0_fs.luts.mie_moment0_;
+    float _e147 = _group_0_binding_0_fs.luts.altitude_growth;
+    vec3 _e149 = _group_0_binding_0_fs.luts.mie_moment1_;
+    float _e151 = _group_0_binding_0_fs.luts.sun_middle;
+    vec3 _e153 = _group_0_binding_0_fs.luts.mie_moment2_;
+    float _e155 = _group_0_binding_0_fs.luts.sun_width;
+    float _e157 = _group_0_binding_0_fs.luts.sun_first;
+    float _e159 = _group_0_binding_0_fs.luts.sun_span;
+    uint _e161 = _group_0_binding_0_fs.luts.steps;
+    eclipsed_light(_group_0_binding_4_fs, _group_0_binding_5_fs, f_medium_rayleigh, f_medium_rayleigh_inv_height, f_medium_mie_scattering, f_medium_mie_inv_height, f_medium_mie_extinction, f_medium_ozone_center, f_medium_mie_asymmetry, f_medium_ozone_inv_half_width, f_medium_ozone, f_medium_radius, f_medium_thickness, f_medium_datum, _e141, _e143, _e145, _e147, _e149, _e151, _e153, _e155, _e157, _e159, _e161, _e110, _e111, _e112, _e113, _e114, _e115, _e116, _e117, _e118, _e119, _e120, _e121, _e97, f_sun, _e125, f_view_samples, f_light_samples, s_radiance, s_transmittance);
+    vec3 _e166 = s_radiance;
+    vec3 _e167 = s_transmittance;
+    vec3 transmittance_2 = (_e127 ? _e167 : vec3(1.0));
+    float _e173 = lit_fraction_at(_group_0_binding_6_fs, pixel_2);
+    vec3 light = ((_e166 * f_medium_irradiance) * (_e126 * _e173));
+    vec4 _e176 = scene;
+    float _e177 = most_light(f_flags);
+    vec4 _e178 = compose(_e176, transmittance_2, light, _e177);
+    _fs2p_location0 = _e178;
     return;
 }
 

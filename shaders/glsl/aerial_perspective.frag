@@ -16,6 +16,10 @@ struct Medium {
     float radius;
     vec3 irradiance;
     float thickness;
+    float datum;
+    float pad1_;
+    float pad2_;
+    float pad3_;
 };
 struct DepthCode {
     float scale;
@@ -60,7 +64,7 @@ struct Luts {
     float ground_rows;
     uvec2 size;
     uint steps;
-    uint shift;
+    uint pad1_;
     uint slices;
     float aerial_ground_rows;
 };
@@ -70,7 +74,9 @@ struct Uniforms {
 };
 const uint REDUCED = 1u;
 const uint SHELL_DIMS = 2u;
+const uint WIDE = 4u;
 const float HALF_MAX = 32000.0;
+const float FLOAT_MAX = 1e38;
 const bool BLEND = true;
 const bool LIT_FRACTION = true;
 const float SUBPIXEL = 0.0625;
@@ -82,9 +88,17 @@ const bool MIE = true;
 const bool OZONE = true;
 const int AIR_SMOOTH = 0;
 const int AIR_MIE = 1;
-const int AIR_BEAM = 2;
-const int AIR_TRANSMITTANCE = 3;
-const int AIR_KINDS = 4;
+const int AIR_KINDS = 2;
+const int AIR_PATH = 2;
+const int AIR_SUMMANDS = 3;
+const vec4 COLUMN_NODES = vec4(0.18343464, 0.5255324, 0.7966665, 0.96028984);
+const vec4 COLUMN_WEIGHTS = vec4(0.36268377, 0.31370664, 0.22238104, 0.101228535);
+const float COLUMN_HEIGHTS = 7.0;
+const vec3 TENT_NODES = vec3(0.11270166, 0.5, 0.88729835);
+const vec3 TENT_WEIGHTS = vec3(0.2777778, 0.44444445, 0.2777778);
+const vec2 ROUGH_NODES = vec2(0.33998105, 0.8611363);
+const vec2 ROUGH_WEIGHTS = vec2(0.65214515, 0.34785485);
+const float ROUGH_HEIGHTS = 5.0;
 const bool MIE_SINGLE = true;
 const float INV_4PI = 0.07957747;
 const bool CORNETTE_SHANKS = true;
@@ -103,9 +117,11 @@ uniform highp sampler2D _group_0_binding_5_fs;
 
 uniform highp sampler2D _group_0_binding_6_fs;
 
-uniform highp sampler2D _group_0_binding_7_fs;
-
 layout(location = 0) out vec4 _fs2p_location0;
+
+float most_light(uint flags) {
+    return (((flags & WIDE) != 0u) ? FLOAT_MAX : HALF_MAX);
+}
 
 vec3 pixel_ray(vec2 pixel, vec2 size, vec3 forward, vec3 right, vec3 up) {
     vec2 ndc = (((pixel / size) * vec2(2.0, -2.0)) + vec2(-1.0, 1.0));
@@ -126,24 +142,73 @@ float depth_distance(float c_scale, float c_bias, float c_log, float c_backgroun
     return (ray_length / inverse_);
 }
 
-vec4 veil(vec3 inscatter, vec3 transmittance) {
-    return vec4(min(inscatter, vec3(32000.0)), (1.0 - dot(transmittance, vec3(0.33333334))));
+vec4 veil(vec3 inscatter, vec3 transmittance, float most) {
+    return vec4(min(inscatter, vec3(most)), (1.0 - dot(transmittance, vec3(0.33333334))));
 }
 
-float scene_reach(float start, float length_, float r_mu, bool ground, float distance_, float radius, float pixel_angle) {
-    float reach = min(length_, (distance_ - start));
-    if (!(ground)) {
-        return reach;
+float snapped(float distance_, float pixel_angle, float cosine) {
+    return (((SUBPIXEL * pixel_angle) * distance_) / max(cosine, 0.05));
+}
+
+float excess_of(float h, float radius) {
+    return (h * ((2.0 * radius) + h));
+}
+
+float distance_to_ground(float excess, float r_mu, float root) {
+    return min((excess / (root - r_mu)), -(r_mu));
+}
+
+void line_to_scene(float line_r_mu_1, float line_perigee_1, float line_perigee_excess_1, bool line_ground_1, float h_1, float distance_1, float radius_1, float thickness, float pixel_angle_1, inout float out_r_mu, inout float out_perigee, inout float out_perigee_excess, inout bool out_ground) {
+    bool local_2 = false;
+    bool local_3 = false;
+    float _e6 = excess_of(h_1, radius_1);
+    float horizon = sqrt(_e6);
+    float half_ = sqrt(max(-(line_perigee_excess_1), 0.0));
+    float _e16 = distance_to_ground(_e6, line_r_mu_1, half_);
+    float deeper = (distance_1 - _e16);
+    if (!(!(line_ground_1))) {
+        local_2 = (deeper <= 0.0);
+    } else {
+        local_2 = true;
     }
-    float slant = max((abs((r_mu + length_)) / radius), 0.05);
-    float snap = (((SUBPIXEL * pixel_angle) * distance_) / slant);
-    float before = smoothstep((0.5 * snap), snap, (length_ - reach));
-    return ((length_ * (1.0 - before)) + (reach * before));
+    bool _e26 = local_2;
+    if (!(_e26)) {
+        float _e29 = excess_of(thickness, radius_1);
+        local_3 = (distance_1 > (horizon + sqrt(_e29)));
+    } else {
+        local_3 = true;
+    }
+    bool _e36 = local_3;
+    if (_e36) {
+        out_r_mu = line_r_mu_1;
+        out_perigee = line_perigee_1;
+        out_perigee_excess = line_perigee_excess_1;
+        out_ground = line_ground_1;
+        return;
+    }
+    float _e39 = snapped(distance_1, pixel_angle_1, (half_ / radius_1));
+    float reach = (_e16 + (deeper * smoothstep((0.5 * _e39), _e39, deeper)));
+    float d_1 = clamp(reach, 1e-9, max(horizon, 1e-9));
+    float raised = max((half_ - ((0.5 * (d_1 - _e16)) * (1.0 + ((_e16 + (2.0 * half_)) / d_1)))), 0.0);
+    out_r_mu = -((d_1 + raised));
+    out_perigee = sqrt(((radius_1 - raised) * (radius_1 + raised)));
+    out_perigee_excess = (-(raised) * raised);
+    out_ground = (reach < horizon);
 }
 
-void ray_end(float start_1, float length_1, float r_mu_1, bool ground_1, float distance_1, float radius_1, float pixel_angle_1, float shell_weight, uint flags, inout float out_length, inout float out_weight, inout bool out_dims) {
-    if ((distance_1 >= 0.0)) {
-        float _e12 = scene_reach(start_1, length_1, r_mu_1, ground_1, distance_1, radius_1, pixel_angle_1);
+float scene_reach(float start, float length_, float r_mu_1, bool ground, float distance_2, float radius_2, float pixel_angle_2) {
+    float reach_1 = min(length_, (distance_2 - start));
+    if (!(ground)) {
+        return reach_1;
+    }
+    float _e13 = snapped(distance_2, pixel_angle_2, (abs((r_mu_1 + length_)) / radius_2));
+    float before = smoothstep((0.5 * _e13), _e13, (length_ - reach_1));
+    return ((length_ * (1.0 - before)) + (reach_1 * before));
+}
+
+void ray_end(float start_1, float length_1, float r_mu_2, bool ground_1, float distance_3, float radius_3, float pixel_angle_3, float shell_weight, uint flags_1, inout float out_length, inout float out_weight, inout bool out_dims) {
+    if ((distance_3 >= 0.0)) {
+        float _e12 = scene_reach(start_1, length_1, r_mu_2, ground_1, distance_3, radius_3, pixel_angle_3);
         out_length = _e12;
         out_weight = 1.0;
         out_dims = true;
@@ -157,7 +222,7 @@ void ray_end(float start_1, float length_1, float r_mu_1, bool ground_1, float d
     }
     out_length = length_1;
     out_weight = shell_weight;
-    out_dims = ((flags & SHELL_DIMS) != 0u);
+    out_dims = ((flags_1 & SHELL_DIMS) != 0u);
 }
 
 float lit_fraction_at(highp sampler2D visibility, ivec2 pixel_1) {
@@ -169,132 +234,131 @@ float lit_fraction_at(highp sampler2D visibility, ivec2 pixel_1) {
     }
 }
 
-vec4 compose(vec4 scene_1, vec3 transmittance_1, vec3 inscatter_1) {
+vec4 compose(vec4 scene_1, vec3 transmittance_1, vec3 inscatter_1, float most_1) {
     if (BLEND) {
-        vec4 _e3 = veil(inscatter_1, transmittance_1);
-        return _e3;
+        vec4 _e4 = veil(inscatter_1, transmittance_1, most_1);
+        return _e4;
     } else {
         vec3 dimmed = (scene_1.xyz * transmittance_1);
-        return vec4((dimmed + min(inscatter_1, max((vec3(32000.0) - dimmed), vec3(0.0)))), scene_1.w);
+        return vec4((dimmed + min(inscatter_1, max((vec3(most_1) - dimmed), vec3(0.0)))), scene_1.w);
     }
 }
 
-void corner(vec2 position_1, ivec2 size_1, inout ivec2 out_first, inout ivec2 out_last, inout vec2 out_between) {
-    vec2 inside = clamp(position_1, vec2(0.0), vec2((size_1 - ivec2(1))));
-    ivec2 first_1 = min(ivec2(inside), (size_1 - ivec2(1)));
-    out_first = first_1;
-    out_last = min((first_1 + ivec2(1)), (size_1 - ivec2(1)));
-    out_between = (inside - vec2(first_1));
+float altitude_of(float excess_1, float radius_4) {
+    return (excess_1 / (radius_4 + sqrt(max(((radius_4 * radius_4) + excess_1), 0.0))));
 }
 
-vec4 bilinear(highp sampler2D lut, ivec2 c_first, ivec2 c_last, vec2 c_between, ivec2 origin) {
-    ivec2 first_2 = (c_first + origin);
-    ivec2 last = (c_last + origin);
-    vec4 _e8 = texelFetch(lut, first_2, 0);
-    vec4 _e13 = texelFetch(lut, ivec2(last.x, first_2.y), 0);
-    vec4 bottom = mix(_e8, _e13, c_between.x);
-    vec4 _e20 = texelFetch(lut, ivec2(first_2.x, last.y), 0);
-    vec4 _e22 = texelFetch(lut, last, 0);
-    vec4 top = mix(_e20, _e22, c_between.x);
-    return mix(bottom, top, c_between.y);
-}
-
-float altitude_of(float excess, float radius_2) {
-    return (excess / (radius_2 + sqrt(max(((radius_2 * radius_2) + excess), 0.0))));
-}
-
-float excess_of(float h, float radius_3) {
-    return (h * ((2.0 * radius_3) + h));
-}
-
-float altitude_after(float excess_1, float r_mu_2, float t, float radius_4) {
-    float _e9 = altitude_of((excess_1 + (t * ((2.0 * r_mu_2) + t))), radius_4);
+float altitude_after(float excess_2, float r_mu_3, float t, float radius_5) {
+    float _e9 = altitude_of((excess_2 + (t * ((2.0 * r_mu_3) + t))), radius_5);
     return max(_e9, 0.0);
 }
 
-float distance_to_top(float excess_2, float r_mu_3, float top_excess) {
-    float c = max((top_excess - excess_2), 0.0);
-    float root_1 = sqrt(((r_mu_3 * r_mu_3) + c));
-    if ((r_mu_3 > 0.0)) {
-        return (c / (r_mu_3 + root_1));
+float distance_to_top(float excess_3, float r_mu_4, float top_excess) {
+    float c = max((top_excess - excess_3), 0.0);
+    float root_1 = sqrt(((r_mu_4 * r_mu_4) + c));
+    if ((r_mu_4 > 0.0)) {
+        return (c / (r_mu_4 + root_1));
     }
-    return (root_1 - r_mu_3);
+    return (root_1 - r_mu_4);
 }
 
-float half_chord2_(float r_mu_4, float above, float depth_1, float p) {
+float half_chord2_(float r_mu_5, float above, float depth_1, float p) {
     float sphere = (depth_1 + p);
-    if ((abs(r_mu_4) < sphere)) {
-        return ((r_mu_4 * r_mu_4) - above);
+    if ((abs(r_mu_5) < sphere)) {
+        return ((r_mu_5 * r_mu_5) - above);
     }
     return (depth_1 * (sphere + p));
 }
 
-void line_past(vec3 dir, float h_1, float radius_5, inout float out_r_mu, inout float out_perigee, inout float out_perigee_excess, inout bool out_ground) {
-    bool local_3 = false;
-    float r = (radius_5 + h_1);
-    float r_mu_8 = (r * dir.z);
-    float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
-    float _e15 = excess_of(h_1, radius_5);
-    float _e17 = half_chord2_(r_mu_8, _e15, (radius_5 - p_1), p_1);
-    if ((r_mu_8 < 0.0)) {
-        local_3 = (_e17 >= 0.0);
-    } else {
-        local_3 = false;
-    }
-    bool _e26 = local_3;
-    out_r_mu = r_mu_8;
-    out_perigee = p_1;
-    out_perigee_excess = -(_e17);
-    out_ground = _e26;
-}
-
-float top_half_chord2_(float line_r_mu_1, float line_perigee_excess_1, float h_2, float radius_6, float thickness) {
-    float r_mu2_ = (line_r_mu_1 * line_r_mu_1);
-    float _e5 = excess_of(thickness, radius_6);
-    float above_1 = ((h_2 - thickness) * (((2.0 * radius_6) + thickness) + h_2));
-    return ((r_mu2_ < _e5) ? (r_mu2_ - above_1) : (_e5 - line_perigee_excess_1));
-}
-
-float distance_to_ground(float excess_3, float r_mu_5, float root) {
-    return min((excess_3 / (root - r_mu_5)), -(r_mu_5));
-}
-
-void air_path(float line_r_mu_2, float line_perigee_excess_2, bool line_ground_1, float h_3, float radius_7, float thickness_1, inout float out_start, inout float out_length_1, inout float out_excess, inout float out_r_mu_1) {
+void line_past(vec3 dir, float h_2, float radius_6, inout float out_r_mu_1, inout float out_perigee_1, inout float out_perigee_excess_1, inout bool out_ground_1) {
     bool local_4 = false;
-    float _e6 = excess_of(thickness_1, radius_7);
-    float ground_root = sqrt(max(-(line_perigee_excess_2), 0.0));
-    if ((h_3 <= thickness_1)) {
-        float _e16 = excess_of(h_3, radius_7);
-        float _e17 = distance_to_top(_e16, line_r_mu_2, _e6);
-        float _e18 = distance_to_ground(_e16, line_r_mu_2, ground_root);
+    float r = (radius_6 + h_2);
+    float r_mu_15 = (r * dir.z);
+    float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
+    float _e15 = excess_of(h_2, radius_6);
+    float _e17 = half_chord2_(r_mu_15, _e15, (radius_6 - p_1), p_1);
+    if ((r_mu_15 < 0.0)) {
+        local_4 = (_e17 >= 0.0);
+    } else {
+        local_4 = false;
+    }
+    bool _e26 = local_4;
+    out_r_mu_1 = r_mu_15;
+    out_perigee_1 = p_1;
+    out_perigee_excess_1 = -(_e17);
+    out_ground_1 = _e26;
+}
+
+float top_half_chord2_(float line_r_mu_2, float line_perigee_excess_2, float h_3, float radius_7, float thickness_1) {
+    float r_mu2_ = (line_r_mu_2 * line_r_mu_2);
+    float _e5 = excess_of(thickness_1, radius_7);
+    float above_1 = ((h_3 - thickness_1) * (((2.0 * radius_7) + thickness_1) + h_3));
+    return ((r_mu2_ < _e5) ? (r_mu2_ - above_1) : (_e5 - line_perigee_excess_2));
+}
+
+void air_path(float line_r_mu_3, float line_perigee_excess_3, bool line_ground_2, float h_4, float radius_8, float thickness_2, inout float out_start, inout float out_length_1, inout float out_excess, inout float out_r_mu_2) {
+    bool local_5 = false;
+    float _e6 = excess_of(thickness_2, radius_8);
+    float ground_root = sqrt(max(-(line_perigee_excess_3), 0.0));
+    if ((h_4 <= thickness_2)) {
+        float _e16 = excess_of(h_4, radius_8);
+        float _e17 = distance_to_top(_e16, line_r_mu_3, _e6);
+        float _e18 = distance_to_ground(_e16, line_r_mu_3, ground_root);
         out_start = 0.0;
-        out_length_1 = (line_ground_1 ? _e18 : _e17);
+        out_length_1 = (line_ground_2 ? _e18 : _e17);
         out_excess = _e16;
-        out_r_mu_1 = line_r_mu_2;
+        out_r_mu_2 = line_r_mu_3;
         return;
     }
-    float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_7) + thickness_1) + h_3));
-    float _e27 = top_half_chord2_(line_r_mu_2, line_perigee_excess_2, h_3, radius_7, thickness_1);
-    if (!((line_r_mu_2 >= 0.0))) {
-        local_4 = (_e27 <= 0.0);
+    float above_2 = ((h_4 - thickness_2) * (((2.0 * radius_8) + thickness_2) + h_4));
+    float _e27 = top_half_chord2_(line_r_mu_3, line_perigee_excess_3, h_4, radius_8, thickness_2);
+    if (!((line_r_mu_3 >= 0.0))) {
+        local_5 = (_e27 <= 0.0);
     } else {
-        local_4 = true;
+        local_5 = true;
     }
-    bool _e36 = local_4;
+    bool _e36 = local_5;
     if (_e36) {
         out_start = 0.0;
         out_length_1 = -1.0;
         out_excess = 0.0;
-        out_r_mu_1 = 0.0;
+        out_r_mu_2 = 0.0;
         return;
     }
-    float half_ = sqrt(_e27);
-    float _e45 = distance_to_ground(_e6, -(half_), ground_root);
-    float reach_1 = (line_ground_1 ? _e45 : (2.0 * half_));
-    out_start = (above_2 / (half_ - line_r_mu_2));
-    out_length_1 = reach_1;
+    float half_1 = sqrt(_e27);
+    float _e45 = distance_to_ground(_e6, -(half_1), ground_root);
+    float reach_2 = (line_ground_2 ? _e45 : (2.0 * half_1));
+    out_start = (above_2 / (half_1 - line_r_mu_3));
+    out_length_1 = reach_2;
     out_excess = _e6;
-    out_r_mu_1 = -(half_);
+    out_r_mu_2 = -(half_1);
+}
+
+void lowest_point(float excess_4, float r_mu_6, float perigee_excess, bool to_ground, float length_2, float radius_9, inout float out_distance, inout float out_excess_1, inout float out_r_mu_3) {
+    if ((r_mu_6 >= 0.0)) {
+        out_distance = 0.0;
+        out_excess_1 = excess_4;
+        out_r_mu_3 = r_mu_6;
+        return;
+    }
+    if ((-(r_mu_6) <= length_2)) {
+        out_distance = -(r_mu_6);
+        out_excess_1 = perigee_excess;
+        out_r_mu_3 = 0.0;
+        return;
+    }
+    float end = (r_mu_6 + length_2);
+    if (to_ground) {
+        out_distance = length_2;
+        out_excess_1 = 0.0;
+        out_r_mu_3 = end;
+        return;
+    }
+    bool far = ((-(r_mu_6) * length_2) > (radius_9 * radius_9));
+    float near_excess = (excess_4 + (length_2 * ((2.0 * r_mu_6) + length_2)));
+    out_distance = length_2;
+    out_excess_1 = (far ? (perigee_excess + (end * end)) : near_excess);
+    out_r_mu_3 = end;
 }
 
 float crowded(float rest, float s, float s_max) {
@@ -303,44 +367,49 @@ float crowded(float rest, float s, float s_max) {
 
 float azimuth_to_u(vec3 dir_1) {
     float flat_ = max(length(dir_1.xy), 1e-30);
-    float cosine = (dir_1.x / flat_);
-    float large = sqrt((0.5 + (0.5 * min(abs(cosine), 1.0))));
+    float cosine_1 = (dir_1.x / flat_);
+    float large = sqrt((0.5 + (0.5 * min(abs(cosine_1), 1.0))));
     float small = (((0.5 * abs(dir_1.y)) / flat_) / large);
-    float s_1 = ((cosine >= 0.0) ? small : large);
+    float s_1 = ((cosine_1 >= 0.0) ? small : large);
     return (s_1 / (large + small));
 }
 
-float zenith_to_v(float line_r_mu_3, float line_perigee_1, float line_perigee_excess_3, bool line_ground_2, float mu, float h_4, float radius_8, float thickness_2, vec4 mapping) {
-    if (line_ground_2) {
-        float cosine_1 = min((sqrt(max(-(line_perigee_excess_3), 0.0)) / radius_8), 1.0);
-        float _e22 = crowded((0.5 * cosine_1), ((line_perigee_1 / radius_8) / sqrt((2.0 + (2.0 * cosine_1)))), SQRT_HALF);
+float zenith_to_v(float line_r_mu_4, float line_perigee_2, float line_perigee_excess_4, bool line_ground_3, float mu, float h_5, float radius_10, float thickness_3, vec4 mapping) {
+    if (line_ground_3) {
+        float cosine_2 = min((sqrt(max(-(line_perigee_excess_4), 0.0)) / radius_10), 1.0);
+        float _e22 = crowded((0.5 * cosine_2), ((line_perigee_2 / radius_10) / sqrt((2.0 + (2.0 * cosine_2)))), SQRT_HALF);
         return _e22;
     }
     if ((mu >= 0.0)) {
-        float s_2 = ((line_perigee_1 / (radius_8 + h_4)) / sqrt((2.0 + (2.0 * mu))));
+        float s_2 = ((line_perigee_2 / (radius_10 + h_5)) / sqrt((2.0 + (2.0 * mu))));
         float _e46 = crowded((0.5 * (mu + mapping.w)), s_2, sqrt((0.5 + (0.5 * mapping.w))));
         return (mapping.x + (((1.0 - mapping.x) * max((_e46 - mapping.z), 0.0)) / (1.0 - mapping.z)));
     }
-    float limit = max(min(h_4, thickness_2), 1e-20);
-    float perigee_h = (max(line_perigee_excess_3, 0.0) / (radius_8 + line_perigee_1));
-    float part_1 = min((perigee_h / limit), 1.0);
-    float _e73 = top_half_chord2_(line_r_mu_3, line_perigee_excess_3, h_4, radius_8, thickness_2);
-    float r_mu2_1 = ((h_4 > thickness_2) ? _e73 : (line_r_mu_3 * line_r_mu_3));
-    float y = sqrt(clamp((r_mu2_1 / (limit * (((2.0 * radius_8) + limit) + perigee_h))), 0.0, 1.0));
-    return (mapping.x * sqrt(((part_1 * (1.0 + (mapping.y * y))) / (1.0 + y))));
+    float limit = max(min(h_5, thickness_3), 1e-20);
+    float perigee_h = (max(line_perigee_excess_4, 0.0) / (radius_10 + line_perigee_2));
+    float part = min((perigee_h / limit), 1.0);
+    float _e73 = top_half_chord2_(line_r_mu_4, line_perigee_excess_4, h_5, radius_10, thickness_3);
+    float r_mu2_1 = ((h_5 > thickness_3) ? _e73 : (line_r_mu_4 * line_r_mu_4));
+    float y = sqrt(clamp((r_mu2_1 / (limit * (((2.0 * radius_10) + limit) + perigee_h))), 0.0, 1.0));
+    return (mapping.x * sqrt(((part * (1.0 + (mapping.y * y))) / (1.0 + y))));
 }
 
 float v_to_row(float v, bool ground_2, float rows, float ground_rows) {
     return (ground_2 ? (v * (ground_rows - 1.0)) : (ground_rows + (v * ((rows - ground_rows) - 1.0))));
 }
 
-vec2 sky_view_uv(float u, float row, vec2 size_2) {
-    return ((vec2((u * (size_2.x - 1.0)), row) + vec2(0.5)) / size_2);
+vec2 sky_view_uv(float u, float row, vec2 size_1) {
+    return ((vec2((u * (size_1.x - 1.0)), row) + vec2(0.5)) / size_1);
 }
 
 vec3 decode_light(vec3 texel) {
     vec3 square = (texel * texel);
     return (square * square);
+}
+
+mat2x3 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width, float m_datum) {
+    vec3 fall_4 = vec3(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_inv_half_width);
+    return mat2x3(fall_4, vec3(m_datum, m_ozone_center, 0.0));
 }
 
 mat3x3 coefficients_of(vec3 m_rayleigh, vec3 m_mie_extinction, vec3 m_ozone) {
@@ -374,233 +443,219 @@ vec3 mean_transmittance(vec3 tau) {
     return mix(((vec3(1.0) - exp(-(tau))) / tau), series, lessThan(tau, vec3(0.01)));
 }
 
-void aerial_column(highp sampler2D lut_1, uint luts_slices, float luts_aerial_ground_rows, float u_1, float v_1, bool ground_3, inout vec2 out_texel, inout vec2 out_size, inout float out_slices) {
+vec3 opacity(vec3 tau_1) {
+    vec3 _e1 = mean_transmittance(tau_1);
+    return (tau_1 * _e1);
+}
+
+mat3x3 taking_coefficients(vec3 m_rayleigh_1, vec3 luts_mie_extinction) {
+    return mat3x3(m_rayleigh_1, luts_mie_extinction, vec3(0.0));
+}
+
+void aerial_point(highp sampler2D lut, uint luts_slices, float luts_aerial_ground_rows, float u_1, float v_1, bool ground_3, float path_length_1, float path_r_mu_1, float distance_4, inout vec2 out_texel, inout vec2 out_size, inout float out_slices, inout float out_slice) {
     float slices = float(luts_slices);
-    vec2 size_3 = (vec2(uvec2(textureSize(lut_1, 0).xy)) / vec2(slices, 4.0));
-    float _e15 = v_to_row(v_1, ground_3, size_3.y, luts_aerial_ground_rows);
-    out_texel = vec2((u_1 * (size_3.x - 1.0)), _e15);
-    out_size = size_3;
-    out_slices = slices;
-}
-
-vec4 aerial_at(highp sampler2D lut_2, vec2 c_texel, vec2 c_size, float c_slices, float slice, int kind, float first) {
-    if ((slice < 0.0)) {
-        return vec4(vec3(first), 0.0);
-    }
-    vec2 scale = (vec2(1.0) / vec2((c_size.x * c_slices), (c_size.y * 4.0)));
-    vec2 position_2 = ((c_texel + (c_size * vec2(slice, float(kind)))) + vec2(0.5));
-    vec4 _e31 = textureLod(lut_2, vec2((position_2 * scale)), 0.0);
-    return _e31;
-}
-
-void aerial_slice(highp sampler2D lut_3, vec2 c_texel_1, vec2 c_size_1, float c_slices_1, float path_length_1, float path_r_mu_1, float distance_2, inout float out_index, inout vec4 out_near, inout vec4 out_far) {
-    float slice_1 = 0.0;
-    vec4 near = vec4(0.0);
-    vec4 far = vec4(0.0);
-    int i = 0;
-    bool local_5 = false;
-    bool local_6 = false;
-    int i_1 = 0;
-    bool local_7 = false;
-    bool local_8 = false;
+    vec2 size_2 = (vec2(uvec2(textureSize(lut, 0).xy)) / vec2(slices, 2.0));
+    float _e16 = v_to_row(v_1, ground_3, size_2.y, luts_aerial_ground_rows);
     float perigee_1 = clamp(-(path_r_mu_1), 0.0, path_length_1);
-    float _e11 = distance_to_u(perigee_1, 0.0);
-    float _e13 = distance_to_u(perigee_1, distance_2);
-    float _e15 = distance_to_u(perigee_1, path_length_1);
-    float u_2 = ((_e13 - _e11) / (_e15 - _e11));
-    float last_1 = (c_slices_1 - 1.0);
-    float fraction = min((distance_2 / path_length_1), 1.0);
-    slice_1 = clamp(floor((u_2 * c_slices_1)), 0.0, last_1);
-    float _e31 = slice_1;
-    vec4 _e38 = aerial_at(lut_3, c_texel_1, c_size_1, c_slices_1, (_e31 - 1.0), AIR_TRANSMITTANCE, 1.0);
-    near = _e38;
-    float _e40 = slice_1;
-    vec4 _e43 = aerial_at(lut_3, c_texel_1, c_size_1, c_slices_1, _e40, AIR_TRANSMITTANCE, 1.0);
-    far = _e43;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            int _e70 = i;
-            i = (_e70 + 1);
-        }
-        loop_init = false;
-        int _e46 = i;
-        if ((_e46 < 4)) {
-            float _e50 = far.w;
-            local_5 = (fraction > _e50);
-        } else {
-            local_5 = false;
-        }
-        bool _e55 = local_5;
-        if (_e55) {
-            float _e56 = slice_1;
-            local_6 = (_e56 < last_1);
-        } else {
-            local_6 = false;
-        }
-        bool _e61 = local_6;
-        if (_e61) {
-        } else {
-            break;
-        }
-        {
-            float _e62 = slice_1;
-            slice_1 = (_e62 + 1.0);
-            vec4 _e65 = far;
-            near = _e65;
-            float _e66 = slice_1;
-            vec4 _e69 = aerial_at(lut_3, c_texel_1, c_size_1, c_slices_1, _e66, AIR_TRANSMITTANCE, 1.0);
-            far = _e69;
+    float _e23 = distance_to_u(perigee_1, 0.0);
+    float _e25 = distance_to_u(perigee_1, distance_4);
+    float _e27 = distance_to_u(perigee_1, path_length_1);
+    float part_1 = ((_e25 - _e23) / (_e27 - _e23));
+    out_texel = vec2((u_1 * (size_2.x - 1.0)), _e16);
+    out_size = size_2;
+    out_slices = slices;
+    out_slice = (clamp(part_1, 0.0, 1.0) * (slices - 1.0));
+}
+
+vec3 aerial_brightness(highp sampler2D lut_1, vec2 p_texel, vec2 p_size, float p_slices, float p_slice, int kind) {
+    float first_5 = min(floor(p_slice), (p_slices - 2.0));
+    vec2 scale = (vec2(1.0) / vec2((p_size.x * p_slices), (p_size.y * 2.0)));
+    vec2 near = (((p_texel + (p_size * vec2(first_5, float(kind)))) + vec2(0.5)) * scale);
+    vec2 far_1 = (near + vec2((p_size.x * scale.x), 0.0));
+    vec4 _e35 = textureLod(lut_1, vec2(near), 0.0);
+    vec4 _e38 = textureLod(lut_1, vec2(far_1), 0.0);
+    return mix(_e35.xyz, _e38.xyz, (p_slice - first_5));
+}
+
+vec4 heights_after(float excess_5, float r_mu_7, vec4 t_2, float radius_11) {
+    vec4 x = (vec4(excess_5) + (t_2 * (vec4((2.0 * r_mu_7)) + t_2)));
+    return max((x / (vec4(radius_11) + sqrt(max((vec4((radius_11 * radius_11)) + x), vec4(0.0))))), vec4(0.0));
+}
+
+float distance_at_height(float excess_6, float r_mu_8, float h_6, float radius_12) {
+    float _e2 = excess_of(h_6, radius_12);
+    return sqrt(max(((_e2 - excess_6) + (r_mu_8 * r_mu_8)), 0.0));
+}
+
+float exponential_column(float excess_7, float r_mu_9, float first, float last, float radius_13, float fall, float datum) {
+    float _e2 = altitude_of(excess_7, radius_13);
+    float highest = (max(_e2, datum) + (COLUMN_HEIGHTS / fall));
+    float _e10 = distance_at_height(excess_7, r_mu_9, highest, radius_13);
+    float begin = max(first, (-(_e10) - r_mu_9));
+    float half_2 = (0.5 * max((min(last, (_e10 - r_mu_9)) - begin), 0.0));
+    vec4 t_3 = (half_2 * COLUMN_NODES);
+    vec4 _e28 = heights_after(excess_7, r_mu_9, (vec4((begin + half_2)) - t_3), radius_13);
+    vec4 above_3 = max((_e28 - vec4(datum)), vec4(0.0));
+    vec4 _e37 = heights_after(excess_7, r_mu_9, (vec4((begin + half_2)) + t_3), radius_13);
+    vec4 beyond = max((_e37 - vec4(datum)), vec4(0.0));
+    return (half_2 * dot(COLUMN_WEIGHTS, (exp((-(above_3) * fall)) + exp((-(beyond) * fall)))));
+}
+
+float slope_column(float excess_8, float r_mu_10, float first_1, float last_1, float radius_14, float fall_1, float tip, float datum_1) {
+    float span = max((last_1 - first_1), 0.0);
+    vec3 t_4 = (vec3(first_1) + (span * TENT_NODES));
+    float _e13 = altitude_after(excess_8, r_mu_10, t_4.x, radius_14);
+    float _e15 = altitude_after(excess_8, r_mu_10, t_4.y, radius_14);
+    float _e17 = altitude_after(excess_8, r_mu_10, t_4.z, radius_14);
+    vec3 h_7 = vec3(_e13, _e15, _e17);
+    vec3 z = max((h_7 - vec3(datum_1)), vec3(0.0));
+    return (span * dot(TENT_WEIGHTS, max((vec3(1.0) - (abs((z - vec3(tip))) * fall_1)), vec3(0.0))));
+}
+
+float tent_column(float excess_9, float r_mu_11, float length_3, float radius_15, float fall_2, float tip_1, float datum_2) {
+    float width = (1.0 / fall_2);
+    float low = ((datum_2 + tip_1) - width);
+    float _e10 = distance_at_height(excess_9, r_mu_11, low, radius_15);
+    float first_6 = ((tip_1 <= width) ? 0.0 : (_e10 - r_mu_11));
+    if ((first_6 >= length_3)) {
+        return 0.0;
+    }
+    float _e19 = distance_at_height(excess_9, r_mu_11, (datum_2 + tip_1), radius_15);
+    float _e23 = distance_at_height(excess_9, r_mu_11, ((datum_2 + tip_1) + width), radius_15);
+    vec3 edges = clamp(vec3(first_6, (_e19 - r_mu_11), (_e23 - r_mu_11)), vec3(0.0), vec3(length_3));
+    float _e32 = slope_column(excess_9, r_mu_11, edges.x, edges.y, radius_15, fall_2, tip_1, datum_2);
+    float _e35 = slope_column(excess_9, r_mu_11, edges.y, edges.z, radius_15, fall_2, tip_1, datum_2);
+    return (_e32 + _e35);
+}
+
+vec3 columns(mat2x3 layers, float excess_10, float r_mu_12, float first_2, float last_2, float radius_16) {
+    vec3 sum_1 = vec3(0.0);
+    vec3 fall_5 = layers[0];
+    float datum_4 = layers[1].x;
+    if (RAYLEIGH) {
+        float _e15 = exponential_column(excess_10, r_mu_12, first_2, last_2, radius_16, fall_5.x, datum_4);
+        sum_1.x = _e15;
+    }
+    if (MIE) {
+        float _e19 = exponential_column(excess_10, r_mu_12, first_2, last_2, radius_16, fall_5.y, datum_4);
+        sum_1.y = _e19;
+    }
+    if (OZONE) {
+        float tip_2 = layers[1].y;
+        float _e28 = tent_column(excess_10, abs(r_mu_12), max(-(first_2), last_2), radius_16, fall_5.z, tip_2, datum_4);
+        sum_1.z = _e28;
+        float other = min(-(first_2), last_2);
+        if ((other > 0.0)) {
+            float _e34 = sum_1.z;
+            float _e37 = tent_column(excess_10, 0.0, other, radius_16, fall_5.z, tip_2, datum_4);
+            sum_1.z = (_e34 + _e37);
         }
     }
-    bool loop_init_1 = true;
-    while(true) {
-        if (!loop_init_1) {
-            int _e101 = i_1;
-            i_1 = (_e101 + 1);
-        }
-        loop_init_1 = false;
-        int _e74 = i_1;
-        if ((_e74 < 4)) {
-            float _e78 = near.w;
-            local_7 = (fraction < _e78);
-        } else {
-            local_7 = false;
-        }
-        bool _e83 = local_7;
-        if (_e83) {
-            float _e84 = slice_1;
-            local_8 = (_e84 > 0.0);
-        } else {
-            local_8 = false;
-        }
-        bool _e90 = local_8;
-        if (_e90) {
-        } else {
-            break;
-        }
-        {
-            float _e91 = slice_1;
-            slice_1 = (_e91 - 1.0);
-            vec4 _e94 = near;
-            far = _e94;
-            float _e95 = slice_1;
-            vec4 _e100 = aerial_at(lut_3, c_texel_1, c_size_1, c_slices_1, (_e95 - 1.0), AIR_TRANSMITTANCE, 1.0);
-            near = _e100;
-        }
+    vec3 _e39 = sum_1;
+    return _e39;
+}
+
+float rough_column(float excess_11, float r_mu_13, float first_3, float last_3, float radius_17, float fall_3, float datum_3) {
+    float _e2 = altitude_of(excess_11, radius_17);
+    float highest_1 = (max(_e2, datum_3) + (ROUGH_HEIGHTS / fall_3));
+    float _e10 = distance_at_height(excess_11, r_mu_13, highest_1, radius_17);
+    float begin_1 = max(first_3, (-(_e10) - r_mu_13));
+    float half_3 = (0.5 * max((min(last_3, (_e10 - r_mu_13)) - begin_1), 0.0));
+    vec2 t_5 = (half_3 * ROUGH_NODES);
+    vec4 _e30 = heights_after(excess_11, r_mu_13, (vec4((begin_1 + half_3)) + vec4(-(t_5), t_5)), radius_17);
+    vec4 density = exp((-(max((_e30 - vec4(datum_3)), vec4(0.0))) * fall_3));
+    return (half_3 * dot(ROUGH_WEIGHTS, (density.xy + density.zw)));
+}
+
+vec3 rough_opacity(mat2x3 layers_1, mat3x3 coefficients_1, float excess_12, float r_mu_14, float first_4, float last_4, float radius_18) {
+    vec3 sum_2 = vec3(0.0);
+    if (RAYLEIGH) {
+        float _e15 = rough_column(excess_12, r_mu_14, first_4, last_4, radius_18, layers_1[0].x, layers_1[1].x);
+        sum_2.x = _e15;
     }
-    float _e104 = slice_1;
-    vec4 _e105 = near;
-    vec4 _e106 = far;
-    out_index = _e104;
-    out_near = _e105;
-    out_far = _e106;
+    if (MIE) {
+        float _e22 = rough_column(excess_12, r_mu_14, first_4, last_4, radius_18, layers_1[0].y, layers_1[1].x);
+        sum_2.y = _e22;
+    }
+    vec3 _e23 = sum_2;
+    vec3 _e25 = extinction(coefficients_1, _e23);
+    vec3 _e26 = opacity(_e25);
+    return _e26;
 }
 
-vec3 slice_fraction(vec3 inverse_heights, float h0_, float h_5, float h1_, float part) {
-    vec3 rise = (inverse_heights * (h_5 - h0_));
-    vec3 whole = (inverse_heights * (h1_ - h0_));
-    vec3 _e9 = mean_transmittance(abs(rise));
-    vec3 _e11 = mean_transmittance(abs(whole));
-    vec3 ratio = (_e9 / _e11);
-    vec3 densest = exp((max(-(rise), vec3(0.0)) - max(-(whole), vec3(0.0))));
-    return clamp(((part * ratio) * densest), vec3(0.0), vec3(1.0));
+vec3 path_columns(mat2x3 layers_2, float line_perigee_excess_5, bool line_ground_4, float path_excess_1, float path_r_mu_2, float length_4, bool whole, float radius_19) {
+    bool local_6 = false;
+    float lowest_distance = 0.0;
+    float lowest_excess = 0.0;
+    float lowest_r_mu = 0.0;
+    if (line_ground_4) {
+        local_6 = whole;
+    } else {
+        local_6 = false;
+    }
+    bool _e8 = local_6;
+    lowest_point(path_excess_1, path_r_mu_2, line_perigee_excess_5, _e8, length_4, radius_19, lowest_distance, lowest_excess, lowest_r_mu);
+    float _e14 = lowest_distance;
+    float _e15 = lowest_excess;
+    float _e16 = lowest_r_mu;
+    vec3 _e20 = columns(layers_2, _e15, _e16, -(_e14), (length_4 - _e14), radius_19);
+    return _e20;
 }
 
-vec3 slice_passed(vec4 s_near, vec4 s_far, float path_length_2, float path_excess_1, float path_r_mu_2, float distance_3, float m_rayleigh_inv_height, float m_mie_inv_height, float m_radius) {
-    float fraction_1 = min((distance_3 / path_length_2), 1.0);
-    float part_2 = clamp(((fraction_1 - s_near.w) / max((s_far.w - s_near.w), 1e-9)), 0.0, 1.0);
-    float _e27 = altitude_after(path_excess_1, path_r_mu_2, (s_near.w * path_length_2), m_radius);
-    float _e28 = altitude_after(path_excess_1, path_r_mu_2, distance_3, m_radius);
-    float _e31 = altitude_after(path_excess_1, path_r_mu_2, (s_far.w * path_length_2), m_radius);
-    vec3 _e32 = slice_fraction(vec3(m_rayleigh_inv_height, m_mie_inv_height, 0.0), _e27, _e28, _e31, part_2);
-    return _e32;
-}
-
-vec3 slice_depth(vec4 s_near_1, vec4 s_far_1) {
-    return -(log(clamp((s_far_1.xyz / max(s_near_1.xyz, vec3(1e-30))), vec3(1e-30), vec3(1.0))));
-}
-
-vec3 aerial_light(highp sampler2D lut_4, vec2 c_texel_2, vec2 c_size_2, float c_slices_2, float slice_2, int kind_1, vec3 passed) {
-    vec4 _e10 = aerial_at(lut_4, c_texel_2, c_size_2, c_slices_2, (slice_2 - 1.0), kind_1, 0.0);
-    vec3 near_1 = _e10.xyz;
-    vec4 _e13 = aerial_at(lut_4, c_texel_2, c_size_2, c_slices_2, slice_2, kind_1, 0.0);
-    return mix(near_1, _e13.xyz, passed);
-}
-
-vec2 transmittance_uv(float excess_4, float h_6, float r_mu_6, float radius_9, float thickness_3) {
-    float _e2 = excess_of(thickness_3, radius_9);
-    float rho = sqrt(max(excess_4, 0.0));
-    float rho_top = sqrt(_e2);
-    float _e9 = distance_to_top(excess_4, r_mu_6, _e2);
-    float shortest = max((thickness_3 - h_6), 0.0);
-    return vec2(((_e9 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
-}
-
-vec3 optical_path_to_top(highp sampler2D lut_5, float radius_10, float thickness_4, float excess_5, float h_7, float r_mu_7) {
-    ivec2 corner_first = ivec2(0);
-    ivec2 corner_last = ivec2(0);
-    vec2 corner_between = vec2(0.0);
-    ivec2 size_4 = ivec2(uvec2(textureSize(lut_5, 0).xy));
-    vec2 _e8 = transmittance_uv(excess_5, h_7, r_mu_7, radius_10, thickness_4);
-    vec2 position_3 = (_e8 * vec2((size_4 - ivec2(1))));
-    corner(position_3, size_4, corner_first, corner_last, corner_between);
-    ivec2 _e17 = corner_first;
-    ivec2 _e18 = corner_last;
-    vec2 _e19 = corner_between;
-    vec4 _e22 = bilinear(lut_5, _e17, _e18, _e19, ivec2(0));
-    return exp2(_e22.xyz);
-}
-
-void air_before(highp sampler2D aerial_lut, float m_rayleigh_inv_height_1, float m_mie_inv_height_1, float m_radius_1, float path_length_3, float path_excess_2, float path_r_mu_3, vec2 column_texel_1, vec2 column_size_1, float column_slices_1, float distance_4, vec3 smooth_light, vec3 mie_light, inout vec3 out_transmittance, inout vec3 out_inscatter) {
+void air_before(highp sampler2D aerial_lut, vec3 m_rayleigh_2, float m_rayleigh_inv_height_1, float m_mie_inv_height_1, vec3 m_mie_extinction_1, float m_ozone_center_1, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_datum_1, vec3 luts_mie_extinction_1, uint luts_slices_1, float luts_aerial_ground_rows_1, float line_perigee_excess_6, bool line_ground_5, float path_length_2, float path_excess_2, float path_r_mu_3, float u_2, float v_2, float distance_5, vec3 smooth_light, vec3 mie_light, inout vec3 out_transmittance, inout vec3 out_inscatter) {
     vec3 light = vec3(0.0);
     vec3 mie = vec3(0.0);
-    float s_index = 0.0;
-    vec4 s_near_2 = vec4(0.0);
-    vec4 s_far_2 = vec4(0.0);
-    aerial_slice(aerial_lut, column_texel_1, column_size_1, column_slices_1, path_length_3, path_r_mu_3, distance_4, s_index, s_near_2, s_far_2);
-    float _e14 = s_index;
-    vec4 _e15 = s_near_2;
-    vec4 _e16 = s_far_2;
-    vec3 _e20 = slice_passed(_e15, _e16, path_length_3, path_excess_2, path_r_mu_3, distance_4, m_rayleigh_inv_height_1, m_mie_inv_height_1, m_radius_1);
-    vec3 _e21 = slice_depth(_e15, _e16);
-    vec3 _e24 = mean_transmittance((_e21 * _e20.x));
-    vec3 _e25 = mean_transmittance(_e21);
-    vec3 seen = (_e24 / _e25);
+    float all_distance = 0.0;
+    float all_excess = 0.0;
+    float all_r_mu = 0.0;
+    vec2 point_texel = vec2(0.0);
+    vec2 point_size = vec2(0.0);
+    float point_slices = 0.0;
+    float point_slice = 0.0;
+    mat2x3 _e11 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1, m_datum_1);
+    bool to_end = (distance_5 >= path_length_2);
+    vec3 _e20 = path_columns(_e11, line_perigee_excess_6, line_ground_5, path_excess_2, path_r_mu_3, min(distance_5, path_length_2), to_end, m_radius);
     light = smooth_light;
     mie = mie_light;
-    if ((distance_4 < path_length_3)) {
-        vec3 _e32 = light;
-        vec3 _e36 = aerial_light(aerial_lut, column_texel_1, column_size_1, column_slices_1, _e14, AIR_SMOOTH, (_e20.x * seen));
-        light = (_e32 * _e36);
+    if (!(to_end)) {
+        mat3x3 _e29 = taking_coefficients(m_rayleigh_2, luts_mie_extinction_1);
+        lowest_point(path_excess_2, path_r_mu_3, line_perigee_excess_6, line_ground_5, path_length_2, m_radius, all_distance, all_excess, all_r_mu);
+        float _e33 = all_distance;
+        float _e34 = all_excess;
+        float _e35 = all_r_mu;
+        vec3 _e38 = rough_opacity(_e11, _e29, _e34, _e35, -(_e33), (path_length_2 - _e33), m_radius);
+        vec3 _e39 = extinction(_e29, _e20);
+        vec3 _e40 = opacity(_e39);
+        vec3 part_2 = (_e40 / max(_e38, vec3(1e-30)));
+        aerial_point(aerial_lut, luts_slices_1, luts_aerial_ground_rows_1, u_2, v_2, line_ground_5, path_length_2, path_r_mu_3, distance_5, point_texel, point_size, point_slices, point_slice);
+        vec2 _e52 = point_texel;
+        vec2 _e53 = point_size;
+        float _e54 = point_slices;
+        float _e55 = point_slice;
+        vec3 _e56 = light;
+        vec3 _e59 = aerial_brightness(aerial_lut, _e52, _e53, _e54, _e55, AIR_SMOOTH);
+        light = (_e56 * min((part_2 * _e59), vec3(1.0)));
         if (MIE_SINGLE) {
-            vec3 mie_passed = min((_e20.y * seen), vec3(1.0));
-            vec3 _e44 = mie;
-            vec3 _e46 = aerial_light(aerial_lut, column_texel_1, column_size_1, column_slices_1, _e14, AIR_MIE, mie_passed);
-            mie = (_e44 * _e46);
+            vec3 _e66 = mie;
+            vec3 _e68 = aerial_brightness(aerial_lut, _e52, _e53, _e54, _e55, AIR_MIE);
+            mie = (_e66 * min((part_2 * _e68), vec3(1.0)));
         }
     }
     if (MIE_SINGLE) {
-        vec3 _e49 = light;
-        vec3 _e50 = mie;
-        light = (_e49 + _e50);
+        vec3 _e75 = light;
+        vec3 _e76 = mie;
+        light = (_e75 + _e76);
     }
-    vec3 _e58 = light;
-    out_transmittance = (_e15.xyz * exp((-(_e21) * _e20.x)));
-    out_inscatter = _e58;
+    mat3x3 _e78 = coefficients_of(m_rayleigh_2, m_mie_extinction_1, m_ozone_1);
+    vec3 _e79 = extinction(_e78, _e20);
+    vec3 _e82 = light;
+    out_transmittance = exp(-(_e79));
+    out_inscatter = _e82;
 }
 
-vec3 whole_transmittance(highp sampler2D transmittance_lut, vec3 m_rayleigh_1, vec3 m_mie_extinction_1, vec3 m_ozone_1, float m_radius_2, float m_thickness, float path_excess_3, float path_r_mu_4) {
-    float _e7 = altitude_of(path_excess_3, m_radius_2);
-    vec3 _e9 = optical_path_to_top(transmittance_lut, m_radius_2, m_thickness, path_excess_3, _e7, path_r_mu_4);
-    mat3x3 _e10 = coefficients_of(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
-    vec3 _e11 = extinction(_e10, _e9);
-    return exp(-(_e11));
-}
-
-void path_light(highp sampler2D sky_view_lut, highp sampler2D mie_single_lut, vec2 uv, bool ground_4, float length_2, vec3 phase, inout vec3 out_smooth_light, inout vec3 out_mie_light) {
+void path_light(highp sampler2D sky_view_lut, highp sampler2D mie_single_lut, vec2 uv, bool ground_4, float length_5, vec3 phase, inout vec3 out_smooth_light, inout vec3 out_mie_light) {
     vec3 mie_light_1 = vec3(0.0);
-    float scale_1 = (ground_4 ? length_2 : 1.0);
+    float scale_1 = (ground_4 ? length_5 : 1.0);
     vec4 _e12 = textureLod(sky_view_lut, vec2(uv), 0.0);
     vec3 _e14 = decode_light(_e12.xyz);
     vec3 smooth_light_1 = (_e14 * scale_1);
@@ -648,9 +703,10 @@ void main() {
     vec4 scene = vec4(0.0);
     bool local = false;
     bool local_1 = false;
-    vec3 air_transmittance = vec3(0.0);
-    vec3 air_inscatter = vec3(0.0);
-    bool local_2 = false;
+    float line_past_r_mu = 0.0;
+    float line_past_perigee = 0.0;
+    float line_past_perigee_excess = 0.0;
+    bool line_past_ground = false;
     float line_r_mu = 0.0;
     float line_perigee = 0.0;
     float line_perigee_excess = 0.0;
@@ -664,18 +720,20 @@ void main() {
     bool end_dims = false;
     vec3 whole_smooth_light = vec3(0.0);
     vec3 whole_mie_light = vec3(0.0);
-    vec2 column_texel = vec2(0.0);
-    vec2 column_size = vec2(0.0);
-    float column_slices = 0.0;
+    vec3 air_transmittance = vec3(0.0);
+    vec3 air_inscatter = vec3(0.0);
     vec3 f_medium_rayleigh = _group_0_binding_0_fs.frame.medium.rayleigh;
     float f_medium_rayleigh_inv_height = _group_0_binding_0_fs.frame.medium.rayleigh_inv_height;
     float f_medium_mie_inv_height = _group_0_binding_0_fs.frame.medium.mie_inv_height;
     vec3 f_medium_mie_extinction = _group_0_binding_0_fs.frame.medium.mie_extinction;
+    float f_medium_ozone_center = _group_0_binding_0_fs.frame.medium.ozone_center;
     vec3 f_medium_mie_asymmetry = _group_0_binding_0_fs.frame.medium.mie_asymmetry;
+    float f_medium_ozone_inv_half_width = _group_0_binding_0_fs.frame.medium.ozone_inv_half_width;
     vec3 f_medium_ozone = _group_0_binding_0_fs.frame.medium.ozone;
     float f_medium_radius = _group_0_binding_0_fs.frame.medium.radius;
     vec3 f_medium_irradiance = _group_0_binding_0_fs.frame.medium.irradiance;
     float f_medium_thickness = _group_0_binding_0_fs.frame.medium.thickness;
+    float f_medium_datum = _group_0_binding_0_fs.frame.medium.datum;
     vec3 f_ray_forward = _group_0_binding_0_fs.frame.ray_forward;
     float f_altitude = _group_0_binding_0_fs.frame.altitude;
     vec3 f_ray_right = _group_0_binding_0_fs.frame.ray_right;
@@ -690,87 +748,76 @@ void main() {
     float f_depth_background = _group_0_binding_0_fs.frame.depth.background;
     uint f_flags = _group_0_binding_0_fs.frame.flags;
     vec4 f_sky_view_mapping = _group_0_binding_0_fs.frame.sky_view_mapping;
+    vec3 luts_mie_extinction_2 = _group_0_binding_0_fs.luts.mie_extinction;
     float luts_ground_rows = _group_0_binding_0_fs.luts.ground_rows;
-    uint luts_slices_1 = _group_0_binding_0_fs.luts.slices;
-    float luts_aerial_ground_rows_1 = _group_0_binding_0_fs.luts.aerial_ground_rows;
+    uint luts_slices_2 = _group_0_binding_0_fs.luts.slices;
+    float luts_aerial_ground_rows_2 = _group_0_binding_0_fs.luts.aerial_ground_rows;
     ivec2 pixel_2 = ivec2(position.xy);
     if (BLEND) {
     } else {
-        vec4 _e66 = texelFetch(_group_0_binding_1_fs, pixel_2, 0);
-        scene = _e66;
+        vec4 _e74 = texelFetch(_group_0_binding_1_fs, pixel_2, 0);
+        scene = _e74;
     }
-    vec3 _e69 = pixel_ray(position.xy, f_size, f_ray_forward, f_ray_right, f_ray_up);
-    float ray_length_1 = length(_e69);
-    vec4 _e73 = texelFetch(_group_0_binding_2_fs, pixel_2, 0);
-    float _e75 = depth_distance(f_depth_scale, f_depth_bias, f_depth_log, f_depth_background, _e73.x, ray_length_1);
-    vec3 dir_3 = (_e69 / vec3(ray_length_1));
-    line_past(dir_3, f_altitude, f_medium_radius, line_r_mu, line_perigee, line_perigee_excess, line_ground);
-    float _e82 = line_r_mu;
-    float _e83 = line_perigee;
-    float _e84 = line_perigee_excess;
-    bool _e85 = line_ground;
-    air_path(_e82, _e84, _e85, f_altitude, f_medium_radius, f_medium_thickness, path_start, path_length, path_excess, path_r_mu);
-    float _e90 = path_start;
-    float _e91 = path_length;
-    float _e92 = path_excess;
-    float _e93 = path_r_mu;
-    if (_e85) {
-        local = (_e91 >= 0.0);
+    vec3 _e77 = pixel_ray(position.xy, f_size, f_ray_forward, f_ray_right, f_ray_up);
+    float ray_length_1 = length(_e77);
+    vec4 _e81 = texelFetch(_group_0_binding_2_fs, pixel_2, 0);
+    float _e83 = depth_distance(f_depth_scale, f_depth_bias, f_depth_log, f_depth_background, _e81.x, ray_length_1);
+    vec3 dir_3 = (_e77 / vec3(ray_length_1));
+    line_past(dir_3, f_altitude, f_medium_radius, line_past_r_mu, line_past_perigee, line_past_perigee_excess, line_past_ground);
+    float _e90 = line_past_r_mu;
+    float _e91 = line_past_perigee;
+    float _e92 = line_past_perigee_excess;
+    bool _e93 = line_past_ground;
+    line_to_scene(_e90, _e91, _e92, _e93, f_altitude, _e83, f_medium_radius, f_medium_thickness, f_pixel_angle, line_r_mu, line_perigee, line_perigee_excess, line_ground);
+    float _e98 = line_r_mu;
+    float _e99 = line_perigee;
+    float _e100 = line_perigee_excess;
+    bool _e101 = line_ground;
+    air_path(_e98, _e100, _e101, f_altitude, f_medium_radius, f_medium_thickness, path_start, path_length, path_excess, path_r_mu);
+    float _e106 = path_start;
+    float _e107 = path_length;
+    float _e108 = path_excess;
+    float _e109 = path_r_mu;
+    if (_e101) {
+        local = (_e107 >= 0.0);
     } else {
         local = false;
     }
     bool ground_5 = local;
-    ray_end(_e90, _e91, _e93, ground_5, _e75, f_medium_radius, f_pixel_angle, f_shell_weight, f_flags, end_length, end_weight, end_dims);
-    float _e103 = end_length;
-    float _e104 = end_weight;
-    bool _e105 = end_dims;
-    if (!((_e103 <= 0.0))) {
-        local_1 = (_e104 <= 0.0);
+    ray_end(_e106, _e107, _e109, ground_5, _e83, f_medium_radius, f_pixel_angle, f_shell_weight, f_flags, end_length, end_weight, end_dims);
+    float _e119 = end_length;
+    float _e120 = end_weight;
+    bool _e121 = end_dims;
+    if (!((_e119 <= 0.0))) {
+        local_1 = (_e120 <= 0.0);
     } else {
         local_1 = true;
     }
-    bool _e114 = local_1;
-    if (_e114) {
-        vec4 _e115 = scene;
-        _fs2p_location0 = _e115;
+    bool _e130 = local_1;
+    if (_e130) {
+        vec4 _e131 = scene;
+        _fs2p_location0 = _e131;
         return;
     }
-    float _e116 = azimuth_to_u(dir_3);
-    float _e118 = zenith_to_v(_e82, _e83, _e84, _e85, dir_3.z, f_altitude, f_medium_radius, f_medium_thickness, f_sky_view_mapping);
-    vec2 size_5 = vec2(uvec2(textureSize(_group_0_binding_3_fs, 0).xy));
-    float _e123 = v_to_row(_e118, ground_5, size_5.y, luts_ground_rows);
-    vec2 _e124 = sky_view_uv(_e116, _e123, size_5);
-    vec3 _e125 = mie_phase_between(dir_3, f_sun, f_medium_mie_asymmetry);
-    path_light(_group_0_binding_3_fs, _group_0_binding_6_fs, _e124, ground_5, _e91, _e125, whole_smooth_light, whole_mie_light);
-    vec3 _e131 = whole_smooth_light;
-    vec3 _e132 = whole_mie_light;
-    air_transmittance = vec3(1.0);
-    air_inscatter = (_e131 + _e132);
-    if (!(ground_5)) {
-        local_2 = (_e103 >= _e91);
-    } else {
-        local_2 = false;
-    }
-    bool _e143 = local_2;
-    if (_e143) {
-        if (_e105) {
-            vec3 _e145 = whole_transmittance(_group_0_binding_5_fs, f_medium_rayleigh, f_medium_mie_extinction, f_medium_ozone, f_medium_radius, f_medium_thickness, _e92, _e93);
-            air_transmittance = _e145;
-        }
-    } else {
-        aerial_column(_group_0_binding_4_fs, luts_slices_1, luts_aerial_ground_rows_1, _e116, _e118, ground_5, column_texel, column_size, column_slices);
-        vec2 _e150 = column_texel;
-        vec2 _e151 = column_size;
-        float _e152 = column_slices;
-        air_before(_group_0_binding_4_fs, f_medium_rayleigh_inv_height, f_medium_mie_inv_height, f_medium_radius, _e91, _e92, _e93, _e150, _e151, _e152, _e103, _e131, _e132, air_transmittance, air_inscatter);
-    }
-    vec3 _e155 = air_inscatter;
-    float _e158 = lit_fraction_at(_group_0_binding_7_fs, pixel_2);
-    vec3 light_1 = ((_e155 * f_medium_irradiance) * (_e104 * _e158));
-    vec4 _e161 = scene;
-    vec3 _e162 = air_transmittance;
-    vec4 _e163 = compose(_e161, _e162, light_1);
-    _fs2p_location0 = _e163;
+    float _e132 = azimuth_to_u(dir_3);
+    float _e134 = zenith_to_v(_e98, _e99, _e100, _e101, dir_3.z, f_altitude, f_medium_radius, f_medium_thickness, f_sky_view_mapping);
+    vec2 size_3 = vec2(uvec2(textureSize(_group_0_binding_3_fs, 0).xy));
+    float _e139 = v_to_row(_e134, ground_5, size_3.y, luts_ground_rows);
+    vec2 _e140 = sky_view_uv(_e132, _e139, size_3);
+    vec3 _e141 = mie_phase_between(dir_3, f_sun, f_medium_mie_asymmetry);
+    path_light(_group_0_binding_3_fs, _group_0_binding_5_fs, _e140, ground_5, _e107, _e141, whole_smooth_light, whole_mie_light);
+    vec3 _e147 = whole_smooth_light;
+    vec3 _e148 = whole_mie_light;
+    air_before(_group_0_binding_4_fs, f_medium_rayleigh, f_medium_rayleigh_inv_height, f_medium_mie_inv_height, f_medium_mie_extinction, f_medium_ozone_center, f_medium_ozone_inv_half_width, f_medium_ozone, f_medium_radius, f_medium_datum, luts_mie_extinction_2, luts_slices_2, luts_aerial_ground_rows_2, _e100, _e101, _e107, _e108, _e109, _e132, _e134, _e119, _e147, _e148, air_transmittance, air_inscatter);
+    vec3 _e153 = air_transmittance;
+    vec3 _e154 = air_inscatter;
+    vec3 transmittance_2 = (_e121 ? _e153 : vec3(1.0));
+    float _e160 = lit_fraction_at(_group_0_binding_6_fs, pixel_2);
+    vec3 light_1 = ((_e154 * f_medium_irradiance) * (_e120 * _e160));
+    vec4 _e163 = scene;
+    float _e164 = most_light(f_flags);
+    vec4 _e165 = compose(_e163, transmittance_2, light_1, _e164);
+    _fs2p_location0 = _e165;
     return;
 }
 

@@ -16,6 +16,10 @@ struct Medium {
     float radius;
     vec3 irradiance;
     float thickness;
+    float datum;
+    float pad1_;
+    float pad2_;
+    float pad3_;
 };
 struct DepthCode {
     float scale;
@@ -55,7 +59,9 @@ struct Uniforms {
 };
 const uint REDUCED = 1u;
 const uint SHELL_DIMS = 2u;
+const uint WIDE = 4u;
 const float HALF_MAX = 32000.0;
+const float FLOAT_MAX = 1e38;
 const bool RAYLEIGH = true;
 const bool MIE = true;
 const bool OZONE = true;
@@ -67,6 +73,10 @@ const bool BODY = true;
 layout(std140) uniform Uniforms_block_0Fragment { Uniforms _group_0_binding_0_fs; };
 
 layout(location = 0) out vec4 _fs2p_location0;
+
+float most_light(uint flags) {
+    return (((flags & WIDE) != 0u) ? FLOAT_MAX : HALF_MAX);
+}
 
 vec3 pixel_ray(vec2 pixel, vec2 size, vec3 forward, vec3 right, vec3 up) {
     vec2 ndc = (((pixel / size) * vec2(2.0, -2.0)) + vec2(-1.0, 1.0));
@@ -166,27 +176,30 @@ void air_path(float line_r_mu_2, float line_perigee_excess_2, bool line_ground_1
     out_r_mu_1 = -(half_);
 }
 
-vec4 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width) {
-    return vec4(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_center, m_ozone_inv_half_width);
+mat2x3 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width, float m_datum) {
+    vec3 fall = vec3(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_inv_half_width);
+    return mat2x3(fall, vec3(m_datum, m_ozone_center, 0.0));
 }
 
 mat3x3 coefficients_of(vec3 m_rayleigh, vec3 m_mie_extinction, vec3 m_ozone) {
     return mat3x3(m_rayleigh, m_mie_extinction, m_ozone);
 }
 
-vec3 densities(vec4 layers, float h_4) {
+vec3 densities(mat2x3 layers, float h_4) {
     vec3 d = vec3(0.0);
+    vec3 fall_1 = layers[0];
+    float z = max((h_4 - layers[1].x), 0.0);
     if (RAYLEIGH) {
-        d.x = exp((-(h_4) * layers.x));
+        d.x = exp((-(z) * fall_1.x));
     }
     if (MIE) {
-        d.y = exp((-(h_4) * layers.y));
+        d.y = exp((-(z) * fall_1.y));
     }
     if (OZONE) {
-        d.z = max(0.0, (1.0 - (abs((h_4 - layers.z)) * layers.w)));
+        d.z = max(0.0, (1.0 - (abs((z - layers[1].y)) * fall_1.z)));
     }
-    vec3 _e28 = d;
-    return _e28;
+    vec3 _e35 = d;
+    return _e35;
 }
 
 vec3 extinction(mat3x3 coefficients, vec3 d_1) {
@@ -211,7 +224,7 @@ float u_to_distance(float perigee, float u) {
     return (perigee + (u * abs(u)));
 }
 
-vec3 path_densities(vec4 layers_1, float radius_6, float excess_4, float r_mu_4, float distance_, uint samples) {
+vec3 path_densities(mat2x3 layers_1, float radius_6, float excess_4, float r_mu_4, float distance_, uint samples) {
     vec3 sum_1 = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
@@ -251,7 +264,7 @@ float disk_coverage(vec3 offset, float chord, float pixel_1) {
     return clamp((((chord - length(offset)) / pixel_1) + 0.5), 0.0, 1.0);
 }
 
-vec4 disk_color(vec3 light, float line_r_mu_3, float line_perigee_excess_3, bool line_ground_2, float altitude, vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, float m_mie_inv_height_1, vec3 m_mie_extinction_1, float m_ozone_center_1, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_thickness) {
+vec4 disk_color(vec3 light, float line_r_mu_3, float line_perigee_excess_3, bool line_ground_2, float altitude, vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, float m_mie_inv_height_1, vec3 m_mie_extinction_1, float m_ozone_center_1, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_thickness, float m_datum_1, float most) {
     vec3 seen = vec3(0.0);
     float path_length = 0.0;
     float path_excess = 0.0;
@@ -259,25 +272,25 @@ vec4 disk_color(vec3 light, float line_r_mu_3, float line_perigee_excess_3, bool
     seen = light;
     if (AIR) {
         air_path(line_r_mu_3, line_perigee_excess_3, line_ground_2, altitude, m_radius, m_thickness, path_length, path_excess, path_r_mu);
-        float _e19 = path_length;
-        float _e20 = path_excess;
-        float _e21 = path_r_mu;
-        if ((_e19 > 0.0)) {
-            vec4 _e24 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
-            vec3 _e26 = path_densities(_e24, m_radius, _e20, _e21, _e19, DISK_STEPS);
-            vec3 _e27 = seen;
-            mat3x3 _e28 = coefficients_of(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
-            vec3 _e29 = extinction(_e28, _e26);
-            seen = (_e27 * exp(-(_e29)));
+        float _e20 = path_length;
+        float _e21 = path_excess;
+        float _e22 = path_r_mu;
+        if ((_e20 > 0.0)) {
+            mat2x3 _e25 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1, m_datum_1);
+            vec3 _e27 = path_densities(_e25, m_radius, _e21, _e22, _e20, DISK_STEPS);
+            vec3 _e28 = seen;
+            mat3x3 _e29 = coefficients_of(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
+            vec3 _e30 = extinction(_e29, _e27);
+            seen = (_e28 * exp(-(_e30)));
         }
     }
-    vec3 _e33 = seen;
-    seen = min(_e33, vec3(32000.0));
-    vec3 _e37 = seen;
-    float _e39 = seen.x;
-    float _e41 = seen.y;
-    float _e43 = seen.z;
-    return vec4(_e37, (max(_e39, max(_e41, _e43)) * 3.125e-5));
+    vec3 _e34 = seen;
+    seen = min(_e34, vec3(most));
+    vec3 _e38 = seen;
+    float _e40 = seen.x;
+    float _e42 = seen.y;
+    float _e44 = seen.z;
+    return vec4(_e38, (max(_e40, max(_e42, _e44)) / most));
 }
 
 float lommel_seeliger(vec3 normal, vec3 dir_1, vec3 sun, float albedo_over_pi, float earthshine) {
@@ -308,6 +321,7 @@ void main() {
     float f_medium_radius = _group_0_binding_0_fs.frame.medium.radius;
     vec3 f_medium_irradiance = _group_0_binding_0_fs.frame.medium.irradiance;
     float f_medium_thickness = _group_0_binding_0_fs.frame.medium.thickness;
+    float f_medium_datum = _group_0_binding_0_fs.frame.medium.datum;
     vec3 f_ray_forward = _group_0_binding_0_fs.frame.ray_forward;
     float f_altitude = _group_0_binding_0_fs.frame.altitude;
     vec3 f_ray_right = _group_0_binding_0_fs.frame.ray_right;
@@ -315,36 +329,39 @@ void main() {
     vec3 f_sun = _group_0_binding_0_fs.frame.sun;
     vec2 f_size = _group_0_binding_0_fs.frame.size;
     float f_pixel_angle = _group_0_binding_0_fs.frame.pixel_angle;
-    vec3 _e39 = pixel_ray(position.xy, f_size, f_ray_forward, f_ray_right, f_ray_up);
-    vec3 dir_3 = normalize(_e39);
+    uint f_flags = _group_0_binding_0_fs.frame.flags;
+    vec3 _e43 = pixel_ray(position.xy, f_size, f_ray_forward, f_ray_right, f_ray_up);
+    vec3 dir_3 = normalize(_e43);
     line_past(dir_3, f_altitude, f_medium_radius, line_r_mu, line_perigee_excess, line_ground);
-    float _e44 = line_r_mu;
-    float _e45 = line_perigee_excess;
-    bool _e46 = line_ground;
-    vec3 _e49 = _group_0_binding_0_fs.moon_direction;
-    vec3 apart_1 = (dir_3 - _e49);
-    float _e53 = _group_0_binding_0_fs.moon_chord;
-    float _e54 = disk_coverage(apart_1, _e53, f_pixel_angle);
-    if (!(_e46)) {
-        local = (_e54 <= 0.0);
+    float _e48 = line_r_mu;
+    float _e49 = line_perigee_excess;
+    bool _e50 = line_ground;
+    vec3 _e53 = _group_0_binding_0_fs.moon_direction;
+    vec3 apart_1 = (dir_3 - _e53);
+    float _e57 = _group_0_binding_0_fs.moon_chord;
+    float _e58 = disk_coverage(apart_1, _e57, f_pixel_angle);
+    if (!(_e50)) {
+        local = (_e58 <= 0.0);
     } else {
         local = true;
     }
-    bool _e61 = local;
-    if (_e61) {
+    bool _e65 = local;
+    if (_e65) {
         discard;
     }
     if (BODY) {
-        _fs2p_location0 = vec4(0.0, 0.0, 0.0, _e54);
+        _fs2p_location0 = vec4(0.0, 0.0, 0.0, _e58);
         return;
     } else {
-        float _e69 = _group_0_binding_0_fs.moon_sine;
-        vec3 _e70 = moon_normal(dir_3, apart_1, _e69);
-        float _e73 = _group_0_binding_0_fs.albedo_over_pi;
-        float _e76 = _group_0_binding_0_fs.earthshine;
-        float _e77 = lommel_seeliger(_e70, dir_3, f_sun, _e73, _e76);
-        vec4 _e80 = disk_color((f_medium_irradiance * (_e54 * _e77)), _e44, _e45, _e46, f_altitude, f_medium_rayleigh, f_medium_rayleigh_inv_height, f_medium_mie_inv_height, f_medium_mie_extinction, f_medium_ozone_center, f_medium_ozone_inv_half_width, f_medium_ozone, f_medium_radius, f_medium_thickness);
-        _fs2p_location0 = _e80;
+        float _e73 = _group_0_binding_0_fs.moon_sine;
+        vec3 _e74 = moon_normal(dir_3, apart_1, _e73);
+        float _e77 = _group_0_binding_0_fs.albedo_over_pi;
+        float _e80 = _group_0_binding_0_fs.earthshine;
+        float _e81 = lommel_seeliger(_e74, dir_3, f_sun, _e77, _e80);
+        vec3 light_1 = (f_medium_irradiance * (_e58 * _e81));
+        float _e84 = most_light(f_flags);
+        vec4 _e85 = disk_color(light_1, _e48, _e49, _e50, f_altitude, f_medium_rayleigh, f_medium_rayleigh_inv_height, f_medium_mie_inv_height, f_medium_mie_extinction, f_medium_ozone_center, f_medium_ozone_inv_half_width, f_medium_ozone, f_medium_radius, f_medium_thickness, f_medium_datum, _e84);
+        _fs2p_location0 = _e85;
         return;
     }
 }

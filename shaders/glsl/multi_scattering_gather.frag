@@ -16,6 +16,10 @@ struct Medium {
     float radius;
     vec3 irradiance;
     float thickness;
+    float datum;
+    float pad1_;
+    float pad2_;
+    float pad3_;
 };
 struct Luts {
     vec3 mie_extinction;
@@ -34,7 +38,7 @@ struct Luts {
     float ground_rows;
     uvec2 size;
     uint steps;
-    uint shift;
+    uint pad1_;
     uint slices;
     float aerial_ground_rows;
 };
@@ -44,6 +48,7 @@ struct Uniforms {
 };
 const uint REDUCED = 1u;
 const uint SHELL_DIMS = 2u;
+const uint WIDE = 4u;
 const bool RAYLEIGH = true;
 const bool MIE = true;
 const bool OZONE = true;
@@ -145,9 +150,9 @@ void inner_ray(vec3 dir_1, float h_1, float radius_5, float thickness, vec3 sun_
     float s_shadow_half2_ = 0.0;
     float r_2 = (radius_5 + h_1);
     float _e15 = excess_of(h_1, radius_5);
-    float r_mu_6 = (r_2 * dir_1.z);
+    float r_mu_7 = (r_2 * dir_1.z);
     float p_2 = (r_2 * sqrt(dot(dir_1.xy, dir_1.xy)));
-    float _e25 = half_chord2_(r_mu_6, _e15, (radius_5 - p_2), p_2);
+    float _e25 = half_chord2_(r_mu_7, _e15, (radius_5 - p_2), p_2);
     sun_side_inside(dir_1, sun_1, r_2, _e15, radius_5, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
     float _e33 = s_sun_r_mu;
     float _e34 = s_nu;
@@ -156,10 +161,10 @@ void inner_ray(vec3 dir_1, float h_1, float radius_5, float thickness, vec3 sun_
     float _e37 = s_shadow_c_1;
     float _e38 = s_shadow_half2_;
     float _e40 = excess_of(thickness, radius_5);
-    float _e41 = distance_to_top(_e15, r_mu_6, _e40);
-    float _e45 = distance_to_ground(_e15, r_mu_6, sqrt(max(_e25, 0.0)));
+    float _e41 = distance_to_top(_e15, r_mu_7, _e40);
+    float _e45 = distance_to_ground(_e15, r_mu_7, sqrt(max(_e25, 0.0)));
     if (ground) {
-        local = (r_mu_6 < 0.0);
+        local = (r_mu_7 < 0.0);
     } else {
         local = false;
     }
@@ -168,7 +173,7 @@ void inner_ray(vec3 dir_1, float h_1, float radius_5, float thickness, vec3 sun_
     out_start = 0.0;
     out_length = reach;
     out_excess = _e15;
-    out_r_mu = r_mu_6;
+    out_r_mu = r_mu_7;
     out_perigee_excess = -(_e25);
     out_sun_r_mu_1 = _e33;
     out_nu_1 = _e34;
@@ -179,38 +184,42 @@ void inner_ray(vec3 dir_1, float h_1, float radius_5, float thickness, vec3 sun_
     out_ground = ground;
 }
 
-void perigee_of(float ray_length_1, float ray_excess_1, float ray_r_mu_1, float ray_perigee_excess_1, bool ray_ground_1, float length_, float radius_6, inout float out_distance, inout float out_excess_1, inout float out_r_mu_1) {
-    bool local_1 = false;
-    if ((ray_r_mu_1 >= 0.0)) {
+void lowest_point(float excess_5, float r_mu_4, float perigee_excess_1, bool to_ground, float length_, float radius_6, inout float out_distance, inout float out_excess_1, inout float out_r_mu_1) {
+    if ((r_mu_4 >= 0.0)) {
         out_distance = 0.0;
-        out_excess_1 = ray_excess_1;
-        out_r_mu_1 = ray_r_mu_1;
+        out_excess_1 = excess_5;
+        out_r_mu_1 = r_mu_4;
         return;
     }
-    if ((-(ray_r_mu_1) <= length_)) {
-        out_distance = -(ray_r_mu_1);
-        out_excess_1 = ray_perigee_excess_1;
+    if ((-(r_mu_4) <= length_)) {
+        out_distance = -(r_mu_4);
+        out_excess_1 = perigee_excess_1;
         out_r_mu_1 = 0.0;
         return;
     }
-    float r_mu_7 = (ray_r_mu_1 + length_);
+    float end = (r_mu_4 + length_);
+    if (to_ground) {
+        out_distance = length_;
+        out_excess_1 = 0.0;
+        out_r_mu_1 = end;
+        return;
+    }
+    bool far = ((-(r_mu_4) * length_) > (radius_6 * radius_6));
+    float near_excess = (excess_5 + (length_ * ((2.0 * r_mu_4) + length_)));
+    out_distance = length_;
+    out_excess_1 = (far ? (perigee_excess_1 + (end * end)) : near_excess);
+    out_r_mu_1 = end;
+}
+
+void perigee_of(float ray_length_1, float ray_excess_1, float ray_r_mu_1, float ray_perigee_excess_1, bool ray_ground_1, float length_1, float radius_7, inout float out_distance_1, inout float out_excess_2, inout float out_r_mu_2) {
+    bool local_1 = false;
     if (ray_ground_1) {
-        local_1 = (length_ >= ray_length_1);
+        local_1 = (length_1 >= ray_length_1);
     } else {
         local_1 = false;
     }
-    bool _e21 = local_1;
-    if (_e21) {
-        out_distance = length_;
-        out_excess_1 = 0.0;
-        out_r_mu_1 = r_mu_7;
-        return;
-    }
-    bool far = ((-(ray_r_mu_1) * length_) > (radius_6 * radius_6));
-    float near_excess = (ray_excess_1 + (length_ * ((2.0 * ray_r_mu_1) + length_)));
-    out_distance = length_;
-    out_excess_1 = (far ? (ray_perigee_excess_1 + (r_mu_7 * r_mu_7)) : near_excess);
-    out_r_mu_1 = r_mu_7;
+    bool to_ground_1 = local_1;
+    lowest_point(ray_excess_1, ray_r_mu_1, ray_perigee_excess_1, to_ground_1, length_1, radius_7, out_distance_1, out_excess_2, out_r_mu_2);
 }
 
 vec2 shadow_stretch(float ray_sun_r_mu_1, float ray_nu_1, float ray_sin2_1, float ray_shadow_b_1, float ray_shadow_c_1, float ray_shadow_half2_1) {
@@ -248,23 +257,26 @@ vec2 shadow_stretch(float ray_sun_r_mu_1, float ray_nu_1, float ray_sin2_1, floa
     return _e54;
 }
 
-vec4 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width) {
-    return vec4(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_center, m_ozone_inv_half_width);
+mat2x3 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width, float m_datum) {
+    vec3 fall = vec3(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_inv_half_width);
+    return mat2x3(fall, vec3(m_datum, m_ozone_center, 0.0));
 }
 
-vec3 densities(vec4 layers, float h_2) {
+vec3 densities(mat2x3 layers, float h_2) {
     vec3 d = vec3(0.0);
+    vec3 fall_1 = layers[0];
+    float z = max((h_2 - layers[1].x), 0.0);
     if (RAYLEIGH) {
-        d.x = exp((-(h_2) * layers.x));
+        d.x = exp((-(z) * fall_1.x));
     }
     if (MIE) {
-        d.y = exp((-(h_2) * layers.y));
+        d.y = exp((-(z) * fall_1.y));
     }
     if (OZONE) {
-        d.z = max(0.0, (1.0 - (abs((h_2 - layers.z)) * layers.w)));
+        d.z = max(0.0, (1.0 - (abs((z - layers[1].y)) * fall_1.z)));
     }
-    vec3 _e28 = d;
-    return _e28;
+    vec3 _e35 = d;
+    return _e35;
 }
 
 vec3 extinction(mat3x3 coefficients, vec3 d_1) {
@@ -300,8 +312,8 @@ vec3 mean_transmittance(vec3 tau) {
 
 vec3 dark_part(vec2 shadow, float t0_, float t1_) {
     float begin = clamp(shadow.x, t0_, t1_);
-    float end = clamp(shadow.y, t0_, t1_);
-    return vec3(begin, end, ((shadow.y > shadow.x) ? max((end - begin), 0.0) : 0.0));
+    float end_1 = clamp(shadow.y, t0_, t1_);
+    return vec3(begin, end_1, ((shadow.y > shadow.x) ? max((end_1 - begin), 0.0) : 0.0));
 }
 
 float lit_middle(vec3 dark, float perigee_2, float t0_1, float t1_1) {
@@ -334,21 +346,21 @@ vec4 bilinear(highp sampler2D lut, ivec2 c_first, ivec2 c_last, vec2 c_between, 
     return mix(bottom, top, c_between.y);
 }
 
-vec2 transmittance_uv(float excess_5, float h_3, float r_mu_4, float radius_7, float thickness_1) {
-    float _e2 = excess_of(thickness_1, radius_7);
-    float rho = sqrt(max(excess_5, 0.0));
+vec2 transmittance_uv(float excess_6, float h_3, float r_mu_5, float radius_8, float thickness_1) {
+    float _e2 = excess_of(thickness_1, radius_8);
+    float rho = sqrt(max(excess_6, 0.0));
     float rho_top = sqrt(_e2);
-    float _e9 = distance_to_top(excess_5, r_mu_4, _e2);
+    float _e9 = distance_to_top(excess_6, r_mu_5, _e2);
     float shortest = max((thickness_1 - h_3), 0.0);
     return vec2(((_e9 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
 }
 
-vec3 optical_path_to_top(highp sampler2D lut_1, float radius_8, float thickness_2, float excess_6, float h_4, float r_mu_5) {
+vec3 optical_path_to_top(highp sampler2D lut_1, float radius_9, float thickness_2, float excess_7, float h_4, float r_mu_6) {
     ivec2 corner_first = ivec2(0);
     ivec2 corner_last = ivec2(0);
     vec2 corner_between = vec2(0.0);
     ivec2 size_1 = ivec2(uvec2(textureSize(lut_1, 0).xy));
-    vec2 _e8 = transmittance_uv(excess_6, h_4, r_mu_5, radius_8, thickness_2);
+    vec2 _e8 = transmittance_uv(excess_7, h_4, r_mu_6, radius_9, thickness_2);
     vec2 position_2 = (_e8 * vec2((size_1 - ivec2(1))));
     corner(position_2, size_1, corner_first, corner_last, corner_between);
     ivec2 _e17 = corner_first;
@@ -490,7 +502,7 @@ vec3 sun_visibility_around(vec3 dir_3, float distance_1) {
     return vec3(1.0);
 }
 
-void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_lut, vec3 m_rayleigh, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, float m_ozone_center_1, float m_ozone_inv_half_width_1, vec3 m_ozone, float m_radius, float m_thickness, vec3 luts_mie_extinction, float luts_altitude_steepness_1, vec3 luts_mie_moment0_, float luts_altitude_growth_1, vec3 luts_mie_moment1_, float luts_sun_middle_3, vec3 luts_mie_moment2_, float luts_sun_width_3, float luts_sun_first_3, float luts_sun_span_3, uint luts_steps, float ray_start_1, float ray_sun_r_mu_2, float ray_nu_2, float ray_sin2_2, float ray_shadow_b_2, float ray_shadow_c_2, float ray_shadow_half2_2, vec3 dir_4, float perigee_distance_1, float perigee_excess_1, float perigee_r_mu_1, float u_from, float u_to, vec3 gas_1, vec3 aerosol_1, float multiple, inout vec3 out_radiance, inout vec3 out_transmittance) {
+void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_lut, vec3 m_rayleigh, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, float m_ozone_center_1, float m_ozone_inv_half_width_1, vec3 m_ozone, float m_radius, float m_thickness, float m_datum_1, vec3 luts_mie_extinction, float luts_altitude_steepness_1, vec3 luts_mie_moment0_, float luts_altitude_growth_1, vec3 luts_mie_moment1_, float luts_sun_middle_3, vec3 luts_mie_moment2_, float luts_sun_width_3, float luts_sun_first_3, float luts_sun_span_3, float ray_start_1, float ray_sun_r_mu_2, float ray_nu_2, float ray_sin2_2, float ray_shadow_b_2, float ray_shadow_c_2, float ray_shadow_half2_2, vec3 dir_4, float perigee_distance_1, float perigee_excess_2, float perigee_r_mu_1, float u_from, float u_to, uint steps, vec3 gas_1, vec3 aerosol_1, float multiple, inout vec3 out_radiance, inout vec3 out_transmittance) {
     float t0_2 = 0.0;
     uint i = 0u;
     float lit = 0.0;
@@ -499,86 +511,86 @@ void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_
     vec3 before_aerosol = vec3(0.0);
     out_radiance = vec3(0.0);
     out_transmittance = vec3(1.0);
-    vec4 _e16 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
+    mat2x3 _e17 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1, m_datum_1);
     mat3x3 coefficients_1 = mat3x3(m_rayleigh, luts_mie_extinction, m_ozone);
     vec2 _e36 = shadow_stretch(ray_sun_r_mu_2, ray_nu_2, ray_sin2_2, ray_shadow_b_2, ray_shadow_c_2, ray_shadow_half2_2);
     vec4 _e37 = sun_axis(luts_sun_middle_3, luts_sun_width_3, luts_sun_first_3, luts_sun_span_3);
     vec2 _e39 = multi_scattering_span(multi_scattering_lut);
     mat3x3 moments = mat3x3((m_mie_scattering * luts_mie_moment0_), (m_mie_scattering * luts_mie_moment1_), (m_mie_scattering * luts_mie_moment2_));
-    float du = ((u_to - u_from) / float(luts_steps));
-    float _e52 = u_to_distance(perigee_distance_1, u_from);
-    t0_2 = _e52;
+    float du = ((u_to - u_from) / float(steps));
+    float _e53 = u_to_distance(perigee_distance_1, u_from);
+    t0_2 = _e53;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e171 = i;
-            i = (_e171 + 1u);
+            uint _e172 = i;
+            i = (_e172 + 1u);
         }
         loop_init = false;
-        uint _e55 = i;
-        if ((_e55 < luts_steps)) {
+        uint _e56 = i;
+        if ((_e56 < steps)) {
         } else {
             break;
         }
         {
-            uint _e57 = i;
-            float u_2 = (u_from + (du * float(_e57)));
-            float _e62 = u_to_distance(perigee_distance_1, (u_2 + du));
-            float _e63 = t0_2;
-            float step_ = (_e62 - _e63);
-            float _e68 = u_to_distance(perigee_distance_1, (u_2 + (0.5 * du)));
-            float _e70 = altitude_after(perigee_excess_1, perigee_r_mu_1, (_e68 - perigee_distance_1), m_radius);
-            vec3 _e71 = densities(_e16, _e70);
-            vec3 _e72 = extinction(coefficients_1, _e71);
-            vec3 tau_1 = (_e72 * step_);
-            vec3 _e76 = out_transmittance;
-            vec3 _e77 = mean_transmittance(tau_1);
-            vec3 weight = (_e76 * _e77);
-            float _e79 = t0_2;
-            vec3 _e80 = dark_part(_e36, _e79, _e62);
-            if ((_e80.z < step_)) {
-                lit = _e68;
-                if ((_e80.z > 0.0)) {
-                    float _e87 = t0_2;
-                    float _e88 = lit_middle(_e80, perigee_distance_1, _e87, _e62);
-                    lit = _e88;
+            uint _e58 = i;
+            float u_2 = (u_from + (du * float(_e58)));
+            float _e63 = u_to_distance(perigee_distance_1, (u_2 + du));
+            float _e64 = t0_2;
+            float step_ = (_e63 - _e64);
+            float _e69 = u_to_distance(perigee_distance_1, (u_2 + (0.5 * du)));
+            float _e71 = altitude_after(perigee_excess_2, perigee_r_mu_1, (_e69 - perigee_distance_1), m_radius);
+            vec3 _e72 = densities(_e17, _e71);
+            vec3 _e73 = extinction(coefficients_1, _e72);
+            vec3 tau_1 = (_e73 * step_);
+            vec3 _e77 = out_transmittance;
+            vec3 _e78 = mean_transmittance(tau_1);
+            vec3 weight = (_e77 * _e78);
+            float _e80 = t0_2;
+            vec3 _e81 = dark_part(_e36, _e80, _e63);
+            if ((_e81.z < step_)) {
+                lit = _e69;
+                if ((_e81.z > 0.0)) {
+                    float _e88 = t0_2;
+                    float _e89 = lit_middle(_e81, perigee_distance_1, _e88, _e63);
+                    lit = _e89;
                 }
-                float _e89 = lit;
-                float past = (_e89 - perigee_distance_1);
-                float lit_excess = max((perigee_excess_1 + (past * ((2.0 * perigee_r_mu_1) + past))), 0.0);
-                float _e98 = altitude_of(lit_excess, m_radius);
-                vec3 _e99 = densities(_e16, _e98);
-                float _e100 = lit;
-                float sun_r_mu_1 = (ray_sun_r_mu_2 + (ray_nu_2 * _e100));
-                vec3 _e104 = optical_path_to_top(transmittance_lut, m_radius, m_thickness, lit_excess, _e98, sun_r_mu_1);
-                vec3 _e112 = extinction(coefficients_1, _e104);
-                source = (((gas_1 * _e99.x) + (aerosol_1 * _e99.y)) * exp(-(_e112)));
-                vec3 _e117 = source;
-                float _e118 = lit;
-                vec3 _e121 = sun_visibility(dir_4, (ray_start_1 + _e118));
-                source = (_e117 * _e121);
-                vec3 _e123 = out_radiance;
-                vec3 _e124 = source;
-                out_radiance = (_e123 + ((weight * _e124) * (step_ - _e80.z)));
+                float _e90 = lit;
+                float past = (_e90 - perigee_distance_1);
+                float lit_excess = max((perigee_excess_2 + (past * ((2.0 * perigee_r_mu_1) + past))), 0.0);
+                float _e99 = altitude_of(lit_excess, m_radius);
+                vec3 _e100 = densities(_e17, _e99);
+                float _e101 = lit;
+                float sun_r_mu_1 = (ray_sun_r_mu_2 + (ray_nu_2 * _e101));
+                vec3 _e105 = optical_path_to_top(transmittance_lut, m_radius, m_thickness, lit_excess, _e99, sun_r_mu_1);
+                vec3 _e113 = extinction(coefficients_1, _e105);
+                source = (((gas_1 * _e100.x) + (aerosol_1 * _e100.y)) * exp(-(_e113)));
+                vec3 _e118 = source;
+                float _e119 = lit;
+                vec3 _e122 = sun_visibility(dir_4, (ray_start_1 + _e119));
+                source = (_e118 * _e122);
+                vec3 _e124 = out_radiance;
+                vec3 _e125 = source;
+                out_radiance = (_e124 + ((weight * _e125) * (step_ - _e81.z)));
             }
             if (MULTI_SCATTERING) {
-                float r_3 = (m_radius + _e70);
-                float mu_3 = clamp((((perigee_r_mu_1 + _e68) - perigee_distance_1) / r_3), -1.0, 1.0);
-                float mu_sun_3 = clamp(((ray_sun_r_mu_2 + (ray_nu_2 * _e68)) / r_3), -1.0, 1.0);
-                float _e144 = altitude_to_v(luts_altitude_steepness_1, luts_altitude_growth_1, _e70, m_thickness);
-                float _e145 = mu_sun_to_u(_e37, mu_sun_3);
-                vec2 node_1 = (vec2(_e145, _e144) * _e39);
+                float r_3 = (m_radius + _e71);
+                float mu_3 = clamp((((perigee_r_mu_1 + _e69) - perigee_distance_1) / r_3), -1.0, 1.0);
+                float mu_sun_3 = clamp(((ray_sun_r_mu_2 + (ray_nu_2 * _e69)) / r_3), -1.0, 1.0);
+                float _e145 = altitude_to_v(luts_altitude_steepness_1, luts_altitude_growth_1, _e71, m_thickness);
+                float _e146 = mu_sun_to_u(_e37, mu_sun_3);
+                vec2 node_1 = (vec2(_e146, _e145) * _e39);
                 multi_scattering_source(multi_scattering_lut, node_1, m_rayleigh, moments, mu_3, mu_sun_3, ray_nu_2, before_gas, before_aerosol);
-                vec3 _e150 = before_gas;
-                vec3 _e151 = before_aerosol;
-                vec3 _e153 = sun_visibility_around(dir_4, (ray_start_1 + _e68));
-                vec3 source_1 = (((_e150 * _e153) * _e71.x) + ((_e151 * _e153) * _e71.y));
-                vec3 _e161 = out_radiance;
-                out_radiance = (_e161 + ((weight * (step_ * multiple)) * source_1));
+                vec3 _e151 = before_gas;
+                vec3 _e152 = before_aerosol;
+                vec3 _e154 = sun_visibility_around(dir_4, (ray_start_1 + _e69));
+                vec3 source_1 = (((_e151 * _e154) * _e72.x) + ((_e152 * _e154) * _e72.y));
+                vec3 _e162 = out_radiance;
+                out_radiance = (_e162 + ((weight * (step_ * multiple)) * source_1));
             }
-            vec3 _e167 = out_transmittance;
-            out_transmittance = (_e167 * exp(-(tau_1)));
-            t0_2 = _e62;
+            vec3 _e168 = out_transmittance;
+            out_transmittance = (_e168 * exp(-(tau_1)));
+            t0_2 = _e63;
         }
     }
 }
@@ -622,11 +634,11 @@ vec2 gauss8_(int i_1) {
     }
 }
 
-void node_direction(int zenith, int azimuth, float h_6, float radius_9, inout float out_mu, inout float out_azimuth, inout bool out_above) {
+void node_direction(int zenith, int azimuth, float h_6, float radius_10, inout float out_mu, inout float out_azimuth, inout bool out_above) {
     bool above_1 = (zenith < 8);
     vec2 _e8 = gauss8_((above_1 ? zenith : (zenith - 8)));
-    float _e11 = excess_of(h_6, radius_9);
-    float horizon = (-(sqrt(_e11)) / (radius_9 + h_6));
+    float _e11 = excess_of(h_6, radius_10);
+    float horizon = (-(sqrt(_e11)) / (radius_10 + h_6));
     float span = (above_1 ? (1.0 - horizon) : (-1.0 - horizon));
     float mu_4 = clamp((horizon + ((span * _e8.x) * _e8.x)), -1.0, 1.0);
     out_mu = mu_4;
@@ -682,6 +694,7 @@ void main() {
     vec3 m_ozone_2 = _group_0_binding_0_fs.medium.ozone;
     float m_radius_2 = _group_0_binding_0_fs.medium.radius;
     float m_thickness_2 = _group_0_binding_0_fs.medium.thickness;
+    float m_datum_2 = _group_0_binding_0_fs.medium.datum;
     vec3 luts_mie_extinction_2 = _group_0_binding_0_fs.luts.mie_extinction;
     float luts_altitude_steepness_2 = _group_0_binding_0_fs.luts.altitude_steepness;
     vec3 luts_mie_moment0_1 = _group_0_binding_0_fs.luts.mie_moment0_;
@@ -694,54 +707,54 @@ void main() {
     vec3 luts_albedo_1 = _group_0_binding_0_fs.luts.albedo;
     float luts_sun_first_5 = _group_0_binding_0_fs.luts.sun_first;
     float luts_sun_span_5 = _group_0_binding_0_fs.luts.sun_span;
-    uint luts_steps_1 = _group_0_binding_0_fs.luts.steps;
+    uint luts_steps = _group_0_binding_0_fs.luts.steps;
     ivec2 texel = ivec2(position.xy);
     ivec2 node_2 = ivec2((texel.x / AZIMUTHS), (texel.y / ZENITHS));
-    vec2 _e60 = multi_scattering_span(_group_0_binding_2_fs);
-    vec2 uv = (vec2(node_2) / _e60);
-    float _e63 = u_to_mu_sun(luts_sun_middle_5, luts_sun_width_5, luts_sun_first_5, luts_sun_span_5, uv.x);
-    float _e65 = v_to_altitude(luts_altitude_steepness_2, luts_altitude_growth_2, uv.y, m_thickness_2);
-    vec3 sun_2 = vec3(sqrt(max(((1.0 - _e63) * (1.0 + _e63)), 0.0)), 0.0, _e63);
-    node_direction((texel.y % ZENITHS), (texel.x % AZIMUTHS), _e65, m_radius_2, view_mu, view_azimuth, view_above);
-    float _e85 = view_mu;
-    float _e86 = view_azimuth;
-    bool _e87 = view_above;
-    float sine_1 = sqrt(max(((1.0 - _e85) * (1.0 + _e85)), 0.0));
-    vec3 dir_5 = vec3((sine_1 * cos(_e86)), (sine_1 * sin(_e86)), _e85);
-    inner_ray(dir_5, _e65, m_radius_2, m_thickness_2, sun_2, !(_e87), ray_start, ray_length, ray_excess, ray_r_mu, ray_perigee_excess, ray_sun_r_mu, ray_nu, ray_sin2_, ray_shadow_b, ray_shadow_c, ray_shadow_half2_, ray_ground);
-    float _e114 = ray_start;
-    float _e115 = ray_length;
-    float _e116 = ray_excess;
-    float _e117 = ray_r_mu;
-    float _e118 = ray_perigee_excess;
-    float _e119 = ray_sun_r_mu;
+    vec2 _e62 = multi_scattering_span(_group_0_binding_2_fs);
+    vec2 uv = (vec2(node_2) / _e62);
+    float _e65 = u_to_mu_sun(luts_sun_middle_5, luts_sun_width_5, luts_sun_first_5, luts_sun_span_5, uv.x);
+    float _e67 = v_to_altitude(luts_altitude_steepness_2, luts_altitude_growth_2, uv.y, m_thickness_2);
+    vec3 sun_2 = vec3(sqrt(max(((1.0 - _e65) * (1.0 + _e65)), 0.0)), 0.0, _e65);
+    node_direction((texel.y % ZENITHS), (texel.x % AZIMUTHS), _e67, m_radius_2, view_mu, view_azimuth, view_above);
+    float _e87 = view_mu;
+    float _e88 = view_azimuth;
+    bool _e89 = view_above;
+    float sine_1 = sqrt(max(((1.0 - _e87) * (1.0 + _e87)), 0.0));
+    vec3 dir_5 = vec3((sine_1 * cos(_e88)), (sine_1 * sin(_e88)), _e87);
+    inner_ray(dir_5, _e67, m_radius_2, m_thickness_2, sun_2, !(_e89), ray_start, ray_length, ray_excess, ray_r_mu, ray_perigee_excess, ray_sun_r_mu, ray_nu, ray_sin2_, ray_shadow_b, ray_shadow_c, ray_shadow_half2_, ray_ground);
+    float _e116 = ray_start;
+    float _e117 = ray_length;
+    float _e118 = ray_excess;
+    float _e119 = ray_r_mu;
+    float _e120 = ray_perigee_excess;
+    float _e121 = ray_sun_r_mu;
     float nu_1 = ray_nu;
-    float _e121 = ray_sin2_;
-    float _e122 = ray_shadow_b;
-    float _e123 = ray_shadow_c;
-    float _e124 = ray_shadow_half2_;
-    bool _e125 = ray_ground;
-    float _e126 = rayleigh_phase(nu_1);
-    vec3 gas_2 = (m_rayleigh_2 * _e126);
-    vec3 _e133 = henyey_greenstein_phase((1.0 - nu_1), (1.0 + nu_1), luts_mie_asymmetry);
-    vec3 aerosol_2 = ((m_mie_scattering_1 * luts_mie_moment0_1) * _e133);
-    perigee_of(_e115, _e116, _e117, _e118, _e125, _e115, m_radius_2, perigee_distance, perigee_excess, perigee_r_mu);
-    float _e138 = perigee_distance;
-    float _e139 = perigee_excess;
-    float _e140 = perigee_r_mu;
-    float _e142 = distance_to_u(_e138, 0.0);
-    float _e143 = distance_to_u(_e138, _e115);
-    gather(_group_0_binding_1_fs, _group_0_binding_2_fs, m_rayleigh_2, m_rayleigh_inv_height_2, m_mie_scattering_1, m_mie_inv_height_2, m_ozone_center_2, m_ozone_inv_half_width_2, m_ozone_2, m_radius_2, m_thickness_2, luts_mie_extinction_2, luts_altitude_steepness_2, luts_mie_moment0_1, luts_altitude_growth_2, luts_mie_moment1_1, luts_sun_middle_5, luts_mie_moment2_1, luts_sun_width_5, luts_sun_first_5, luts_sun_span_5, luts_steps_1, _e114, _e119, nu_1, _e121, _e122, _e123, _e124, dir_5, _e138, _e139, _e140, _e142, _e143, gas_2, aerosol_2, 1.0, g_radiance, g_transmittance);
-    vec3 _e149 = g_radiance;
-    vec3 _e150 = g_transmittance;
-    radiance = _e149;
-    if (_e125) {
-        vec3 _e152 = radiance;
-        vec3 _e155 = ground_radiance(m_rayleigh_2, m_ozone_2, m_radius_2, m_thickness_2, luts_mie_extinction_2, luts_sun_middle_5, luts_sun_width_5, luts_albedo_1, luts_sun_first_5, luts_sun_span_5, (_e119 + (nu_1 * _e115)));
-        radiance = (_e152 + (_e150 * _e155));
+    float _e123 = ray_sin2_;
+    float _e124 = ray_shadow_b;
+    float _e125 = ray_shadow_c;
+    float _e126 = ray_shadow_half2_;
+    bool _e127 = ray_ground;
+    float _e128 = rayleigh_phase(nu_1);
+    vec3 gas_2 = (m_rayleigh_2 * _e128);
+    vec3 _e135 = henyey_greenstein_phase((1.0 - nu_1), (1.0 + nu_1), luts_mie_asymmetry);
+    vec3 aerosol_2 = ((m_mie_scattering_1 * luts_mie_moment0_1) * _e135);
+    perigee_of(_e117, _e118, _e119, _e120, _e127, _e117, m_radius_2, perigee_distance, perigee_excess, perigee_r_mu);
+    float _e140 = perigee_distance;
+    float _e141 = perigee_excess;
+    float _e142 = perigee_r_mu;
+    float _e144 = distance_to_u(_e140, 0.0);
+    float _e145 = distance_to_u(_e140, _e117);
+    gather(_group_0_binding_1_fs, _group_0_binding_2_fs, m_rayleigh_2, m_rayleigh_inv_height_2, m_mie_scattering_1, m_mie_inv_height_2, m_ozone_center_2, m_ozone_inv_half_width_2, m_ozone_2, m_radius_2, m_thickness_2, m_datum_2, luts_mie_extinction_2, luts_altitude_steepness_2, luts_mie_moment0_1, luts_altitude_growth_2, luts_mie_moment1_1, luts_sun_middle_5, luts_mie_moment2_1, luts_sun_width_5, luts_sun_first_5, luts_sun_span_5, _e116, _e121, nu_1, _e123, _e124, _e125, _e126, dir_5, _e140, _e141, _e142, _e144, _e145, luts_steps, gas_2, aerosol_2, 1.0, g_radiance, g_transmittance);
+    vec3 _e151 = g_radiance;
+    vec3 _e152 = g_transmittance;
+    radiance = _e151;
+    if (_e127) {
+        vec3 _e154 = radiance;
+        vec3 _e157 = ground_radiance(m_rayleigh_2, m_ozone_2, m_radius_2, m_thickness_2, luts_mie_extinction_2, luts_sun_middle_5, luts_sun_width_5, luts_albedo_1, luts_sun_first_5, luts_sun_span_5, (_e121 + (nu_1 * _e117)));
+        radiance = (_e154 + (_e152 * _e157));
     }
-    vec3 _e158 = radiance;
-    _fs2p_location0 = vec4(_e158, 0.0);
+    vec3 _e160 = radiance;
+    _fs2p_location0 = vec4(_e160, 0.0);
     return;
 }
 

@@ -16,6 +16,10 @@ struct Medium {
     float radius;
     vec3 irradiance;
     float thickness;
+    float datum;
+    float pad1_;
+    float pad2_;
+    float pad3_;
 };
 struct Luts {
     vec3 mie_extinction;
@@ -34,7 +38,7 @@ struct Luts {
     float ground_rows;
     uvec2 size;
     uint steps;
-    uint shift;
+    uint pad1_;
     uint slices;
     float aerial_ground_rows;
 };
@@ -44,6 +48,7 @@ struct Uniforms {
 };
 const uint REDUCED = 1u;
 const uint SHELL_DIMS = 2u;
+const uint WIDE = 4u;
 const bool RAYLEIGH = true;
 const bool MIE = true;
 const bool OZONE = true;

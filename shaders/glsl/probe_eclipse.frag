@@ -5,7 +5,8 @@ precision highp int;
 
 const uint REDUCED = 1u;
 const uint SHELL_DIMS = 2u;
-const int CASE_TEXELS = 13;
+const uint WIDE = 4u;
+const int CASE_TEXELS = 14;
 const float PI = 3.1415927;
 const float SQRT_HALF = 0.70710677;
 const int ANSWERS = 1;
@@ -16,8 +17,8 @@ layout(location = 0) out vec4 _fs2p_location0;
 
 void case_of(ivec2 pixel, int answers, inout vec4 out_view, inout vec4 out_light) {
     ivec2 first = ivec2(((pixel.x / answers) * CASE_TEXELS), pixel.y);
-    vec4 _e16 = texelFetch(_group_0_binding_1_fs, (first + ivec2(6, 0)), 0);
-    vec4 _e23 = texelFetch(_group_0_binding_1_fs, (first + ivec2(7, 0)), 0);
+    vec4 _e16 = texelFetch(_group_0_binding_1_fs, (first + ivec2(7, 0)), 0);
+    vec4 _e23 = texelFetch(_group_0_binding_1_fs, (first + ivec2(8, 0)), 0);
     out_view = _e16;
     out_light = _e23;
 }

@@ -5,7 +5,8 @@ precision highp int;
 
 const uint REDUCED = 1u;
 const uint SHELL_DIMS = 2u;
-const int CASE_TEXELS = 13;
+const uint WIDE = 4u;
+const int CASE_TEXELS = 14;
 const int ANSWERS = 4;
 
 uniform highp sampler2D _group_0_binding_1_fs;
@@ -16,9 +17,9 @@ void case_of(ivec2 pixel, int answers, inout float out_medium_radius, inout floa
     ivec2 first = ivec2(((pixel.x / answers) * CASE_TEXELS), pixel.y);
     vec4 e = texelFetch(_group_0_binding_1_fs, (first + ivec2(4, 0)), 0);
     vec4 f = texelFetch(_group_0_binding_1_fs, (first + ivec2(5, 0)), 0);
-    vec4 _e35 = texelFetch(_group_0_binding_1_fs, (first + ivec2(6, 0)), 0);
-    vec4 _e42 = texelFetch(_group_0_binding_1_fs, (first + ivec2(7, 0)), 0);
-    vec4 _e49 = texelFetch(_group_0_binding_1_fs, (first + ivec2(8, 0)), 0);
+    vec4 _e35 = texelFetch(_group_0_binding_1_fs, (first + ivec2(7, 0)), 0);
+    vec4 _e42 = texelFetch(_group_0_binding_1_fs, (first + ivec2(8, 0)), 0);
+    vec4 _e49 = texelFetch(_group_0_binding_1_fs, (first + ivec2(9, 0)), 0);
     out_medium_radius = e.w;
     out_medium_thickness = f.w;
     out_view = _e35;
@@ -126,17 +127,17 @@ void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half
 void line_past(vec3 dir_2, float h_1, float radius_6, inout float out_r_mu, inout float out_perigee_excess, inout bool out_ground) {
     bool local = false;
     float r_3 = (radius_6 + h_1);
-    float r_mu_4 = (r_3 * dir_2.z);
+    float r_mu_5 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
     float _e14 = excess_of(h_1, radius_6);
-    float _e16 = half_chord2_(r_mu_4, _e14, (radius_6 - p_2), p_2);
-    if ((r_mu_4 < 0.0)) {
+    float _e16 = half_chord2_(r_mu_5, _e14, (radius_6 - p_2), p_2);
+    if ((r_mu_5 < 0.0)) {
         local = (_e16 >= 0.0);
     } else {
         local = false;
     }
     bool _e25 = local;
-    out_r_mu = r_mu_4;
+    out_r_mu = r_mu_5;
     out_perigee_excess = -(_e16);
     out_ground = _e25;
 }
@@ -190,7 +191,7 @@ void air_path(float line_r_mu_1, float line_perigee_excess_1, bool line_ground, 
     out_r_mu_1 = -(half_1);
 }
 
-void air_ray(vec3 dir_3, float h_4, float radius_9, float thickness_2, vec3 sun_2, inout float out_start_1, inout float out_length_1, inout float out_excess_1, inout float out_r_mu_2, inout float out_perigee_excess_1, inout float out_sun_r_mu_2, inout float out_nu_2, inout float out_sin2_2, inout float out_shadow_b_2, inout float out_shadow_c_2, inout float out_shadow_half2_2, inout bool out_ground_1) {
+void air_ray_of(float line_r_mu_2, float line_perigee_excess_2, bool line_ground_1, vec3 dir_3, float h_4, float radius_9, float thickness_2, vec3 sun_2, inout float out_start_1, inout float out_length_1, inout float out_excess_1, inout float out_r_mu_2, inout float out_perigee_excess_1, inout float out_sun_r_mu_2, inout float out_nu_2, inout float out_sin2_2, inout float out_shadow_b_2, inout float out_shadow_c_2, inout float out_shadow_half2_2, inout bool out_ground_1) {
     float s_sun_r_mu = 0.0;
     float s_nu = 0.0;
     float s_sin2_1 = 0.0;
@@ -198,97 +199,105 @@ void air_ray(vec3 dir_3, float h_4, float radius_9, float thickness_2, vec3 sun_
     float s_shadow_c_1 = 0.0;
     float s_shadow_half2_ = 0.0;
     bool local_2 = false;
-    float line_r_mu_2 = 0.0;
-    float line_perigee_excess_2 = 0.0;
-    bool line_ground_1 = false;
     float path_start = 0.0;
     float path_length = 0.0;
     float path_excess = 0.0;
     float path_r_mu = 0.0;
-    line_past(dir_3, h_4, radius_9, line_r_mu_2, line_perigee_excess_2, line_ground_1);
-    float _e18 = line_r_mu_2;
-    float _e19 = line_perigee_excess_2;
-    bool _e20 = line_ground_1;
-    air_path(_e18, _e19, _e20, h_4, radius_9, thickness_2, path_start, path_length, path_excess, path_r_mu);
-    float _e26 = path_start;
-    float _e27 = path_length;
-    float _e28 = path_excess;
-    float _e29 = path_r_mu;
+    air_path(line_r_mu_2, line_perigee_excess_2, line_ground_1, h_4, radius_9, thickness_2, path_start, path_length, path_excess, path_r_mu);
+    float _e22 = path_start;
+    float _e23 = path_length;
+    float _e24 = path_excess;
+    float _e25 = path_r_mu;
     if ((h_4 <= thickness_2)) {
-        sun_side_inside(dir_3, sun_2, (radius_9 + h_4), _e28, radius_9, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
+        sun_side_inside(dir_3, sun_2, (radius_9 + h_4), _e24, radius_9, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
     } else {
-        if ((_e27 > 0.0)) {
-            sun_side_outside(dir_3, sun_2, (radius_9 + h_4), _e26, -(_e29), _e28, radius_9, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
+        if ((_e23 > 0.0)) {
+            sun_side_outside(dir_3, sun_2, (radius_9 + h_4), _e22, -(_e25), _e24, radius_9, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
         } else {
             s_nu = dot(dir_3, sun_2);
         }
     }
-    if (_e20) {
-        local_2 = (_e27 >= 0.0);
+    if (line_ground_1) {
+        local_2 = (_e23 >= 0.0);
     } else {
         local_2 = false;
     }
     bool ground = local_2;
-    float _e50 = s_sun_r_mu;
-    float _e51 = s_nu;
-    float _e52 = s_sin2_1;
-    float _e53 = s_shadow_b_1;
-    float _e54 = s_shadow_c_1;
-    float _e55 = s_shadow_half2_;
-    out_start_1 = _e26;
-    out_length_1 = _e27;
-    out_excess_1 = _e28;
-    out_r_mu_2 = _e29;
-    out_perigee_excess_1 = _e19;
-    out_sun_r_mu_2 = _e50;
-    out_nu_2 = _e51;
-    out_sin2_2 = _e52;
-    out_shadow_b_2 = _e53;
-    out_shadow_c_2 = _e54;
-    out_shadow_half2_2 = _e55;
+    float _e47 = s_sun_r_mu;
+    float _e48 = s_nu;
+    float _e49 = s_sin2_1;
+    float _e50 = s_shadow_b_1;
+    float _e51 = s_shadow_c_1;
+    float _e52 = s_shadow_half2_;
+    out_start_1 = _e22;
+    out_length_1 = _e23;
+    out_excess_1 = _e24;
+    out_r_mu_2 = _e25;
+    out_perigee_excess_1 = line_perigee_excess_2;
+    out_sun_r_mu_2 = _e47;
+    out_nu_2 = _e48;
+    out_sin2_2 = _e49;
+    out_shadow_b_2 = _e50;
+    out_shadow_c_2 = _e51;
+    out_shadow_half2_2 = _e52;
     out_ground_1 = ground;
 }
 
-void perigee_of(float ray_length_1, float ray_excess_1, float ray_r_mu_1, float ray_perigee_excess_1, bool ray_ground_1, float length_, float radius_10, inout float out_distance, inout float out_excess_2, inout float out_r_mu_3) {
-    bool local_3 = false;
-    if ((ray_r_mu_1 >= 0.0)) {
-        out_distance = 0.0;
-        out_excess_2 = ray_excess_1;
-        out_r_mu_3 = ray_r_mu_1;
-        return;
-    }
-    if ((-(ray_r_mu_1) <= length_)) {
-        out_distance = -(ray_r_mu_1);
-        out_excess_2 = ray_perigee_excess_1;
-        out_r_mu_3 = 0.0;
-        return;
-    }
-    float r_mu_5 = (ray_r_mu_1 + length_);
-    if (ray_ground_1) {
-        local_3 = (length_ >= ray_length_1);
-    } else {
-        local_3 = false;
-    }
-    bool _e21 = local_3;
-    if (_e21) {
-        out_distance = length_;
-        out_excess_2 = 0.0;
-        out_r_mu_3 = r_mu_5;
-        return;
-    }
-    bool far = ((-(ray_r_mu_1) * length_) > (radius_10 * radius_10));
-    float near_excess = (ray_excess_1 + (length_ * ((2.0 * ray_r_mu_1) + length_)));
-    out_distance = length_;
-    out_excess_2 = (far ? (ray_perigee_excess_1 + (r_mu_5 * r_mu_5)) : near_excess);
-    out_r_mu_3 = r_mu_5;
-}
-
-bool hits_planet(vec3 dir_4, float h_5, float radius_11) {
+void air_ray(vec3 dir_4, float h_5, float radius_10, float thickness_3, vec3 sun_3, inout float out_start_2, inout float out_length_2, inout float out_excess_2, inout float out_r_mu_3, inout float out_perigee_excess_2, inout float out_sun_r_mu_3, inout float out_nu_3, inout float out_sin2_3, inout float out_shadow_b_3, inout float out_shadow_c_3, inout float out_shadow_half2_3, inout bool out_ground_2) {
     float line_past_r_mu = 0.0;
     float line_past_perigee_excess = 0.0;
     bool line_past_ground = false;
-    line_past(dir_4, h_5, radius_11, line_past_r_mu, line_past_perigee_excess, line_past_ground);
-    bool _e6 = line_past_ground;
+    line_past(dir_4, h_5, radius_10, line_past_r_mu, line_past_perigee_excess, line_past_ground);
+    float _e18 = line_past_r_mu;
+    float _e19 = line_past_perigee_excess;
+    bool _e20 = line_past_ground;
+    air_ray_of(_e18, _e19, _e20, dir_4, h_5, radius_10, thickness_3, sun_3, out_start_2, out_length_2, out_excess_2, out_r_mu_3, out_perigee_excess_2, out_sun_r_mu_3, out_nu_3, out_sin2_3, out_shadow_b_3, out_shadow_c_3, out_shadow_half2_3, out_ground_2);
+}
+
+void lowest_point(float excess_5, float r_mu_4, float perigee_excess_1, bool to_ground, float length_, float radius_11, inout float out_distance, inout float out_excess_3, inout float out_r_mu_4) {
+    if ((r_mu_4 >= 0.0)) {
+        out_distance = 0.0;
+        out_excess_3 = excess_5;
+        out_r_mu_4 = r_mu_4;
+        return;
+    }
+    if ((-(r_mu_4) <= length_)) {
+        out_distance = -(r_mu_4);
+        out_excess_3 = perigee_excess_1;
+        out_r_mu_4 = 0.0;
+        return;
+    }
+    float end = (r_mu_4 + length_);
+    if (to_ground) {
+        out_distance = length_;
+        out_excess_3 = 0.0;
+        out_r_mu_4 = end;
+        return;
+    }
+    bool far = ((-(r_mu_4) * length_) > (radius_11 * radius_11));
+    float near_excess = (excess_5 + (length_ * ((2.0 * r_mu_4) + length_)));
+    out_distance = length_;
+    out_excess_3 = (far ? (perigee_excess_1 + (end * end)) : near_excess);
+    out_r_mu_4 = end;
+}
+
+void perigee_of(float ray_length_1, float ray_excess_1, float ray_r_mu_1, float ray_perigee_excess_1, bool ray_ground_1, float length_1, float radius_12, inout float out_distance_1, inout float out_excess_4, inout float out_r_mu_5) {
+    bool local_3 = false;
+    if (ray_ground_1) {
+        local_3 = (length_1 >= ray_length_1);
+    } else {
+        local_3 = false;
+    }
+    bool to_ground_1 = local_3;
+    lowest_point(ray_excess_1, ray_r_mu_1, ray_perigee_excess_1, to_ground_1, length_1, radius_12, out_distance_1, out_excess_4, out_r_mu_5);
+}
+
+bool hits_planet(vec3 dir_5, float h_6, float radius_13) {
+    float line_past_r_mu_1 = 0.0;
+    float line_past_perigee_excess_1 = 0.0;
+    bool line_past_ground_1 = false;
+    line_past(dir_5, h_6, radius_13, line_past_r_mu_1, line_past_perigee_excess_1, line_past_ground_1);
+    bool _e6 = line_past_ground_1;
     return _e6;
 }
 

@@ -5,7 +5,8 @@ precision highp int;
 
 const uint REDUCED = 1u;
 const uint SHELL_DIMS = 2u;
-const int CASE_TEXELS = 13;
+const uint WIDE = 4u;
+const int CASE_TEXELS = 14;
 const bool RAYLEIGH = true;
 const bool MIE = true;
 const bool OZONE = true;
@@ -18,7 +19,7 @@ uniform highp sampler2D _group_0_binding_1_fs;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
-void case_of(ivec2 pixel, int answers, inout vec3 out_medium_rayleigh, inout float out_medium_rayleigh_inv_height, inout vec3 out_medium_mie_scattering, inout float out_medium_mie_inv_height, inout vec3 out_medium_mie_extinction, inout float out_medium_ozone_center, inout vec3 out_medium_mie_asymmetry, inout float out_medium_ozone_inv_half_width, inout vec3 out_medium_ozone, inout float out_medium_radius, inout float out_medium_thickness, inout vec4 out_view, inout vec4 out_light, inout vec4 out_path, inout vec4 out_angle) {
+void case_of(ivec2 pixel, int answers, inout vec3 out_medium_rayleigh, inout float out_medium_rayleigh_inv_height, inout vec3 out_medium_mie_scattering, inout float out_medium_mie_inv_height, inout vec3 out_medium_mie_extinction, inout float out_medium_ozone_center, inout vec3 out_medium_mie_asymmetry, inout float out_medium_ozone_inv_half_width, inout vec3 out_medium_ozone, inout float out_medium_radius, inout float out_medium_thickness, inout float out_medium_datum, inout vec4 out_view, inout vec4 out_light, inout vec4 out_path, inout vec4 out_angle) {
     ivec2 first = ivec2(((pixel.x / answers) * CASE_TEXELS), pixel.y);
     vec4 a = texelFetch(_group_0_binding_1_fs, first, 0);
     vec4 b = texelFetch(_group_0_binding_1_fs, (first + ivec2(1, 0)), 0);
@@ -26,10 +27,11 @@ void case_of(ivec2 pixel, int answers, inout vec3 out_medium_rayleigh, inout flo
     vec4 d_2 = texelFetch(_group_0_binding_1_fs, (first + ivec2(3, 0)), 0);
     vec4 e = texelFetch(_group_0_binding_1_fs, (first + ivec2(4, 0)), 0);
     vec4 f = texelFetch(_group_0_binding_1_fs, (first + ivec2(5, 0)), 0);
-    vec4 _e78 = texelFetch(_group_0_binding_1_fs, (first + ivec2(6, 0)), 0);
-    vec4 _e85 = texelFetch(_group_0_binding_1_fs, (first + ivec2(7, 0)), 0);
-    vec4 _e92 = texelFetch(_group_0_binding_1_fs, (first + ivec2(8, 0)), 0);
-    vec4 _e99 = texelFetch(_group_0_binding_1_fs, (first + ivec2(9, 0)), 0);
+    vec4 g_2 = texelFetch(_group_0_binding_1_fs, (first + ivec2(6, 0)), 0);
+    vec4 _e87 = texelFetch(_group_0_binding_1_fs, (first + ivec2(7, 0)), 0);
+    vec4 _e94 = texelFetch(_group_0_binding_1_fs, (first + ivec2(8, 0)), 0);
+    vec4 _e101 = texelFetch(_group_0_binding_1_fs, (first + ivec2(9, 0)), 0);
+    vec4 _e108 = texelFetch(_group_0_binding_1_fs, (first + ivec2(10, 0)), 0);
     out_medium_rayleigh = a.xyz;
     out_medium_rayleigh_inv_height = a.w;
     out_medium_mie_scattering = b.xyz;
@@ -41,10 +43,11 @@ void case_of(ivec2 pixel, int answers, inout vec3 out_medium_rayleigh, inout flo
     out_medium_ozone = e.xyz;
     out_medium_radius = e.w;
     out_medium_thickness = f.w;
-    out_view = _e78;
-    out_light = _e85;
-    out_path = _e92;
-    out_angle = _e99;
+    out_medium_datum = g_2.x;
+    out_view = _e87;
+    out_light = _e94;
+    out_path = _e101;
+    out_angle = _e108;
 }
 
 float altitude_of(float excess, float radius) {
@@ -147,17 +150,17 @@ void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half
 void line_past(vec3 dir_2, float h_1, float radius_6, inout float out_r_mu, inout float out_perigee_excess, inout bool out_ground) {
     bool local = false;
     float r_3 = (radius_6 + h_1);
-    float r_mu_5 = (r_3 * dir_2.z);
+    float r_mu_6 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
     float _e14 = excess_of(h_1, radius_6);
-    float _e16 = half_chord2_(r_mu_5, _e14, (radius_6 - p_2), p_2);
-    if ((r_mu_5 < 0.0)) {
+    float _e16 = half_chord2_(r_mu_6, _e14, (radius_6 - p_2), p_2);
+    if ((r_mu_6 < 0.0)) {
         local = (_e16 >= 0.0);
     } else {
         local = false;
     }
     bool _e25 = local;
-    out_r_mu = r_mu_5;
+    out_r_mu = r_mu_6;
     out_perigee_excess = -(_e16);
     out_ground = _e25;
 }
@@ -211,7 +214,7 @@ void air_path(float line_r_mu_1, float line_perigee_excess_1, bool line_ground, 
     out_r_mu_1 = -(half_1);
 }
 
-void air_ray(vec3 dir_3, float h_4, float radius_9, float thickness_2, vec3 sun_2, inout float out_start_1, inout float out_length_1, inout float out_excess_1, inout float out_r_mu_2, inout float out_perigee_excess_1, inout float out_sun_r_mu_2, inout float out_nu_2, inout float out_sin2_2, inout float out_shadow_b_2, inout float out_shadow_c_2, inout float out_shadow_half2_2, inout bool out_ground_1) {
+void air_ray_of(float line_r_mu_2, float line_perigee_excess_2, bool line_ground_1, vec3 dir_3, float h_4, float radius_9, float thickness_2, vec3 sun_2, inout float out_start_1, inout float out_length_1, inout float out_excess_1, inout float out_r_mu_2, inout float out_perigee_excess_1, inout float out_sun_r_mu_2, inout float out_nu_2, inout float out_sin2_2, inout float out_shadow_b_2, inout float out_shadow_c_2, inout float out_shadow_half2_2, inout bool out_ground_1) {
     float s_sun_r_mu = 0.0;
     float s_nu = 0.0;
     float s_sin2_1 = 0.0;
@@ -219,89 +222,97 @@ void air_ray(vec3 dir_3, float h_4, float radius_9, float thickness_2, vec3 sun_
     float s_shadow_c_1 = 0.0;
     float s_shadow_half2_ = 0.0;
     bool local_2 = false;
-    float line_r_mu_2 = 0.0;
-    float line_perigee_excess_2 = 0.0;
-    bool line_ground_1 = false;
     float path_start = 0.0;
     float path_length = 0.0;
     float path_excess = 0.0;
     float path_r_mu = 0.0;
-    line_past(dir_3, h_4, radius_9, line_r_mu_2, line_perigee_excess_2, line_ground_1);
-    float _e18 = line_r_mu_2;
-    float _e19 = line_perigee_excess_2;
-    bool _e20 = line_ground_1;
-    air_path(_e18, _e19, _e20, h_4, radius_9, thickness_2, path_start, path_length, path_excess, path_r_mu);
-    float _e26 = path_start;
-    float _e27 = path_length;
-    float _e28 = path_excess;
-    float _e29 = path_r_mu;
+    air_path(line_r_mu_2, line_perigee_excess_2, line_ground_1, h_4, radius_9, thickness_2, path_start, path_length, path_excess, path_r_mu);
+    float _e22 = path_start;
+    float _e23 = path_length;
+    float _e24 = path_excess;
+    float _e25 = path_r_mu;
     if ((h_4 <= thickness_2)) {
-        sun_side_inside(dir_3, sun_2, (radius_9 + h_4), _e28, radius_9, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
+        sun_side_inside(dir_3, sun_2, (radius_9 + h_4), _e24, radius_9, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
     } else {
-        if ((_e27 > 0.0)) {
-            sun_side_outside(dir_3, sun_2, (radius_9 + h_4), _e26, -(_e29), _e28, radius_9, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
+        if ((_e23 > 0.0)) {
+            sun_side_outside(dir_3, sun_2, (radius_9 + h_4), _e22, -(_e25), _e24, radius_9, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
         } else {
             s_nu = dot(dir_3, sun_2);
         }
     }
-    if (_e20) {
-        local_2 = (_e27 >= 0.0);
+    if (line_ground_1) {
+        local_2 = (_e23 >= 0.0);
     } else {
         local_2 = false;
     }
     bool ground = local_2;
-    float _e50 = s_sun_r_mu;
-    float _e51 = s_nu;
-    float _e52 = s_sin2_1;
-    float _e53 = s_shadow_b_1;
-    float _e54 = s_shadow_c_1;
-    float _e55 = s_shadow_half2_;
-    out_start_1 = _e26;
-    out_length_1 = _e27;
-    out_excess_1 = _e28;
-    out_r_mu_2 = _e29;
-    out_perigee_excess_1 = _e19;
-    out_sun_r_mu_2 = _e50;
-    out_nu_2 = _e51;
-    out_sin2_2 = _e52;
-    out_shadow_b_2 = _e53;
-    out_shadow_c_2 = _e54;
-    out_shadow_half2_2 = _e55;
+    float _e47 = s_sun_r_mu;
+    float _e48 = s_nu;
+    float _e49 = s_sin2_1;
+    float _e50 = s_shadow_b_1;
+    float _e51 = s_shadow_c_1;
+    float _e52 = s_shadow_half2_;
+    out_start_1 = _e22;
+    out_length_1 = _e23;
+    out_excess_1 = _e24;
+    out_r_mu_2 = _e25;
+    out_perigee_excess_1 = line_perigee_excess_2;
+    out_sun_r_mu_2 = _e47;
+    out_nu_2 = _e48;
+    out_sin2_2 = _e49;
+    out_shadow_b_2 = _e50;
+    out_shadow_c_2 = _e51;
+    out_shadow_half2_2 = _e52;
     out_ground_1 = ground;
 }
 
-void perigee_of(float ray_length_1, float ray_excess_1, float ray_r_mu_1, float ray_perigee_excess_1, bool ray_ground_1, float length_, float radius_10, inout float out_distance, inout float out_excess_2, inout float out_r_mu_3) {
-    bool local_3 = false;
-    if ((ray_r_mu_1 >= 0.0)) {
+void air_ray(vec3 dir_4, float h_5, float radius_10, float thickness_3, vec3 sun_3, inout float out_start_2, inout float out_length_2, inout float out_excess_2, inout float out_r_mu_3, inout float out_perigee_excess_2, inout float out_sun_r_mu_3, inout float out_nu_3, inout float out_sin2_3, inout float out_shadow_b_3, inout float out_shadow_c_3, inout float out_shadow_half2_3, inout bool out_ground_2) {
+    float line_past_r_mu = 0.0;
+    float line_past_perigee_excess = 0.0;
+    bool line_past_ground = false;
+    line_past(dir_4, h_5, radius_10, line_past_r_mu, line_past_perigee_excess, line_past_ground);
+    float _e18 = line_past_r_mu;
+    float _e19 = line_past_perigee_excess;
+    bool _e20 = line_past_ground;
+    air_ray_of(_e18, _e19, _e20, dir_4, h_5, radius_10, thickness_3, sun_3, out_start_2, out_length_2, out_excess_2, out_r_mu_3, out_perigee_excess_2, out_sun_r_mu_3, out_nu_3, out_sin2_3, out_shadow_b_3, out_shadow_c_3, out_shadow_half2_3, out_ground_2);
+}
+
+void lowest_point(float excess_5, float r_mu_4, float perigee_excess, bool to_ground, float length_, float radius_11, inout float out_distance, inout float out_excess_3, inout float out_r_mu_4) {
+    if ((r_mu_4 >= 0.0)) {
         out_distance = 0.0;
-        out_excess_2 = ray_excess_1;
-        out_r_mu_3 = ray_r_mu_1;
+        out_excess_3 = excess_5;
+        out_r_mu_4 = r_mu_4;
         return;
     }
-    if ((-(ray_r_mu_1) <= length_)) {
-        out_distance = -(ray_r_mu_1);
-        out_excess_2 = ray_perigee_excess_1;
-        out_r_mu_3 = 0.0;
+    if ((-(r_mu_4) <= length_)) {
+        out_distance = -(r_mu_4);
+        out_excess_3 = perigee_excess;
+        out_r_mu_4 = 0.0;
         return;
     }
-    float r_mu_6 = (ray_r_mu_1 + length_);
+    float end = (r_mu_4 + length_);
+    if (to_ground) {
+        out_distance = length_;
+        out_excess_3 = 0.0;
+        out_r_mu_4 = end;
+        return;
+    }
+    bool far = ((-(r_mu_4) * length_) > (radius_11 * radius_11));
+    float near_excess = (excess_5 + (length_ * ((2.0 * r_mu_4) + length_)));
+    out_distance = length_;
+    out_excess_3 = (far ? (perigee_excess + (end * end)) : near_excess);
+    out_r_mu_4 = end;
+}
+
+void perigee_of(float ray_length_1, float ray_excess_1, float ray_r_mu_1, float ray_perigee_excess_1, bool ray_ground_1, float length_1, float radius_12, inout float out_distance_1, inout float out_excess_4, inout float out_r_mu_5) {
+    bool local_3 = false;
     if (ray_ground_1) {
-        local_3 = (length_ >= ray_length_1);
+        local_3 = (length_1 >= ray_length_1);
     } else {
         local_3 = false;
     }
-    bool _e21 = local_3;
-    if (_e21) {
-        out_distance = length_;
-        out_excess_2 = 0.0;
-        out_r_mu_3 = r_mu_6;
-        return;
-    }
-    bool far = ((-(ray_r_mu_1) * length_) > (radius_10 * radius_10));
-    float near_excess = (ray_excess_1 + (length_ * ((2.0 * ray_r_mu_1) + length_)));
-    out_distance = length_;
-    out_excess_2 = (far ? (ray_perigee_excess_1 + (r_mu_6 * r_mu_6)) : near_excess);
-    out_r_mu_3 = r_mu_6;
+    bool to_ground_1 = local_3;
+    lowest_point(ray_excess_1, ray_r_mu_1, ray_perigee_excess_1, to_ground_1, length_1, radius_12, out_distance_1, out_excess_4, out_r_mu_5);
 }
 
 vec2 shadow_stretch(float ray_sun_r_mu_1, float ray_nu_1, float ray_sin2_1, float ray_shadow_b_1, float ray_shadow_c_1, float ray_shadow_half2_1) {
@@ -339,27 +350,30 @@ vec2 shadow_stretch(float ray_sun_r_mu_1, float ray_nu_1, float ray_sin2_1, floa
     return _e54;
 }
 
-vec4 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width) {
-    return vec4(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_center, m_ozone_inv_half_width);
+mat2x3 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width, float m_datum) {
+    vec3 fall = vec3(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_inv_half_width);
+    return mat2x3(fall, vec3(m_datum, m_ozone_center, 0.0));
 }
 
 mat3x3 coefficients_of(vec3 m_rayleigh, vec3 m_mie_extinction, vec3 m_ozone) {
     return mat3x3(m_rayleigh, m_mie_extinction, m_ozone);
 }
 
-vec3 densities(vec4 layers, float h_5) {
+vec3 densities(mat2x3 layers, float h_6) {
     vec3 d = vec3(0.0);
+    vec3 fall_1 = layers[0];
+    float z = max((h_6 - layers[1].x), 0.0);
     if (RAYLEIGH) {
-        d.x = exp((-(h_5) * layers.x));
+        d.x = exp((-(z) * fall_1.x));
     }
     if (MIE) {
-        d.y = exp((-(h_5) * layers.y));
+        d.y = exp((-(z) * fall_1.y));
     }
     if (OZONE) {
-        d.z = max(0.0, (1.0 - (abs((h_5 - layers.z)) * layers.w)));
+        d.z = max(0.0, (1.0 - (abs((z - layers[1].y)) * fall_1.z)));
     }
-    vec3 _e28 = d;
-    return _e28;
+    vec3 _e35 = d;
+    return _e35;
 }
 
 vec3 extinction(mat3x3 coefficients, vec3 d_1) {
@@ -388,11 +402,11 @@ float distance_to_u(float perigee_1, float t_1) {
     return (sign((t_1 - perigee_1)) * sqrt(abs((t_1 - perigee_1))));
 }
 
-vec3 path_densities(vec4 layers_1, float radius_11, float excess_5, float r_mu_4, float distance_, uint samples) {
+vec3 path_densities(mat2x3 layers_1, float radius_13, float excess_6, float r_mu_5, float distance_, uint samples) {
     vec3 sum_1 = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
-    float perigee_4 = clamp(-(r_mu_4), 0.0, distance_);
+    float perigee_4 = clamp(-(r_mu_5), 0.0, distance_);
     float u0_ = -(sqrt(perigee_4));
     float du = ((sqrt((distance_ - perigee_4)) - u0_) / float(samples));
     bool loop_init = true;
@@ -412,7 +426,7 @@ vec3 path_densities(vec4 layers_1, float radius_11, float excess_5, float r_mu_4
             float u_1 = (u0_ + (du * float(_e20)));
             float _e27 = u_to_distance(perigee_4, (u_1 + (0.5 * du)));
             float _e29 = u_to_distance(perigee_4, (u_1 + du));
-            float _e32 = altitude_after(excess_5, r_mu_4, _e27, radius_11);
+            float _e32 = altitude_after(excess_6, r_mu_5, _e27, radius_13);
             vec3 _e34 = sum_1;
             vec3 _e36 = densities(layers_1, _e32);
             float _e38 = t0_;
@@ -431,8 +445,8 @@ vec3 mean_transmittance(vec3 tau) {
 
 vec3 dark_part(vec2 shadow, float t0_1, float t1_) {
     float begin = clamp(shadow.x, t0_1, t1_);
-    float end = clamp(shadow.y, t0_1, t1_);
-    return vec3(begin, end, ((shadow.y > shadow.x) ? max((end - begin), 0.0) : 0.0));
+    float end_1 = clamp(shadow.y, t0_1, t1_);
+    return vec3(begin, end_1, ((shadow.y > shadow.x) ? max((end_1 - begin), 0.0) : 0.0));
 }
 
 float lit_middle(vec3 dark, float perigee_2, float t0_2, float t1_1) {
@@ -471,19 +485,19 @@ vec3 mie_phase(float away_2, float toward_2, vec3 asymmetry) {
     }
 }
 
-vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_12, float thickness_3, float excess_6, float sun_r_mu, uint samples_1) {
-    float _e2 = excess_of(thickness_3, radius_12);
-    float _e5 = distance_to_top(excess_6, sun_r_mu, _e2);
-    vec3 _e8 = path_densities(layers_2, radius_12, excess_6, sun_r_mu, _e5, samples_1);
+vec3 sun_transmittance(mat3x3 coefficients_1, mat2x3 layers_2, float radius_14, float thickness_4, float excess_7, float sun_r_mu, uint samples_1) {
+    float _e2 = excess_of(thickness_4, radius_14);
+    float _e5 = distance_to_top(excess_7, sun_r_mu, _e2);
+    vec3 _e8 = path_densities(layers_2, radius_14, excess_7, sun_r_mu, _e5, samples_1);
     vec3 _e10 = extinction(coefficients_1, _e8);
     return exp(-(_e10));
 }
 
-vec3 sun_visibility(vec3 dir_4, float distance_1) {
+vec3 sun_visibility(vec3 dir_5, float distance_1) {
     return vec3(1.0);
 }
 
-void single_scattering(vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, vec3 m_mie_extinction_1, float m_ozone_center_1, vec3 m_mie_asymmetry, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_thickness, float ray_start_1, float ray_length_2, float ray_excess_2, float ray_r_mu_2, float ray_perigee_excess_2, float ray_sun_r_mu_2, float ray_nu_2, float ray_sin2_2, float ray_shadow_b_2, float ray_shadow_c_2, float ray_shadow_half2_2, bool ray_ground_2, vec3 dir_5, float length_1, float away_3, uint view_samples, uint light_samples, inout vec3 out_radiance, inout vec3 out_transmittance) {
+void single_scattering(vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, vec3 m_mie_extinction_1, float m_ozone_center_1, vec3 m_mie_asymmetry, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_thickness, float m_datum_1, float ray_start_1, float ray_length_2, float ray_excess_2, float ray_r_mu_2, float ray_perigee_excess_2, float ray_sun_r_mu_2, float ray_nu_2, float ray_sin2_2, float ray_shadow_b_2, float ray_shadow_c_2, float ray_shadow_half2_2, bool ray_ground_2, vec3 dir_6, float length_2, float away_3, uint view_samples, uint light_samples, inout vec3 out_radiance, inout vec3 out_transmittance) {
     vec3 rayleigh = vec3(0.0);
     vec3 mie = vec3(0.0);
     vec2 shadow_1 = vec2(0.0);
@@ -492,7 +506,7 @@ void single_scattering(vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_
     float lit = 0.0;
     vec3 source = vec3(0.0);
     float perigee_distance = 0.0;
-    float perigee_excess = 0.0;
+    float perigee_excess_1 = 0.0;
     float perigee_r_mu = 0.0;
     out_radiance = vec3(0.0);
     out_transmittance = vec3(1.0);
@@ -500,92 +514,92 @@ void single_scattering(vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_
         vec2 _e27 = shadow_stretch(ray_sun_r_mu_2, ray_nu_2, ray_sin2_2, ray_shadow_b_2, ray_shadow_c_2, ray_shadow_half2_2);
         shadow_1 = _e27;
         if (RAYLEIGH) {
-            float _e44 = rayleigh_phase((1.0 - away_3));
-            rayleigh = (m_rayleigh_1 * _e44);
+            float _e45 = rayleigh_phase((1.0 - away_3));
+            rayleigh = (m_rayleigh_1 * _e45);
         }
         if (MIE) {
             float toward_3 = ((away_3 > 1.0) ? (ray_sin2_2 / max(away_3, 1.0)) : (2.0 - away_3));
-            vec3 _e56 = mie_phase(away_3, toward_3, m_mie_asymmetry);
-            mie = (m_mie_scattering * _e56);
+            vec3 _e57 = mie_phase(away_3, toward_3, m_mie_asymmetry);
+            mie = (m_mie_scattering * _e57);
         }
     }
-    vec4 _e59 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
-    mat3x3 _e60 = coefficients_of(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
-    perigee_of(ray_length_2, ray_excess_2, ray_r_mu_2, ray_perigee_excess_2, ray_ground_2, length_1, m_radius, perigee_distance, perigee_excess, perigee_r_mu);
+    mat2x3 _e60 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1, m_datum_1);
+    mat3x3 _e61 = coefficients_of(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
+    perigee_of(ray_length_2, ray_excess_2, ray_r_mu_2, ray_perigee_excess_2, ray_ground_2, length_2, m_radius, perigee_distance, perigee_excess_1, perigee_r_mu);
     float nearest = perigee_distance;
-    float _e66 = perigee_excess;
-    float _e67 = perigee_r_mu;
+    float _e67 = perigee_excess_1;
+    float _e68 = perigee_r_mu;
     float u0_1 = -(sqrt(nearest));
-    float du_1 = ((sqrt((length_1 - nearest)) - u0_1) / float(view_samples));
+    float du_1 = ((sqrt((length_2 - nearest)) - u0_1) / float(view_samples));
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            uint _e164 = i_1;
-            i_1 = (_e164 + 1u);
+            uint _e165 = i_1;
+            i_1 = (_e165 + 1u);
         }
         loop_init_1 = false;
-        uint _e77 = i_1;
-        if ((_e77 < view_samples)) {
+        uint _e78 = i_1;
+        if ((_e78 < view_samples)) {
         } else {
             break;
         }
         {
-            uint _e79 = i_1;
-            float u_2 = (u0_1 + (du_1 * float(_e79)));
-            float _e84 = u_to_distance(nearest, (u_2 + du_1));
-            float _e88 = u_to_distance(nearest, (u_2 + (0.5 * du_1)));
-            float _e90 = altitude_after(_e66, _e67, (_e88 - nearest), m_radius);
-            float _e92 = t0_3;
-            float step_ = (_e84 - _e92);
-            vec3 _e94 = densities(_e59, _e90);
-            vec3 _e95 = extinction(_e60, _e94);
-            vec3 tau_1 = (_e95 * step_);
+            uint _e80 = i_1;
+            float u_2 = (u0_1 + (du_1 * float(_e80)));
+            float _e85 = u_to_distance(nearest, (u_2 + du_1));
+            float _e89 = u_to_distance(nearest, (u_2 + (0.5 * du_1)));
+            float _e91 = altitude_after(_e67, _e68, (_e89 - nearest), m_radius);
+            float _e93 = t0_3;
+            float step_ = (_e85 - _e93);
+            vec3 _e95 = densities(_e60, _e91);
+            vec3 _e96 = extinction(_e61, _e95);
+            vec3 tau_1 = (_e96 * step_);
             if (SUNLIGHT) {
-                vec2 _e98 = shadow_1;
-                float _e99 = t0_3;
-                vec3 _e100 = dark_part(_e98, _e99, _e84);
-                if ((_e100.z < step_)) {
-                    lit = _e88;
-                    if ((_e100.z > 0.0)) {
-                        float _e107 = t0_3;
-                        float _e108 = lit_middle(_e100, nearest, _e107, _e84);
-                        lit = _e108;
+                vec2 _e99 = shadow_1;
+                float _e100 = t0_3;
+                vec3 _e101 = dark_part(_e99, _e100, _e85);
+                if ((_e101.z < step_)) {
+                    lit = _e89;
+                    if ((_e101.z > 0.0)) {
+                        float _e108 = t0_3;
+                        float _e109 = lit_middle(_e101, nearest, _e108, _e85);
+                        lit = _e109;
                     }
-                    float _e109 = lit;
-                    float past = (_e109 - nearest);
-                    float excess_7 = (_e66 + (past * ((2.0 * _e67) + past)));
-                    float _e116 = altitude_of(excess_7, m_radius);
-                    vec3 _e119 = densities(_e59, max(_e116, 0.0));
+                    float _e110 = lit;
+                    float past = (_e110 - nearest);
+                    float excess_8 = (_e67 + (past * ((2.0 * _e68) + past)));
+                    float _e117 = altitude_of(excess_8, m_radius);
+                    vec3 _e120 = densities(_e60, max(_e117, 0.0));
                     source = vec3(0.0);
                     if (RAYLEIGH) {
-                        vec3 _e124 = source;
-                        vec3 _e125 = rayleigh;
-                        source = (_e124 + (_e125 * _e119.x));
+                        vec3 _e125 = source;
+                        vec3 _e126 = rayleigh;
+                        source = (_e125 + (_e126 * _e120.x));
                     }
                     if (MIE) {
-                        vec3 _e130 = source;
-                        vec3 _e131 = mie;
-                        source = (_e130 + (_e131 * _e119.y));
+                        vec3 _e131 = source;
+                        vec3 _e132 = mie;
+                        source = (_e131 + (_e132 * _e120.y));
                     }
-                    float _e135 = lit;
-                    float sun_r_mu_1 = (ray_sun_r_mu_2 + (ray_nu_2 * _e135));
-                    vec3 _e138 = source;
-                    vec3 _e140 = sun_transmittance(_e60, _e59, m_radius, m_thickness, excess_7, sun_r_mu_1, light_samples);
-                    source = (_e138 * _e140);
-                    vec3 _e142 = source;
-                    float _e143 = lit;
-                    vec3 _e146 = sun_visibility(dir_5, (ray_start_1 + _e143));
-                    source = (_e142 * _e146);
-                    vec3 _e150 = out_radiance;
-                    vec3 _e151 = out_transmittance;
-                    vec3 _e152 = mean_transmittance(tau_1);
-                    vec3 _e154 = source;
-                    out_radiance = (_e150 + (((_e151 * _e152) * _e154) * (step_ - _e100.z)));
+                    float _e136 = lit;
+                    float sun_r_mu_1 = (ray_sun_r_mu_2 + (ray_nu_2 * _e136));
+                    vec3 _e139 = source;
+                    vec3 _e141 = sun_transmittance(_e61, _e60, m_radius, m_thickness, excess_8, sun_r_mu_1, light_samples);
+                    source = (_e139 * _e141);
+                    vec3 _e143 = source;
+                    float _e144 = lit;
+                    vec3 _e147 = sun_visibility(dir_6, (ray_start_1 + _e144));
+                    source = (_e143 * _e147);
+                    vec3 _e151 = out_radiance;
+                    vec3 _e152 = out_transmittance;
+                    vec3 _e153 = mean_transmittance(tau_1);
+                    vec3 _e155 = source;
+                    out_radiance = (_e151 + (((_e152 * _e153) * _e155) * (step_ - _e101.z)));
                 }
             }
-            vec3 _e160 = out_transmittance;
-            out_transmittance = (_e160 * exp(-(tau_1)));
-            t0_3 = _e84;
+            vec3 _e161 = out_transmittance;
+            out_transmittance = (_e161 * exp(-(tau_1)));
+            t0_3 = _e85;
         }
     }
 }
@@ -603,6 +617,7 @@ void main() {
     vec3 c_medium_ozone = vec3(0.0);
     float c_medium_radius = 0.0;
     float c_medium_thickness = 0.0;
+    float c_medium_datum = 0.0;
     vec4 c_view = vec4(0.0);
     vec4 c_light = vec4(0.0);
     vec4 c_path = vec4(0.0);
@@ -622,46 +637,47 @@ void main() {
     vec3 s_radiance = vec3(0.0);
     vec3 s_transmittance = vec3(0.0);
     ivec2 pixel_1 = ivec2(position.xy);
-    case_of(pixel_1, ANSWERS, c_medium_rayleigh, c_medium_rayleigh_inv_height, c_medium_mie_scattering, c_medium_mie_inv_height, c_medium_mie_extinction, c_medium_ozone_center, c_medium_mie_asymmetry, c_medium_ozone_inv_half_width, c_medium_ozone, c_medium_radius, c_medium_thickness, c_view, c_light, c_path, c_angle);
-    vec3 _e19 = c_medium_rayleigh;
-    float _e20 = c_medium_rayleigh_inv_height;
-    vec3 _e21 = c_medium_mie_scattering;
-    float _e22 = c_medium_mie_inv_height;
-    vec3 _e23 = c_medium_mie_extinction;
-    float _e24 = c_medium_ozone_center;
-    vec3 _e25 = c_medium_mie_asymmetry;
-    float _e26 = c_medium_ozone_inv_half_width;
-    vec3 _e27 = c_medium_ozone;
-    float _e28 = c_medium_radius;
-    float _e29 = c_medium_thickness;
-    vec4 _e30 = c_view;
-    vec4 _e31 = c_light;
-    vec4 _e32 = c_path;
-    vec4 _e33 = c_angle;
-    air_ray(_e30.xyz, _e30.w, _e28, _e29, _e31.xyz, ray_start, ray_length, ray_excess, ray_r_mu, ray_perigee_excess, ray_sun_r_mu, ray_nu, ray_sin2_, ray_shadow_b, ray_shadow_c, ray_shadow_half2_, ray_ground);
-    float _e49 = ray_start;
-    float _e50 = ray_length;
-    float _e51 = ray_excess;
-    float _e52 = ray_r_mu;
-    float _e53 = ray_perigee_excess;
-    float _e54 = ray_sun_r_mu;
-    float _e55 = ray_nu;
-    float _e56 = ray_sin2_;
-    float _e57 = ray_shadow_b;
-    float _e58 = ray_shadow_c;
-    float _e59 = ray_shadow_half2_;
-    bool _e60 = ray_ground;
-    vec3 offset = (_e30.xyz - _e31.xyz);
+    case_of(pixel_1, ANSWERS, c_medium_rayleigh, c_medium_rayleigh_inv_height, c_medium_mie_scattering, c_medium_mie_inv_height, c_medium_mie_extinction, c_medium_ozone_center, c_medium_mie_asymmetry, c_medium_ozone_inv_half_width, c_medium_ozone, c_medium_radius, c_medium_thickness, c_medium_datum, c_view, c_light, c_path, c_angle);
+    vec3 _e20 = c_medium_rayleigh;
+    float _e21 = c_medium_rayleigh_inv_height;
+    vec3 _e22 = c_medium_mie_scattering;
+    float _e23 = c_medium_mie_inv_height;
+    vec3 _e24 = c_medium_mie_extinction;
+    float _e25 = c_medium_ozone_center;
+    vec3 _e26 = c_medium_mie_asymmetry;
+    float _e27 = c_medium_ozone_inv_half_width;
+    vec3 _e28 = c_medium_ozone;
+    float _e29 = c_medium_radius;
+    float _e30 = c_medium_thickness;
+    float _e31 = c_medium_datum;
+    vec4 _e32 = c_view;
+    vec4 _e33 = c_light;
+    vec4 _e34 = c_path;
+    vec4 _e35 = c_angle;
+    air_ray(_e32.xyz, _e32.w, _e29, _e30, _e33.xyz, ray_start, ray_length, ray_excess, ray_r_mu, ray_perigee_excess, ray_sun_r_mu, ray_nu, ray_sin2_, ray_shadow_b, ray_shadow_c, ray_shadow_half2_, ray_ground);
+    float _e51 = ray_start;
+    float _e52 = ray_length;
+    float _e53 = ray_excess;
+    float _e54 = ray_r_mu;
+    float _e55 = ray_perigee_excess;
+    float _e56 = ray_sun_r_mu;
+    float _e57 = ray_nu;
+    float _e58 = ray_sin2_;
+    float _e59 = ray_shadow_b;
+    float _e60 = ray_shadow_c;
+    float _e61 = ray_shadow_half2_;
+    bool _e62 = ray_ground;
+    vec3 offset = (_e32.xyz - _e33.xyz);
     float away_4 = (0.5 * dot(offset, offset));
-    float length_2 = (max(_e50, 0.0) * _e31.w);
-    single_scattering(_e19, _e20, _e21, _e22, _e23, _e24, _e25, _e26, _e27, _e28, _e29, _e49, _e50, _e51, _e52, _e53, _e54, _e55, _e56, _e57, _e58, _e59, _e60, _e30.xyz, length_2, away_4, uint(_e32.w), uint(_e33.y), s_radiance, s_transmittance);
-    vec3 _e78 = s_radiance;
-    vec3 _e79 = s_transmittance;
+    float length_3 = (max(_e52, 0.0) * _e33.w);
+    single_scattering(_e20, _e21, _e22, _e23, _e24, _e25, _e26, _e27, _e28, _e29, _e30, _e31, _e51, _e52, _e53, _e54, _e55, _e56, _e57, _e58, _e59, _e60, _e61, _e62, _e32.xyz, length_3, away_4, uint(_e34.w), uint(_e35.y), s_radiance, s_transmittance);
+    vec3 _e80 = s_radiance;
+    vec3 _e81 = s_transmittance;
     if (((pixel_1.x % ANSWERS) == 0)) {
-        _fs2p_location0 = vec4(_e78, length_2);
+        _fs2p_location0 = vec4(_e80, length_3);
         return;
     }
-    _fs2p_location0 = vec4(_e79, float(_e60));
+    _fs2p_location0 = vec4(_e81, float(_e62));
     return;
 }
 

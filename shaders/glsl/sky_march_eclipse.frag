@@ -16,6 +16,10 @@ struct Medium {
     float radius;
     vec3 irradiance;
     float thickness;
+    float datum;
+    float pad1_;
+    float pad2_;
+    float pad3_;
 };
 struct DepthCode {
     float scale;
@@ -60,7 +64,7 @@ struct Luts {
     float ground_rows;
     uvec2 size;
     uint steps;
-    uint shift;
+    uint pad1_;
     uint slices;
     float aerial_ground_rows;
 };
@@ -79,7 +83,10 @@ struct Uniforms {
 };
 const uint REDUCED = 1u;
 const uint SHELL_DIMS = 2u;
+const uint WIDE = 4u;
 const float HALF_MAX = 32000.0;
+const float FLOAT_MAX = 1e38;
+const bool DIMS = true;
 const bool RAYLEIGH = true;
 const bool MIE = true;
 const bool OZONE = true;
@@ -107,13 +114,21 @@ uniform highp sampler2D _group_0_binding_3_fs;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
+float most_light(uint flags) {
+    return (((flags & WIDE) != 0u) ? FLOAT_MAX : HALF_MAX);
+}
+
 vec3 pixel_ray(vec2 pixel, vec2 size, vec3 forward, vec3 right, vec3 up) {
     vec2 ndc = (((pixel / size) * vec2(2.0, -2.0)) + vec2(-1.0, 1.0));
     return ((forward + (right * ndc.x)) + (up * ndc.y));
 }
 
-vec4 veil(vec3 inscatter, vec3 transmittance) {
-    return vec4(min(inscatter, vec3(32000.0)), (1.0 - dot(transmittance, vec3(0.33333334))));
+float behind_alpha(float grey) {
+    if (DIMS) {
+        return (1.0 - grey);
+    } else {
+        return 0.0;
+    }
 }
 
 float altitude_of(float excess, float radius) {
@@ -216,17 +231,17 @@ void sun_side_outside(vec3 dir_1, vec3 sun_1, float r_2, float start, float half
 void line_past(vec3 dir_2, float h_1, float radius_6, inout float out_r_mu, inout float out_perigee_excess, inout bool out_ground) {
     bool local = false;
     float r_3 = (radius_6 + h_1);
-    float r_mu_7 = (r_3 * dir_2.z);
+    float r_mu_8 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
     float _e14 = excess_of(h_1, radius_6);
-    float _e16 = half_chord2_(r_mu_7, _e14, (radius_6 - p_2), p_2);
-    if ((r_mu_7 < 0.0)) {
+    float _e16 = half_chord2_(r_mu_8, _e14, (radius_6 - p_2), p_2);
+    if ((r_mu_8 < 0.0)) {
         local = (_e16 >= 0.0);
     } else {
         local = false;
     }
     bool _e25 = local;
-    out_r_mu = r_mu_7;
+    out_r_mu = r_mu_8;
     out_perigee_excess = -(_e16);
     out_ground = _e25;
 }
@@ -280,7 +295,7 @@ void air_path(float line_r_mu_1, float line_perigee_excess_1, bool line_ground, 
     out_r_mu_1 = -(half_2);
 }
 
-void air_ray(vec3 dir_3, float h_4, float radius_9, float thickness_2, vec3 sun_2, inout float out_start_1, inout float out_length_1, inout float out_excess_1, inout float out_r_mu_2, inout float out_perigee_excess_1, inout float out_sun_r_mu_2, inout float out_nu_2, inout float out_sin2_2, inout float out_shadow_b_2, inout float out_shadow_c_2, inout float out_shadow_half2_2, inout bool out_ground_1) {
+void air_ray_of(float line_r_mu_2, float line_perigee_excess_2, bool line_ground_1, vec3 dir_3, float h_4, float radius_9, float thickness_2, vec3 sun_2, inout float out_start_1, inout float out_length_1, inout float out_excess_1, inout float out_r_mu_2, inout float out_perigee_excess_1, inout float out_sun_r_mu_2, inout float out_nu_2, inout float out_sin2_2, inout float out_shadow_b_2, inout float out_shadow_c_2, inout float out_shadow_half2_2, inout bool out_ground_1) {
     float s_sun_r_mu = 0.0;
     float s_nu = 0.0;
     float s_sin2_1 = 0.0;
@@ -288,97 +303,105 @@ void air_ray(vec3 dir_3, float h_4, float radius_9, float thickness_2, vec3 sun_
     float s_shadow_c_1 = 0.0;
     float s_shadow_half2_ = 0.0;
     bool local_2 = false;
-    float line_r_mu_2 = 0.0;
-    float line_perigee_excess_2 = 0.0;
-    bool line_ground_1 = false;
     float path_start = 0.0;
     float path_length = 0.0;
     float path_excess = 0.0;
     float path_r_mu = 0.0;
-    line_past(dir_3, h_4, radius_9, line_r_mu_2, line_perigee_excess_2, line_ground_1);
-    float _e18 = line_r_mu_2;
-    float _e19 = line_perigee_excess_2;
-    bool _e20 = line_ground_1;
-    air_path(_e18, _e19, _e20, h_4, radius_9, thickness_2, path_start, path_length, path_excess, path_r_mu);
-    float _e26 = path_start;
-    float _e27 = path_length;
-    float _e28 = path_excess;
-    float _e29 = path_r_mu;
+    air_path(line_r_mu_2, line_perigee_excess_2, line_ground_1, h_4, radius_9, thickness_2, path_start, path_length, path_excess, path_r_mu);
+    float _e22 = path_start;
+    float _e23 = path_length;
+    float _e24 = path_excess;
+    float _e25 = path_r_mu;
     if ((h_4 <= thickness_2)) {
-        sun_side_inside(dir_3, sun_2, (radius_9 + h_4), _e28, radius_9, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
+        sun_side_inside(dir_3, sun_2, (radius_9 + h_4), _e24, radius_9, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
     } else {
-        if ((_e27 > 0.0)) {
-            sun_side_outside(dir_3, sun_2, (radius_9 + h_4), _e26, -(_e29), _e28, radius_9, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
+        if ((_e23 > 0.0)) {
+            sun_side_outside(dir_3, sun_2, (radius_9 + h_4), _e22, -(_e25), _e24, radius_9, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
         } else {
             s_nu = dot(dir_3, sun_2);
         }
     }
-    if (_e20) {
-        local_2 = (_e27 >= 0.0);
+    if (line_ground_1) {
+        local_2 = (_e23 >= 0.0);
     } else {
         local_2 = false;
     }
     bool ground = local_2;
-    float _e50 = s_sun_r_mu;
-    float _e51 = s_nu;
-    float _e52 = s_sin2_1;
-    float _e53 = s_shadow_b_1;
-    float _e54 = s_shadow_c_1;
-    float _e55 = s_shadow_half2_;
-    out_start_1 = _e26;
-    out_length_1 = _e27;
-    out_excess_1 = _e28;
-    out_r_mu_2 = _e29;
-    out_perigee_excess_1 = _e19;
-    out_sun_r_mu_2 = _e50;
-    out_nu_2 = _e51;
-    out_sin2_2 = _e52;
-    out_shadow_b_2 = _e53;
-    out_shadow_c_2 = _e54;
-    out_shadow_half2_2 = _e55;
+    float _e47 = s_sun_r_mu;
+    float _e48 = s_nu;
+    float _e49 = s_sin2_1;
+    float _e50 = s_shadow_b_1;
+    float _e51 = s_shadow_c_1;
+    float _e52 = s_shadow_half2_;
+    out_start_1 = _e22;
+    out_length_1 = _e23;
+    out_excess_1 = _e24;
+    out_r_mu_2 = _e25;
+    out_perigee_excess_1 = line_perigee_excess_2;
+    out_sun_r_mu_2 = _e47;
+    out_nu_2 = _e48;
+    out_sin2_2 = _e49;
+    out_shadow_b_2 = _e50;
+    out_shadow_c_2 = _e51;
+    out_shadow_half2_2 = _e52;
     out_ground_1 = ground;
 }
 
-void perigee_of(float ray_length_1, float ray_excess_1, float ray_r_mu_1, float ray_perigee_excess_1, bool ray_ground_1, float length_, float radius_10, inout float out_distance, inout float out_excess_2, inout float out_r_mu_3) {
-    bool local_3 = false;
-    if ((ray_r_mu_1 >= 0.0)) {
-        out_distance = 0.0;
-        out_excess_2 = ray_excess_1;
-        out_r_mu_3 = ray_r_mu_1;
-        return;
-    }
-    if ((-(ray_r_mu_1) <= length_)) {
-        out_distance = -(ray_r_mu_1);
-        out_excess_2 = ray_perigee_excess_1;
-        out_r_mu_3 = 0.0;
-        return;
-    }
-    float r_mu_8 = (ray_r_mu_1 + length_);
-    if (ray_ground_1) {
-        local_3 = (length_ >= ray_length_1);
-    } else {
-        local_3 = false;
-    }
-    bool _e21 = local_3;
-    if (_e21) {
-        out_distance = length_;
-        out_excess_2 = 0.0;
-        out_r_mu_3 = r_mu_8;
-        return;
-    }
-    bool far = ((-(ray_r_mu_1) * length_) > (radius_10 * radius_10));
-    float near_excess = (ray_excess_1 + (length_ * ((2.0 * ray_r_mu_1) + length_)));
-    out_distance = length_;
-    out_excess_2 = (far ? (ray_perigee_excess_1 + (r_mu_8 * r_mu_8)) : near_excess);
-    out_r_mu_3 = r_mu_8;
-}
-
-bool hits_planet(vec3 dir_4, float h_5, float radius_11) {
+void air_ray(vec3 dir_4, float h_5, float radius_10, float thickness_3, vec3 sun_3, inout float out_start_2, inout float out_length_2, inout float out_excess_2, inout float out_r_mu_3, inout float out_perigee_excess_2, inout float out_sun_r_mu_3, inout float out_nu_3, inout float out_sin2_3, inout float out_shadow_b_3, inout float out_shadow_c_3, inout float out_shadow_half2_3, inout bool out_ground_2) {
     float line_past_r_mu = 0.0;
     float line_past_perigee_excess = 0.0;
     bool line_past_ground = false;
-    line_past(dir_4, h_5, radius_11, line_past_r_mu, line_past_perigee_excess, line_past_ground);
-    bool _e6 = line_past_ground;
+    line_past(dir_4, h_5, radius_10, line_past_r_mu, line_past_perigee_excess, line_past_ground);
+    float _e18 = line_past_r_mu;
+    float _e19 = line_past_perigee_excess;
+    bool _e20 = line_past_ground;
+    air_ray_of(_e18, _e19, _e20, dir_4, h_5, radius_10, thickness_3, sun_3, out_start_2, out_length_2, out_excess_2, out_r_mu_3, out_perigee_excess_2, out_sun_r_mu_3, out_nu_3, out_sin2_3, out_shadow_b_3, out_shadow_c_3, out_shadow_half2_3, out_ground_2);
+}
+
+void lowest_point(float excess_5, float r_mu_4, float perigee_excess, bool to_ground, float length_, float radius_11, inout float out_distance, inout float out_excess_3, inout float out_r_mu_4) {
+    if ((r_mu_4 >= 0.0)) {
+        out_distance = 0.0;
+        out_excess_3 = excess_5;
+        out_r_mu_4 = r_mu_4;
+        return;
+    }
+    if ((-(r_mu_4) <= length_)) {
+        out_distance = -(r_mu_4);
+        out_excess_3 = perigee_excess;
+        out_r_mu_4 = 0.0;
+        return;
+    }
+    float end = (r_mu_4 + length_);
+    if (to_ground) {
+        out_distance = length_;
+        out_excess_3 = 0.0;
+        out_r_mu_4 = end;
+        return;
+    }
+    bool far = ((-(r_mu_4) * length_) > (radius_11 * radius_11));
+    float near_excess = (excess_5 + (length_ * ((2.0 * r_mu_4) + length_)));
+    out_distance = length_;
+    out_excess_3 = (far ? (perigee_excess + (end * end)) : near_excess);
+    out_r_mu_4 = end;
+}
+
+void perigee_of(float ray_length_1, float ray_excess_1, float ray_r_mu_1, float ray_perigee_excess_1, bool ray_ground_1, float length_1, float radius_12, inout float out_distance_1, inout float out_excess_4, inout float out_r_mu_5) {
+    bool local_3 = false;
+    if (ray_ground_1) {
+        local_3 = (length_1 >= ray_length_1);
+    } else {
+        local_3 = false;
+    }
+    bool to_ground_1 = local_3;
+    lowest_point(ray_excess_1, ray_r_mu_1, ray_perigee_excess_1, to_ground_1, length_1, radius_12, out_distance_1, out_excess_4, out_r_mu_5);
+}
+
+bool hits_planet(vec3 dir_5, float h_6, float radius_13) {
+    float line_past_r_mu_1 = 0.0;
+    float line_past_perigee_excess_1 = 0.0;
+    bool line_past_ground_1 = false;
+    line_past(dir_5, h_6, radius_13, line_past_r_mu_1, line_past_perigee_excess_1, line_past_ground_1);
+    bool _e6 = line_past_ground_1;
     return _e6;
 }
 
@@ -417,27 +440,30 @@ vec2 shadow_stretch(float ray_sun_r_mu_1, float ray_nu_1, float ray_sin2_1, floa
     return _e54;
 }
 
-vec4 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width) {
-    return vec4(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_center, m_ozone_inv_half_width);
+mat2x3 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width, float m_datum) {
+    vec3 fall = vec3(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_inv_half_width);
+    return mat2x3(fall, vec3(m_datum, m_ozone_center, 0.0));
 }
 
 mat3x3 coefficients_of(vec3 m_rayleigh, vec3 m_mie_extinction, vec3 m_ozone) {
     return mat3x3(m_rayleigh, m_mie_extinction, m_ozone);
 }
 
-vec3 densities(vec4 layers, float h_6) {
+vec3 densities(mat2x3 layers, float h_7) {
     vec3 d = vec3(0.0);
+    vec3 fall_1 = layers[0];
+    float z = max((h_7 - layers[1].x), 0.0);
     if (RAYLEIGH) {
-        d.x = exp((-(h_6) * layers.x));
+        d.x = exp((-(z) * fall_1.x));
     }
     if (MIE) {
-        d.y = exp((-(h_6) * layers.y));
+        d.y = exp((-(z) * fall_1.y));
     }
     if (OZONE) {
-        d.z = max(0.0, (1.0 - (abs((h_6 - layers.z)) * layers.w)));
+        d.z = max(0.0, (1.0 - (abs((z - layers[1].y)) * fall_1.z)));
     }
-    vec3 _e28 = d;
-    return _e28;
+    vec3 _e35 = d;
+    return _e35;
 }
 
 vec3 extinction(mat3x3 coefficients, vec3 d_1) {
@@ -466,11 +492,11 @@ float distance_to_u(float perigee_1, float t_1) {
     return (sign((t_1 - perigee_1)) * sqrt(abs((t_1 - perigee_1))));
 }
 
-vec3 path_densities(vec4 layers_1, float radius_12, float excess_5, float r_mu_4, float distance_, uint samples) {
+vec3 path_densities(mat2x3 layers_1, float radius_14, float excess_6, float r_mu_5, float distance_, uint samples) {
     vec3 sum_1 = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
-    float perigee_4 = clamp(-(r_mu_4), 0.0, distance_);
+    float perigee_4 = clamp(-(r_mu_5), 0.0, distance_);
     float u0_ = -(sqrt(perigee_4));
     float du = ((sqrt((distance_ - perigee_4)) - u0_) / float(samples));
     bool loop_init = true;
@@ -490,7 +516,7 @@ vec3 path_densities(vec4 layers_1, float radius_12, float excess_5, float r_mu_4
             float u_2 = (u0_ + (du * float(_e20)));
             float _e27 = u_to_distance(perigee_4, (u_2 + (0.5 * du)));
             float _e29 = u_to_distance(perigee_4, (u_2 + du));
-            float _e32 = altitude_after(excess_5, r_mu_4, _e27, radius_12);
+            float _e32 = altitude_after(excess_6, r_mu_5, _e27, radius_14);
             vec3 _e34 = sum_1;
             vec3 _e36 = densities(layers_1, _e32);
             float _e38 = t0_;
@@ -509,8 +535,8 @@ vec3 mean_transmittance(vec3 tau) {
 
 vec3 dark_part(vec2 shadow, float t0_1, float t1_) {
     float begin = clamp(shadow.x, t0_1, t1_);
-    float end = clamp(shadow.y, t0_1, t1_);
-    return vec3(begin, end, ((shadow.y > shadow.x) ? max((end - begin), 0.0) : 0.0));
+    float end_1 = clamp(shadow.y, t0_1, t1_);
+    return vec3(begin, end_1, ((shadow.y > shadow.x) ? max((end_1 - begin), 0.0) : 0.0));
 }
 
 float lit_middle(vec3 dark, float perigee_2, float t0_2, float t1_1) {
@@ -543,21 +569,21 @@ vec4 bilinear(highp sampler2D lut, ivec2 c_first, ivec2 c_last, vec2 c_between, 
     return mix(bottom, top, c_between.y);
 }
 
-vec2 transmittance_uv(float excess_6, float h_7, float r_mu_5, float radius_13, float thickness_3) {
-    float _e2 = excess_of(thickness_3, radius_13);
-    float rho = sqrt(max(excess_6, 0.0));
+vec2 transmittance_uv(float excess_7, float h_8, float r_mu_6, float radius_15, float thickness_4) {
+    float _e2 = excess_of(thickness_4, radius_15);
+    float rho = sqrt(max(excess_7, 0.0));
     float rho_top = sqrt(_e2);
-    float _e9 = distance_to_top(excess_6, r_mu_5, _e2);
-    float shortest = max((thickness_3 - h_7), 0.0);
+    float _e9 = distance_to_top(excess_7, r_mu_6, _e2);
+    float shortest = max((thickness_4 - h_8), 0.0);
     return vec2(((_e9 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
 }
 
-vec3 optical_path_to_top(highp sampler2D lut_1, float radius_14, float thickness_4, float excess_7, float h_8, float r_mu_6) {
+vec3 optical_path_to_top(highp sampler2D lut_1, float radius_16, float thickness_5, float excess_8, float h_9, float r_mu_7) {
     ivec2 corner_first = ivec2(0);
     ivec2 corner_last = ivec2(0);
     vec2 corner_between = vec2(0.0);
     ivec2 size_2 = ivec2(uvec2(textureSize(lut_1, 0).xy));
-    vec2 _e8 = transmittance_uv(excess_7, h_8, r_mu_6, radius_14, thickness_4);
+    vec2 _e8 = transmittance_uv(excess_8, h_9, r_mu_7, radius_16, thickness_5);
     vec2 position_4 = (_e8 * vec2((size_2 - ivec2(1))));
     corner(position_4, size_2, corner_first, corner_last, corner_between);
     ivec2 _e17 = corner_first;
@@ -567,8 +593,8 @@ vec3 optical_path_to_top(highp sampler2D lut_1, float radius_14, float thickness
     return exp2(_e22.xyz);
 }
 
-float altitude_to_v(float steepness, float growth, float h_9, float thickness_5) {
-    float grown = ((max(h_9, 0.0) / thickness_5) * growth);
+float altitude_to_v(float steepness, float growth, float h_10, float thickness_6) {
+    float grown = ((max(h_10, 0.0) / thickness_6) * growth);
     float series_1 = (grown * (1.0 - (grown * (0.5 - (grown * (0.33333334 - (grown * 0.25)))))));
     return sqrt((((grown < 0.05) ? series_1 : log((1.0 + grown))) / steepness));
 }
@@ -665,9 +691,9 @@ void multi_scattering_source(highp sampler2D lut_3, vec2 node, vec3 gas, mat3x3 
     }
 }
 
-vec2 moon_before_sun(float apart, float along_1, float radius_15, float tan_sun_radius) {
-    float scale = (1.0 / (max(along_1, (0.001 * radius_15)) * tan_sun_radius));
-    return ((along_1 > 0.0) ? (vec2(radius_15, apart) * scale) : vec2(0.0, 1000.0));
+vec2 moon_before_sun(float apart, float along_1, float radius_17, float tan_sun_radius) {
+    float scale = (1.0 / (max(along_1, (0.001 * radius_17)) * tan_sun_radius));
+    return ((along_1 > 0.0) ? (vec2(radius_17, apart) * scale) : vec2(0.0, 1000.0));
 }
 
 vec2 half_angle(float own, float apart_1, float other) {
@@ -735,11 +761,11 @@ float moon_distance_to_u(float moon_1, float apart_3) {
     return (0.25 + (0.75 * sqrt(((apart_3 - inner) / (2.0 * min(moon_1, 1.0))))));
 }
 
-vec3 moon_shadow_visibility(highp sampler2D lut_5, vec3 s_across, float s_along, float s_radius, float s_tan_sun_radius, float s_min_visibility, vec3 position_2, vec3 sun_3) {
+vec3 moon_shadow_visibility(highp sampler2D lut_5, vec3 s_across, float s_along, float s_radius, float s_tan_sun_radius, float s_min_visibility, vec3 position_2, vec3 sun_4) {
     vec3 visible = vec3(0.0);
     bool local_4 = false;
-    float beside = dot(position_2, sun_3);
-    float apart_5 = length((s_across - (position_2 - (sun_3 * beside))));
+    float beside = dot(position_2, sun_4);
+    float apart_5 = length((s_across - (position_2 - (sun_4 * beside))));
     vec2 _e13 = moon_before_sun(apart_5, (s_along - beside), s_radius, s_tan_sun_radius);
     float _e16 = visible_fraction(_e13.x, _e13.y);
     visible = vec3(_e16);
@@ -761,33 +787,33 @@ vec3 moon_shadow_visibility(highp sampler2D lut_5, vec3 s_across, float s_along,
     return max(_e39, vec3(s_min_visibility));
 }
 
-vec3 sun_visibility(vec3 dir_5, float distance_1) {
+vec3 sun_visibility(vec3 dir_6, float distance_1) {
     vec3 _e3 = _group_0_binding_0_fs.moon_shadow.across;
     float _e5 = _group_0_binding_0_fs.moon_shadow.along;
     float _e7 = _group_0_binding_0_fs.moon_shadow.radius;
     float _e9 = _group_0_binding_0_fs.moon_shadow.tan_sun_radius;
     float _e11 = _group_0_binding_0_fs.moon_shadow.min_visibility;
     vec3 _e18 = _group_0_binding_0_fs.frame.sun;
-    vec3 _e20 = moon_shadow_visibility(_group_0_binding_1_fs, _e3, _e5, _e7, _e9, _e11, (dir_5 * distance_1), _e18);
+    vec3 _e20 = moon_shadow_visibility(_group_0_binding_1_fs, _e3, _e5, _e7, _e9, _e11, (dir_6 * distance_1), _e18);
     return _e20;
 }
 
-vec3 moon_shadow_visibility_around(highp sampler2D lut_6, vec3 s_across_1, float s_min_visibility_1, float s_inv_extent, vec3 position_3, vec3 sun_4) {
-    float apart_6 = length((s_across_1 - (position_3 - (sun_4 * dot(position_3, sun_4)))));
+vec3 moon_shadow_visibility_around(highp sampler2D lut_6, vec3 s_across_1, float s_min_visibility_1, float s_inv_extent, vec3 position_3, vec3 sun_5) {
+    float apart_6 = length((s_across_1 - (position_3 - (sun_5 * dot(position_3, sun_5)))));
     vec3 _e13 = moon_shadow_lut_row(lut_6, (apart_6 * s_inv_extent), 0);
     return max(_e13, vec3(s_min_visibility_1));
 }
 
-vec3 sun_visibility_around(vec3 dir_6, float distance_2) {
+vec3 sun_visibility_around(vec3 dir_7, float distance_2) {
     vec3 _e3 = _group_0_binding_0_fs.moon_shadow.across;
     float _e5 = _group_0_binding_0_fs.moon_shadow.min_visibility;
     float _e7 = _group_0_binding_0_fs.moon_shadow.inv_extent;
     vec3 _e14 = _group_0_binding_0_fs.frame.sun;
-    vec3 _e16 = moon_shadow_visibility_around(_group_0_binding_1_fs, _e3, _e5, _e7, (dir_6 * distance_2), _e14);
+    vec3 _e16 = moon_shadow_visibility_around(_group_0_binding_1_fs, _e3, _e5, _e7, (dir_7 * distance_2), _e14);
     return _e16;
 }
 
-void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_lut, vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, float m_ozone_center_1, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_thickness, vec3 luts_mie_extinction, float luts_altitude_steepness, vec3 luts_mie_moment0_, float luts_altitude_growth, vec3 luts_mie_moment1_, float luts_sun_middle_1, vec3 luts_mie_moment2_, float luts_sun_width_1, float luts_sun_first_1, float luts_sun_span_1, uint luts_steps, float ray_start_1, float ray_sun_r_mu_2, float ray_nu_2, float ray_sin2_2, float ray_shadow_b_2, float ray_shadow_c_2, float ray_shadow_half2_2, vec3 dir_7, float perigee_distance, float perigee_excess, float perigee_r_mu, float u_from, float u_to, vec3 gas_1, vec3 aerosol_1, float multiple, inout vec3 out_radiance, inout vec3 out_transmittance, inout vec3 out_optical_path) {
+void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_lut, vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, float m_ozone_center_1, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_thickness, float m_datum_1, vec3 luts_mie_extinction, float luts_altitude_steepness, vec3 luts_mie_moment0_, float luts_altitude_growth, vec3 luts_mie_moment1_, float luts_sun_middle_1, vec3 luts_mie_moment2_, float luts_sun_width_1, float luts_sun_first_1, float luts_sun_span_1, float ray_start_1, float ray_sun_r_mu_2, float ray_nu_2, float ray_sin2_2, float ray_shadow_b_2, float ray_shadow_c_2, float ray_shadow_half2_2, vec3 dir_8, float perigee_distance, float perigee_excess_1, float perigee_r_mu, float u_from, float u_to, uint steps, vec3 gas_1, vec3 aerosol_1, float multiple, inout vec3 out_radiance, inout vec3 out_transmittance, inout vec3 out_optical_path) {
     float t0_3 = 0.0;
     uint i_1 = 0u;
     float lit = 0.0;
@@ -797,88 +823,88 @@ void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_
     out_radiance = vec3(0.0);
     out_transmittance = vec3(1.0);
     out_optical_path = vec3(0.0);
-    vec4 _e19 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
+    mat2x3 _e20 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1, m_datum_1);
     mat3x3 coefficients_2 = mat3x3(m_rayleigh_1, luts_mie_extinction, m_ozone_1);
     vec2 _e39 = shadow_stretch(ray_sun_r_mu_2, ray_nu_2, ray_sin2_2, ray_shadow_b_2, ray_shadow_c_2, ray_shadow_half2_2);
     vec4 _e40 = sun_axis(luts_sun_middle_1, luts_sun_width_1, luts_sun_first_1, luts_sun_span_1);
     vec2 _e42 = multi_scattering_span(multi_scattering_lut);
     mat3x3 moments = mat3x3((m_mie_scattering * luts_mie_moment0_), (m_mie_scattering * luts_mie_moment1_), (m_mie_scattering * luts_mie_moment2_));
-    float du_1 = ((u_to - u_from) / float(luts_steps));
-    float _e55 = u_to_distance(perigee_distance, u_from);
-    t0_3 = _e55;
+    float du_1 = ((u_to - u_from) / float(steps));
+    float _e56 = u_to_distance(perigee_distance, u_from);
+    t0_3 = _e56;
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            uint _e178 = i_1;
-            i_1 = (_e178 + 1u);
+            uint _e179 = i_1;
+            i_1 = (_e179 + 1u);
         }
         loop_init_1 = false;
-        uint _e58 = i_1;
-        if ((_e58 < luts_steps)) {
+        uint _e59 = i_1;
+        if ((_e59 < steps)) {
         } else {
             break;
         }
         {
-            uint _e60 = i_1;
-            float u_3 = (u_from + (du_1 * float(_e60)));
-            float _e65 = u_to_distance(perigee_distance, (u_3 + du_1));
-            float _e66 = t0_3;
-            float step_ = (_e65 - _e66);
-            float _e71 = u_to_distance(perigee_distance, (u_3 + (0.5 * du_1)));
-            float _e73 = altitude_after(perigee_excess, perigee_r_mu, (_e71 - perigee_distance), m_radius);
-            vec3 _e74 = densities(_e19, _e73);
-            vec3 _e75 = extinction(coefficients_2, _e74);
-            vec3 tau_1 = (_e75 * step_);
-            vec3 _e80 = out_transmittance;
-            vec3 _e81 = mean_transmittance(tau_1);
-            vec3 weight = (_e80 * _e81);
-            float _e83 = t0_3;
-            vec3 _e84 = dark_part(_e39, _e83, _e65);
-            if ((_e84.z < step_)) {
-                lit = _e71;
-                if ((_e84.z > 0.0)) {
-                    float _e91 = t0_3;
-                    float _e92 = lit_middle(_e84, perigee_distance, _e91, _e65);
-                    lit = _e92;
+            uint _e61 = i_1;
+            float u_3 = (u_from + (du_1 * float(_e61)));
+            float _e66 = u_to_distance(perigee_distance, (u_3 + du_1));
+            float _e67 = t0_3;
+            float step_ = (_e66 - _e67);
+            float _e72 = u_to_distance(perigee_distance, (u_3 + (0.5 * du_1)));
+            float _e74 = altitude_after(perigee_excess_1, perigee_r_mu, (_e72 - perigee_distance), m_radius);
+            vec3 _e75 = densities(_e20, _e74);
+            vec3 _e76 = extinction(coefficients_2, _e75);
+            vec3 tau_1 = (_e76 * step_);
+            vec3 _e81 = out_transmittance;
+            vec3 _e82 = mean_transmittance(tau_1);
+            vec3 weight = (_e81 * _e82);
+            float _e84 = t0_3;
+            vec3 _e85 = dark_part(_e39, _e84, _e66);
+            if ((_e85.z < step_)) {
+                lit = _e72;
+                if ((_e85.z > 0.0)) {
+                    float _e92 = t0_3;
+                    float _e93 = lit_middle(_e85, perigee_distance, _e92, _e66);
+                    lit = _e93;
                 }
-                float _e93 = lit;
-                float past = (_e93 - perigee_distance);
-                float lit_excess = max((perigee_excess + (past * ((2.0 * perigee_r_mu) + past))), 0.0);
-                float _e102 = altitude_of(lit_excess, m_radius);
-                vec3 _e103 = densities(_e19, _e102);
-                float _e104 = lit;
-                float sun_r_mu_1 = (ray_sun_r_mu_2 + (ray_nu_2 * _e104));
-                vec3 _e108 = optical_path_to_top(transmittance_lut, m_radius, m_thickness, lit_excess, _e102, sun_r_mu_1);
-                vec3 _e116 = extinction(coefficients_2, _e108);
-                source = (((gas_1 * _e103.x) + (aerosol_1 * _e103.y)) * exp(-(_e116)));
-                vec3 _e121 = source;
-                float _e122 = lit;
-                vec3 _e125 = sun_visibility(dir_7, (ray_start_1 + _e122));
-                source = (_e121 * _e125);
-                vec3 _e127 = out_radiance;
-                vec3 _e128 = source;
-                out_radiance = (_e127 + ((weight * _e128) * (step_ - _e84.z)));
+                float _e94 = lit;
+                float past = (_e94 - perigee_distance);
+                float lit_excess = max((perigee_excess_1 + (past * ((2.0 * perigee_r_mu) + past))), 0.0);
+                float _e103 = altitude_of(lit_excess, m_radius);
+                vec3 _e104 = densities(_e20, _e103);
+                float _e105 = lit;
+                float sun_r_mu_1 = (ray_sun_r_mu_2 + (ray_nu_2 * _e105));
+                vec3 _e109 = optical_path_to_top(transmittance_lut, m_radius, m_thickness, lit_excess, _e103, sun_r_mu_1);
+                vec3 _e117 = extinction(coefficients_2, _e109);
+                source = (((gas_1 * _e104.x) + (aerosol_1 * _e104.y)) * exp(-(_e117)));
+                vec3 _e122 = source;
+                float _e123 = lit;
+                vec3 _e126 = sun_visibility(dir_8, (ray_start_1 + _e123));
+                source = (_e122 * _e126);
+                vec3 _e128 = out_radiance;
+                vec3 _e129 = source;
+                out_radiance = (_e128 + ((weight * _e129) * (step_ - _e85.z)));
             }
             if (MULTI_SCATTERING) {
-                float r_4 = (m_radius + _e73);
-                float mu_3 = clamp((((perigee_r_mu + _e71) - perigee_distance) / r_4), -1.0, 1.0);
-                float mu_sun_2 = clamp(((ray_sun_r_mu_2 + (ray_nu_2 * _e71)) / r_4), -1.0, 1.0);
-                float _e148 = altitude_to_v(luts_altitude_steepness, luts_altitude_growth, _e73, m_thickness);
-                float _e149 = mu_sun_to_u(_e40, mu_sun_2);
-                vec2 node_1 = (vec2(_e149, _e148) * _e42);
+                float r_4 = (m_radius + _e74);
+                float mu_3 = clamp((((perigee_r_mu + _e72) - perigee_distance) / r_4), -1.0, 1.0);
+                float mu_sun_2 = clamp(((ray_sun_r_mu_2 + (ray_nu_2 * _e72)) / r_4), -1.0, 1.0);
+                float _e149 = altitude_to_v(luts_altitude_steepness, luts_altitude_growth, _e74, m_thickness);
+                float _e150 = mu_sun_to_u(_e40, mu_sun_2);
+                vec2 node_1 = (vec2(_e150, _e149) * _e42);
                 multi_scattering_source(multi_scattering_lut, node_1, m_rayleigh_1, moments, mu_3, mu_sun_2, ray_nu_2, before_gas, before_aerosol);
-                vec3 _e154 = before_gas;
-                vec3 _e155 = before_aerosol;
-                vec3 _e157 = sun_visibility_around(dir_7, (ray_start_1 + _e71));
-                vec3 source_2 = (((_e154 * _e157) * _e74.x) + ((_e155 * _e157) * _e74.y));
-                vec3 _e165 = out_radiance;
-                out_radiance = (_e165 + ((weight * (step_ * multiple)) * source_2));
+                vec3 _e155 = before_gas;
+                vec3 _e156 = before_aerosol;
+                vec3 _e158 = sun_visibility_around(dir_8, (ray_start_1 + _e72));
+                vec3 source_2 = (((_e155 * _e158) * _e75.x) + ((_e156 * _e158) * _e75.y));
+                vec3 _e166 = out_radiance;
+                out_radiance = (_e166 + ((weight * (step_ * multiple)) * source_2));
             }
-            vec3 _e171 = out_transmittance;
-            out_transmittance = (_e171 * exp(-(tau_1)));
-            vec3 _e175 = out_optical_path;
-            out_optical_path = (_e175 + (_e74 * step_));
-            t0_3 = _e65;
+            vec3 _e172 = out_transmittance;
+            out_transmittance = (_e172 * exp(-(tau_1)));
+            vec3 _e176 = out_optical_path;
+            out_optical_path = (_e176 + (_e75 * step_));
+            t0_3 = _e66;
         }
     }
 }
@@ -909,22 +935,22 @@ vec3 mie_phase(float away_2, float toward_2, vec3 asymmetry) {
     }
 }
 
-vec3 mie_phase_between(vec3 dir_8, vec3 sun_5, vec3 asymmetry_1) {
-    vec3 apart_7 = (dir_8 - sun_5);
-    vec3 together = (dir_8 + sun_5);
+vec3 mie_phase_between(vec3 dir_9, vec3 sun_6, vec3 asymmetry_1) {
+    vec3 apart_7 = (dir_9 - sun_6);
+    vec3 together = (dir_9 + sun_6);
     vec3 _e11 = mie_phase((0.5 * dot(apart_7, apart_7)), (0.5 * dot(together, together)), asymmetry_1);
     return _e11;
 }
 
-vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_16, float thickness_6, float excess_8, float sun_r_mu, uint samples_1) {
-    float _e2 = excess_of(thickness_6, radius_16);
-    float _e5 = distance_to_top(excess_8, sun_r_mu, _e2);
-    vec3 _e8 = path_densities(layers_2, radius_16, excess_8, sun_r_mu, _e5, samples_1);
+vec3 sun_transmittance(mat3x3 coefficients_1, mat2x3 layers_2, float radius_18, float thickness_7, float excess_9, float sun_r_mu, uint samples_1) {
+    float _e2 = excess_of(thickness_7, radius_18);
+    float _e5 = distance_to_top(excess_9, sun_r_mu, _e2);
+    vec3 _e8 = path_densities(layers_2, radius_18, excess_9, sun_r_mu, _e5, samples_1);
     vec3 _e10 = extinction(coefficients_1, _e8);
     return exp(-(_e10));
 }
 
-void single_scattering(vec3 m_rayleigh_2, float m_rayleigh_inv_height_2, vec3 m_mie_scattering_1, float m_mie_inv_height_2, vec3 m_mie_extinction_1, float m_ozone_center_2, vec3 m_mie_asymmetry, float m_ozone_inv_half_width_2, vec3 m_ozone_2, float m_radius_1, float m_thickness_1, float ray_start_2, float ray_length_2, float ray_excess_2, float ray_r_mu_2, float ray_perigee_excess_2, float ray_sun_r_mu_3, float ray_nu_3, float ray_sin2_3, float ray_shadow_b_3, float ray_shadow_c_3, float ray_shadow_half2_3, bool ray_ground_2, vec3 dir_9, float length_1, float away_3, uint view_samples, uint light_samples, inout vec3 out_radiance_1, inout vec3 out_transmittance_1) {
+void single_scattering(vec3 m_rayleigh_2, float m_rayleigh_inv_height_2, vec3 m_mie_scattering_1, float m_mie_inv_height_2, vec3 m_mie_extinction_1, float m_ozone_center_2, vec3 m_mie_asymmetry, float m_ozone_inv_half_width_2, vec3 m_ozone_2, float m_radius_1, float m_thickness_1, float m_datum_2, float ray_start_2, float ray_length_2, float ray_excess_2, float ray_r_mu_2, float ray_perigee_excess_2, float ray_sun_r_mu_3, float ray_nu_3, float ray_sin2_3, float ray_shadow_b_3, float ray_shadow_c_3, float ray_shadow_half2_3, bool ray_ground_2, vec3 dir_10, float length_2, float away_3, uint view_samples, uint light_samples, inout vec3 out_radiance_1, inout vec3 out_transmittance_1) {
     vec3 rayleigh = vec3(0.0);
     vec3 mie = vec3(0.0);
     vec2 shadow_1 = vec2(0.0);
@@ -933,7 +959,7 @@ void single_scattering(vec3 m_rayleigh_2, float m_rayleigh_inv_height_2, vec3 m_
     float lit_1 = 0.0;
     vec3 source_1 = vec3(0.0);
     float perigee_distance_1 = 0.0;
-    float perigee_excess_1 = 0.0;
+    float perigee_excess_2 = 0.0;
     float perigee_r_mu_1 = 0.0;
     out_radiance_1 = vec3(0.0);
     out_transmittance_1 = vec3(1.0);
@@ -941,129 +967,129 @@ void single_scattering(vec3 m_rayleigh_2, float m_rayleigh_inv_height_2, vec3 m_
         vec2 _e27 = shadow_stretch(ray_sun_r_mu_3, ray_nu_3, ray_sin2_3, ray_shadow_b_3, ray_shadow_c_3, ray_shadow_half2_3);
         shadow_1 = _e27;
         if (RAYLEIGH) {
-            float _e44 = rayleigh_phase((1.0 - away_3));
-            rayleigh = (m_rayleigh_2 * _e44);
+            float _e45 = rayleigh_phase((1.0 - away_3));
+            rayleigh = (m_rayleigh_2 * _e45);
         }
         if (MIE) {
             float toward_3 = ((away_3 > 1.0) ? (ray_sin2_3 / max(away_3, 1.0)) : (2.0 - away_3));
-            vec3 _e56 = mie_phase(away_3, toward_3, m_mie_asymmetry);
-            mie = (m_mie_scattering_1 * _e56);
+            vec3 _e57 = mie_phase(away_3, toward_3, m_mie_asymmetry);
+            mie = (m_mie_scattering_1 * _e57);
         }
     }
-    vec4 _e59 = layers_of(m_rayleigh_inv_height_2, m_mie_inv_height_2, m_ozone_center_2, m_ozone_inv_half_width_2);
-    mat3x3 _e60 = coefficients_of(m_rayleigh_2, m_mie_extinction_1, m_ozone_2);
-    perigee_of(ray_length_2, ray_excess_2, ray_r_mu_2, ray_perigee_excess_2, ray_ground_2, length_1, m_radius_1, perigee_distance_1, perigee_excess_1, perigee_r_mu_1);
+    mat2x3 _e60 = layers_of(m_rayleigh_inv_height_2, m_mie_inv_height_2, m_ozone_center_2, m_ozone_inv_half_width_2, m_datum_2);
+    mat3x3 _e61 = coefficients_of(m_rayleigh_2, m_mie_extinction_1, m_ozone_2);
+    perigee_of(ray_length_2, ray_excess_2, ray_r_mu_2, ray_perigee_excess_2, ray_ground_2, length_2, m_radius_1, perigee_distance_1, perigee_excess_2, perigee_r_mu_1);
     float nearest = perigee_distance_1;
-    float _e66 = perigee_excess_1;
-    float _e67 = perigee_r_mu_1;
+    float _e67 = perigee_excess_2;
+    float _e68 = perigee_r_mu_1;
     float u0_1 = -(sqrt(nearest));
-    float du_2 = ((sqrt((length_1 - nearest)) - u0_1) / float(view_samples));
+    float du_2 = ((sqrt((length_2 - nearest)) - u0_1) / float(view_samples));
     bool loop_init_2 = true;
     while(true) {
         if (!loop_init_2) {
-            uint _e164 = i_2;
-            i_2 = (_e164 + 1u);
+            uint _e165 = i_2;
+            i_2 = (_e165 + 1u);
         }
         loop_init_2 = false;
-        uint _e77 = i_2;
-        if ((_e77 < view_samples)) {
+        uint _e78 = i_2;
+        if ((_e78 < view_samples)) {
         } else {
             break;
         }
         {
-            uint _e79 = i_2;
-            float u_4 = (u0_1 + (du_2 * float(_e79)));
-            float _e84 = u_to_distance(nearest, (u_4 + du_2));
-            float _e88 = u_to_distance(nearest, (u_4 + (0.5 * du_2)));
-            float _e90 = altitude_after(_e66, _e67, (_e88 - nearest), m_radius_1);
-            float _e92 = t0_4;
-            float step_1 = (_e84 - _e92);
-            vec3 _e94 = densities(_e59, _e90);
-            vec3 _e95 = extinction(_e60, _e94);
-            vec3 tau_2 = (_e95 * step_1);
+            uint _e80 = i_2;
+            float u_4 = (u0_1 + (du_2 * float(_e80)));
+            float _e85 = u_to_distance(nearest, (u_4 + du_2));
+            float _e89 = u_to_distance(nearest, (u_4 + (0.5 * du_2)));
+            float _e91 = altitude_after(_e67, _e68, (_e89 - nearest), m_radius_1);
+            float _e93 = t0_4;
+            float step_1 = (_e85 - _e93);
+            vec3 _e95 = densities(_e60, _e91);
+            vec3 _e96 = extinction(_e61, _e95);
+            vec3 tau_2 = (_e96 * step_1);
             if (SUNLIGHT) {
-                vec2 _e98 = shadow_1;
-                float _e99 = t0_4;
-                vec3 _e100 = dark_part(_e98, _e99, _e84);
-                if ((_e100.z < step_1)) {
-                    lit_1 = _e88;
-                    if ((_e100.z > 0.0)) {
-                        float _e107 = t0_4;
-                        float _e108 = lit_middle(_e100, nearest, _e107, _e84);
-                        lit_1 = _e108;
+                vec2 _e99 = shadow_1;
+                float _e100 = t0_4;
+                vec3 _e101 = dark_part(_e99, _e100, _e85);
+                if ((_e101.z < step_1)) {
+                    lit_1 = _e89;
+                    if ((_e101.z > 0.0)) {
+                        float _e108 = t0_4;
+                        float _e109 = lit_middle(_e101, nearest, _e108, _e85);
+                        lit_1 = _e109;
                     }
-                    float _e109 = lit_1;
-                    float past_1 = (_e109 - nearest);
-                    float excess_9 = (_e66 + (past_1 * ((2.0 * _e67) + past_1)));
-                    float _e116 = altitude_of(excess_9, m_radius_1);
-                    vec3 _e119 = densities(_e59, max(_e116, 0.0));
+                    float _e110 = lit_1;
+                    float past_1 = (_e110 - nearest);
+                    float excess_10 = (_e67 + (past_1 * ((2.0 * _e68) + past_1)));
+                    float _e117 = altitude_of(excess_10, m_radius_1);
+                    vec3 _e120 = densities(_e60, max(_e117, 0.0));
                     source_1 = vec3(0.0);
                     if (RAYLEIGH) {
-                        vec3 _e124 = source_1;
-                        vec3 _e125 = rayleigh;
-                        source_1 = (_e124 + (_e125 * _e119.x));
+                        vec3 _e125 = source_1;
+                        vec3 _e126 = rayleigh;
+                        source_1 = (_e125 + (_e126 * _e120.x));
                     }
                     if (MIE) {
-                        vec3 _e130 = source_1;
-                        vec3 _e131 = mie;
-                        source_1 = (_e130 + (_e131 * _e119.y));
+                        vec3 _e131 = source_1;
+                        vec3 _e132 = mie;
+                        source_1 = (_e131 + (_e132 * _e120.y));
                     }
-                    float _e135 = lit_1;
-                    float sun_r_mu_2 = (ray_sun_r_mu_3 + (ray_nu_3 * _e135));
-                    vec3 _e138 = source_1;
-                    vec3 _e140 = sun_transmittance(_e60, _e59, m_radius_1, m_thickness_1, excess_9, sun_r_mu_2, light_samples);
-                    source_1 = (_e138 * _e140);
-                    vec3 _e142 = source_1;
-                    float _e143 = lit_1;
-                    vec3 _e146 = sun_visibility(dir_9, (ray_start_2 + _e143));
-                    source_1 = (_e142 * _e146);
-                    vec3 _e150 = out_radiance_1;
-                    vec3 _e151 = out_transmittance_1;
-                    vec3 _e152 = mean_transmittance(tau_2);
-                    vec3 _e154 = source_1;
-                    out_radiance_1 = (_e150 + (((_e151 * _e152) * _e154) * (step_1 - _e100.z)));
+                    float _e136 = lit_1;
+                    float sun_r_mu_2 = (ray_sun_r_mu_3 + (ray_nu_3 * _e136));
+                    vec3 _e139 = source_1;
+                    vec3 _e141 = sun_transmittance(_e61, _e60, m_radius_1, m_thickness_1, excess_10, sun_r_mu_2, light_samples);
+                    source_1 = (_e139 * _e141);
+                    vec3 _e143 = source_1;
+                    float _e144 = lit_1;
+                    vec3 _e147 = sun_visibility(dir_10, (ray_start_2 + _e144));
+                    source_1 = (_e143 * _e147);
+                    vec3 _e151 = out_radiance_1;
+                    vec3 _e152 = out_transmittance_1;
+                    vec3 _e153 = mean_transmittance(tau_2);
+                    vec3 _e155 = source_1;
+                    out_radiance_1 = (_e151 + (((_e152 * _e153) * _e155) * (step_1 - _e101.z)));
                 }
             }
-            vec3 _e160 = out_transmittance_1;
-            out_transmittance_1 = (_e160 * exp(-(tau_2)));
-            t0_4 = _e84;
+            vec3 _e161 = out_transmittance_1;
+            out_transmittance_1 = (_e161 * exp(-(tau_2)));
+            t0_4 = _e85;
         }
     }
 }
 
-void all_orders(highp sampler2D transmittance_lut_1, highp sampler2D multi_scattering_lut_1, vec3 m_rayleigh_3, float m_rayleigh_inv_height_3, vec3 m_mie_scattering_2, float m_mie_inv_height_3, vec3 m_mie_extinction_2, float m_ozone_center_3, vec3 m_mie_asymmetry_1, float m_ozone_inv_half_width_3, vec3 m_ozone_3, float m_radius_2, float m_thickness_2, vec3 luts_mie_extinction_1, float luts_altitude_steepness_1, vec3 luts_mie_moment0_1, float luts_altitude_growth_1, vec3 luts_mie_moment1_1, float luts_sun_middle_2, vec3 luts_mie_moment2_1, float luts_sun_width_2, float luts_sun_first_2, float luts_sun_span_2, uint luts_steps_1, float ray_start_3, float ray_length_3, float ray_excess_3, float ray_r_mu_3, float ray_perigee_excess_3, float ray_sun_r_mu_4, float ray_nu_4, float ray_sin2_4, float ray_shadow_b_4, float ray_shadow_c_4, float ray_shadow_half2_4, bool ray_ground_3, vec3 dir_10, vec3 sun_6, float length_2, inout vec3 out_radiance_2, inout vec3 out_transmittance_2) {
+void all_orders(highp sampler2D transmittance_lut_1, highp sampler2D multi_scattering_lut_1, vec3 m_rayleigh_3, float m_rayleigh_inv_height_3, vec3 m_mie_scattering_2, float m_mie_inv_height_3, vec3 m_mie_extinction_2, float m_ozone_center_3, vec3 m_mie_asymmetry_1, float m_ozone_inv_half_width_3, vec3 m_ozone_3, float m_radius_2, float m_thickness_2, float m_datum_3, vec3 luts_mie_extinction_1, float luts_altitude_steepness_1, vec3 luts_mie_moment0_1, float luts_altitude_growth_1, vec3 luts_mie_moment1_1, float luts_sun_middle_2, vec3 luts_mie_moment2_1, float luts_sun_width_2, float luts_sun_first_2, float luts_sun_span_2, uint luts_steps, float ray_start_3, float ray_length_3, float ray_excess_3, float ray_r_mu_3, float ray_perigee_excess_3, float ray_sun_r_mu_4, float ray_nu_4, float ray_sin2_4, float ray_shadow_b_4, float ray_shadow_c_4, float ray_shadow_half2_4, bool ray_ground_3, vec3 dir_11, vec3 sun_7, float length_3, inout vec3 out_radiance_2, inout vec3 out_transmittance_2) {
     float perigee_distance_2 = 0.0;
-    float perigee_excess_2 = 0.0;
+    float perigee_excess_3 = 0.0;
     float perigee_r_mu_2 = 0.0;
     vec3 g_radiance = vec3(0.0);
     vec3 g_transmittance = vec3(0.0);
     vec3 g_optical_path = vec3(0.0);
-    perigee_of(ray_length_3, ray_excess_3, ray_r_mu_3, ray_perigee_excess_3, ray_ground_3, length_2, m_radius_2, perigee_distance_2, perigee_excess_2, perigee_r_mu_2);
-    float _e29 = perigee_distance_2;
-    float _e30 = perigee_excess_2;
-    float _e31 = perigee_r_mu_2;
-    float _e33 = distance_to_u(_e29, 0.0);
-    float _e34 = distance_to_u(_e29, length_2);
-    float _e35 = rayleigh_phase(ray_nu_4);
-    vec3 gas_2 = (m_rayleigh_3 * _e35);
-    vec3 _e39 = mie_phase_between(dir_10, sun_6, m_mie_asymmetry_1);
-    vec3 aerosol_2 = (m_mie_scattering_2 * _e39);
-    gather(transmittance_lut_1, multi_scattering_lut_1, m_rayleigh_3, m_rayleigh_inv_height_3, m_mie_scattering_2, m_mie_inv_height_3, m_ozone_center_3, m_ozone_inv_half_width_3, m_ozone_3, m_radius_2, m_thickness_2, luts_mie_extinction_1, luts_altitude_steepness_1, luts_mie_moment0_1, luts_altitude_growth_1, luts_mie_moment1_1, luts_sun_middle_2, luts_mie_moment2_1, luts_sun_width_2, luts_sun_first_2, luts_sun_span_2, luts_steps_1, ray_start_3, ray_sun_r_mu_4, ray_nu_4, ray_sin2_4, ray_shadow_b_4, ray_shadow_c_4, ray_shadow_half2_4, dir_10, _e29, _e30, _e31, _e33, _e34, gas_2, aerosol_2, 1.0, g_radiance, g_transmittance, g_optical_path);
-    vec3 _e58 = g_radiance;
-    vec3 _e59 = g_optical_path;
-    mat3x3 _e60 = coefficients_of(m_rayleigh_3, m_mie_extinction_2, m_ozone_3);
-    vec3 _e61 = extinction(_e60, _e59);
-    out_radiance_2 = _e58;
-    out_transmittance_2 = exp(-(_e61));
+    perigee_of(ray_length_3, ray_excess_3, ray_r_mu_3, ray_perigee_excess_3, ray_ground_3, length_3, m_radius_2, perigee_distance_2, perigee_excess_3, perigee_r_mu_2);
+    float _e30 = perigee_distance_2;
+    float _e31 = perigee_excess_3;
+    float _e32 = perigee_r_mu_2;
+    float _e34 = distance_to_u(_e30, 0.0);
+    float _e35 = distance_to_u(_e30, length_3);
+    float _e36 = rayleigh_phase(ray_nu_4);
+    vec3 gas_2 = (m_rayleigh_3 * _e36);
+    vec3 _e40 = mie_phase_between(dir_11, sun_7, m_mie_asymmetry_1);
+    vec3 aerosol_2 = (m_mie_scattering_2 * _e40);
+    gather(transmittance_lut_1, multi_scattering_lut_1, m_rayleigh_3, m_rayleigh_inv_height_3, m_mie_scattering_2, m_mie_inv_height_3, m_ozone_center_3, m_ozone_inv_half_width_3, m_ozone_3, m_radius_2, m_thickness_2, m_datum_3, luts_mie_extinction_1, luts_altitude_steepness_1, luts_mie_moment0_1, luts_altitude_growth_1, luts_mie_moment1_1, luts_sun_middle_2, luts_mie_moment2_1, luts_sun_width_2, luts_sun_first_2, luts_sun_span_2, ray_start_3, ray_sun_r_mu_4, ray_nu_4, ray_sin2_4, ray_shadow_b_4, ray_shadow_c_4, ray_shadow_half2_4, dir_11, _e30, _e31, _e32, _e34, _e35, luts_steps, gas_2, aerosol_2, 1.0, g_radiance, g_transmittance, g_optical_path);
+    vec3 _e59 = g_radiance;
+    vec3 _e60 = g_optical_path;
+    mat3x3 _e61 = coefficients_of(m_rayleigh_3, m_mie_extinction_2, m_ozone_3);
+    vec3 _e62 = extinction(_e61, _e60);
+    out_radiance_2 = _e59;
+    out_transmittance_2 = exp(-(_e62));
 }
 
-void eclipsed_light(highp sampler2D transmittance_lut_2, highp sampler2D multi_scattering_lut_2, vec3 m_rayleigh_4, float m_rayleigh_inv_height_4, vec3 m_mie_scattering_3, float m_mie_inv_height_4, vec3 m_mie_extinction_3, float m_ozone_center_4, vec3 m_mie_asymmetry_2, float m_ozone_inv_half_width_4, vec3 m_ozone_4, float m_radius_3, float m_thickness_3, vec3 luts_mie_extinction_2, float luts_altitude_steepness_2, vec3 luts_mie_moment0_2, float luts_altitude_growth_2, vec3 luts_mie_moment1_2, float luts_sun_middle_3, vec3 luts_mie_moment2_2, float luts_sun_width_3, float luts_sun_first_3, float luts_sun_span_3, uint luts_steps_2, float ray_start_4, float ray_length_4, float ray_excess_4, float ray_r_mu_4, float ray_perigee_excess_4, float ray_sun_r_mu_5, float ray_nu_5, float ray_sin2_5, float ray_shadow_b_5, float ray_shadow_c_5, float ray_shadow_half2_5, bool ray_ground_4, vec3 dir_11, vec3 sun_7, float length_3, uint view_samples_1, uint light_samples_1, inout vec3 out_radiance_3, inout vec3 out_transmittance_3) {
+void eclipsed_light(highp sampler2D transmittance_lut_2, highp sampler2D multi_scattering_lut_2, vec3 m_rayleigh_4, float m_rayleigh_inv_height_4, vec3 m_mie_scattering_3, float m_mie_inv_height_4, vec3 m_mie_extinction_3, float m_ozone_center_4, vec3 m_mie_asymmetry_2, float m_ozone_inv_half_width_4, vec3 m_ozone_4, float m_radius_3, float m_thickness_3, float m_datum_4, vec3 luts_mie_extinction_2, float luts_altitude_steepness_2, vec3 luts_mie_moment0_2, float luts_altitude_growth_2, vec3 luts_mie_moment1_2, float luts_sun_middle_3, vec3 luts_mie_moment2_2, float luts_sun_width_3, float luts_sun_first_3, float luts_sun_span_3, uint luts_steps_1, float ray_start_4, float ray_length_4, float ray_excess_4, float ray_r_mu_4, float ray_perigee_excess_4, float ray_sun_r_mu_5, float ray_nu_5, float ray_sin2_5, float ray_shadow_b_5, float ray_shadow_c_5, float ray_shadow_half2_5, bool ray_ground_4, vec3 dir_12, vec3 sun_8, float length_4, uint view_samples_1, uint light_samples_1, inout vec3 out_radiance_3, inout vec3 out_transmittance_3) {
     if (MULTI_SCATTERING) {
-        all_orders(transmittance_lut_2, multi_scattering_lut_2, m_rayleigh_4, m_rayleigh_inv_height_4, m_mie_scattering_3, m_mie_inv_height_4, m_mie_extinction_3, m_ozone_center_4, m_mie_asymmetry_2, m_ozone_inv_half_width_4, m_ozone_4, m_radius_3, m_thickness_3, luts_mie_extinction_2, luts_altitude_steepness_2, luts_mie_moment0_2, luts_altitude_growth_2, luts_mie_moment1_2, luts_sun_middle_3, luts_mie_moment2_2, luts_sun_width_3, luts_sun_first_3, luts_sun_span_3, luts_steps_2, ray_start_4, ray_length_4, ray_excess_4, ray_r_mu_4, ray_perigee_excess_4, ray_sun_r_mu_5, ray_nu_5, ray_sin2_5, ray_shadow_b_5, ray_shadow_c_5, ray_shadow_half2_5, ray_ground_4, dir_11, sun_7, length_3, out_radiance_3, out_transmittance_3);
+        all_orders(transmittance_lut_2, multi_scattering_lut_2, m_rayleigh_4, m_rayleigh_inv_height_4, m_mie_scattering_3, m_mie_inv_height_4, m_mie_extinction_3, m_ozone_center_4, m_mie_asymmetry_2, m_ozone_inv_half_width_4, m_ozone_4, m_radius_3, m_thickness_3, m_datum_4, luts_mie_extinction_2, luts_altitude_steepness_2, luts_mie_moment0_2, luts_altitude_growth_2, luts_mie_moment1_2, luts_sun_middle_3, luts_mie_moment2_2, luts_sun_width_3, luts_sun_first_3, luts_sun_span_3, luts_steps_1, ray_start_4, ray_length_4, ray_excess_4, ray_r_mu_4, ray_perigee_excess_4, ray_sun_r_mu_5, ray_nu_5, ray_sin2_5, ray_shadow_b_5, ray_shadow_c_5, ray_shadow_half2_5, ray_ground_4, dir_12, sun_8, length_4, out_radiance_3, out_transmittance_3);
         return;
     } else {
-        vec3 offset = (dir_11 - sun_7);
-        single_scattering(m_rayleigh_4, m_rayleigh_inv_height_4, m_mie_scattering_3, m_mie_inv_height_4, m_mie_extinction_3, m_ozone_center_4, m_mie_asymmetry_2, m_ozone_inv_half_width_4, m_ozone_4, m_radius_3, m_thickness_3, ray_start_4, ray_length_4, ray_excess_4, ray_r_mu_4, ray_perigee_excess_4, ray_sun_r_mu_5, ray_nu_5, ray_sin2_5, ray_shadow_b_5, ray_shadow_c_5, ray_shadow_half2_5, ray_ground_4, dir_11, length_3, (0.5 * dot(offset, offset)), view_samples_1, light_samples_1, out_radiance_3, out_transmittance_3);
+        vec3 offset = (dir_12 - sun_8);
+        single_scattering(m_rayleigh_4, m_rayleigh_inv_height_4, m_mie_scattering_3, m_mie_inv_height_4, m_mie_extinction_3, m_ozone_center_4, m_mie_asymmetry_2, m_ozone_inv_half_width_4, m_ozone_4, m_radius_3, m_thickness_3, m_datum_4, ray_start_4, ray_length_4, ray_excess_4, ray_r_mu_4, ray_perigee_excess_4, ray_sun_r_mu_5, ray_nu_5, ray_sin2_5, ray_shadow_b_5, ray_shadow_c_5, ray_shadow_half2_5, ray_ground_4, dir_12, length_4, (0.5 * dot(offset, offset)), view_samples_1, light_samples_1, out_radiance_3, out_transmittance_3);
         return;
     }
 }
@@ -1096,6 +1122,7 @@ void main() {
     float f_medium_radius = _group_0_binding_0_fs.frame.medium.radius;
     vec3 f_medium_irradiance = _group_0_binding_0_fs.frame.medium.irradiance;
     float f_medium_thickness = _group_0_binding_0_fs.frame.medium.thickness;
+    float f_medium_datum = _group_0_binding_0_fs.frame.medium.datum;
     vec3 f_ray_forward = _group_0_binding_0_fs.frame.ray_forward;
     float f_altitude = _group_0_binding_0_fs.frame.altitude;
     vec3 f_ray_right = _group_0_binding_0_fs.frame.ray_right;
@@ -1106,49 +1133,51 @@ void main() {
     uint f_view_samples = _group_0_binding_0_fs.frame.view_samples;
     uint f_light_samples = _group_0_binding_0_fs.frame.light_samples;
     uint f_flags = _group_0_binding_0_fs.frame.flags;
-    vec3 _e49 = pixel_ray(position.xy, f_size, f_ray_forward, f_ray_right, f_ray_up);
-    vec3 dir_12 = normalize(_e49);
-    bool _e51 = hits_planet(dir_12, f_altitude, f_medium_radius);
-    if (_e51) {
+    vec3 _e51 = pixel_ray(position.xy, f_size, f_ray_forward, f_ray_right, f_ray_up);
+    vec3 dir_13 = normalize(_e51);
+    bool _e53 = hits_planet(dir_13, f_altitude, f_medium_radius);
+    if (_e53) {
         if (((f_flags & REDUCED) == 0u)) {
             discard;
         }
         _fs2p_location0 = vec4(0.0, 0.0, 0.0, -1.0);
         return;
     }
-    air_ray(dir_12, f_altitude, f_medium_radius, f_medium_thickness, f_sun, ray_start, ray_length, ray_excess, ray_r_mu, ray_perigee_excess, ray_sun_r_mu, ray_nu, ray_sin2_, ray_shadow_b, ray_shadow_c, ray_shadow_half2_, ray_ground);
-    float _e73 = ray_start;
-    float _e74 = ray_length;
-    float _e75 = ray_excess;
-    float _e76 = ray_r_mu;
-    float _e77 = ray_perigee_excess;
-    float _e78 = ray_sun_r_mu;
-    float _e79 = ray_nu;
-    float _e80 = ray_sin2_;
-    float _e81 = ray_shadow_b;
-    float _e82 = ray_shadow_c;
-    float _e83 = ray_shadow_half2_;
-    bool _e84 = ray_ground;
-    if ((_e74 <= 0.0)) {
+    air_ray(dir_13, f_altitude, f_medium_radius, f_medium_thickness, f_sun, ray_start, ray_length, ray_excess, ray_r_mu, ray_perigee_excess, ray_sun_r_mu, ray_nu, ray_sin2_, ray_shadow_b, ray_shadow_c, ray_shadow_half2_, ray_ground);
+    float _e75 = ray_start;
+    float _e76 = ray_length;
+    float _e77 = ray_excess;
+    float _e78 = ray_r_mu;
+    float _e79 = ray_perigee_excess;
+    float _e80 = ray_sun_r_mu;
+    float _e81 = ray_nu;
+    float _e82 = ray_sin2_;
+    float _e83 = ray_shadow_b;
+    float _e84 = ray_shadow_c;
+    float _e85 = ray_shadow_half2_;
+    bool _e86 = ray_ground;
+    if ((_e76 <= 0.0)) {
         _fs2p_location0 = vec4(0.0);
         return;
     }
-    vec3 _e92 = _group_0_binding_0_fs.luts.mie_extinction;
-    float _e94 = _group_0_binding_0_fs.luts.altitude_steepness;
-    vec3 _e96 = _group_0_binding_0_fs.luts.mie_moment0_;
-    float _e98 = _group_0_binding_0_fs.luts.altitude_growth;
-    vec3 _e100 = _group_0_binding_0_fs.luts.mie_moment1_;
-    float _e102 = _group_0_binding_0_fs.luts.sun_middle;
-    vec3 _e104 = _group_0_binding_0_fs.luts.mie_moment2_;
-    float _e106 = _group_0_binding_0_fs.luts.sun_width;
-    float _e108 = _group_0_binding_0_fs.luts.sun_first;
-    float _e110 = _group_0_binding_0_fs.luts.sun_span;
-    uint _e112 = _group_0_binding_0_fs.luts.steps;
-    eclipsed_light(_group_0_binding_2_fs, _group_0_binding_3_fs, f_medium_rayleigh, f_medium_rayleigh_inv_height, f_medium_mie_scattering, f_medium_mie_inv_height, f_medium_mie_extinction, f_medium_ozone_center, f_medium_mie_asymmetry, f_medium_ozone_inv_half_width, f_medium_ozone, f_medium_radius, f_medium_thickness, _e92, _e94, _e96, _e98, _e100, _e102, _e104, _e106, _e108, _e110, _e112, _e73, _e74, _e75, _e76, _e77, _e78, _e79, _e80, _e81, _e82, _e83, _e84, dir_12, f_sun, _e74, f_view_samples, f_light_samples, s_radiance, s_transmittance);
-    vec3 _e117 = s_radiance;
-    vec3 _e118 = s_transmittance;
-    vec4 _e121 = veil(((_e117 * f_sky_weight) * f_medium_irradiance), _e118);
-    _fs2p_location0 = _e121;
+    vec3 _e94 = _group_0_binding_0_fs.luts.mie_extinction;
+    float _e96 = _group_0_binding_0_fs.luts.altitude_steepness;
+    vec3 _e98 = _group_0_binding_0_fs.luts.mie_moment0_;
+    float _e100 = _group_0_binding_0_fs.luts.altitude_growth;
+    vec3 _e102 = _group_0_binding_0_fs.luts.mie_moment1_;
+    float _e104 = _group_0_binding_0_fs.luts.sun_middle;
+    vec3 _e106 = _group_0_binding_0_fs.luts.mie_moment2_;
+    float _e108 = _group_0_binding_0_fs.luts.sun_width;
+    float _e110 = _group_0_binding_0_fs.luts.sun_first;
+    float _e112 = _group_0_binding_0_fs.luts.sun_span;
+    uint _e114 = _group_0_binding_0_fs.luts.steps;
+    eclipsed_light(_group_0_binding_2_fs, _group_0_binding_3_fs, f_medium_rayleigh, f_medium_rayleigh_inv_height, f_medium_mie_scattering, f_medium_mie_inv_height, f_medium_mie_extinction, f_medium_ozone_center, f_medium_mie_asymmetry, f_medium_ozone_inv_half_width, f_medium_ozone, f_medium_radius, f_medium_thickness, f_medium_datum, _e94, _e96, _e98, _e100, _e102, _e104, _e106, _e108, _e110, _e112, _e114, _e75, _e76, _e77, _e78, _e79, _e80, _e81, _e82, _e83, _e84, _e85, _e86, dir_13, f_sun, _e76, f_view_samples, f_light_samples, s_radiance, s_transmittance);
+    vec3 _e119 = s_radiance;
+    vec3 _e120 = s_transmittance;
+    float _e123 = most_light(f_flags);
+    vec3 light = min(((_e119 * f_sky_weight) * f_medium_irradiance), vec3(_e123));
+    float _e129 = behind_alpha(dot(_e120, vec3(0.33333334)));
+    _fs2p_location0 = vec4(light, _e129);
     return;
 }
 

@@ -16,6 +16,10 @@ struct Medium {
     float radius;
     vec3 irradiance;
     float thickness;
+    float datum;
+    float pad1_;
+    float pad2_;
+    float pad3_;
 };
 struct DepthCode {
     float scale;
@@ -60,7 +64,7 @@ struct Luts {
     float ground_rows;
     uvec2 size;
     uint steps;
-    uint shift;
+    uint pad1_;
     uint slices;
     float aerial_ground_rows;
 };
@@ -70,7 +74,10 @@ struct Uniforms {
 };
 const uint REDUCED = 1u;
 const uint SHELL_DIMS = 2u;
+const uint WIDE = 4u;
 const float HALF_MAX = 32000.0;
+const float FLOAT_MAX = 1e38;
+const bool DIMS = true;
 const float PI = 3.1415927;
 const float SQRT_HALF = 0.70710677;
 const float LOG_FLOOR = -100.0;
@@ -87,9 +94,21 @@ uniform highp sampler2D _group_0_binding_2_fs;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
+float most_light(uint flags) {
+    return (((flags & WIDE) != 0u) ? FLOAT_MAX : HALF_MAX);
+}
+
 vec3 pixel_ray(vec2 pixel, vec2 size, vec3 forward, vec3 right, vec3 up) {
     vec2 ndc = (((pixel / size) * vec2(2.0, -2.0)) + vec2(-1.0, 1.0));
     return ((forward + (right * ndc.x)) + (up * ndc.y));
+}
+
+float behind_alpha(float grey) {
+    if (DIMS) {
+        return (1.0 - grey);
+    } else {
+        return 0.0;
+    }
 }
 
 float excess_of(float h, float radius) {
@@ -261,14 +280,16 @@ void main() {
         light = (_e78 + (_e84 * _e85));
     }
     vec3 _e88 = light;
-    light = min(((_e88 * f_sky_weight) * f_medium_irradiance), vec3(32000.0));
+    float _e91 = most_light(f_flags);
+    light = min(((_e88 * f_sky_weight) * f_medium_irradiance), vec3(_e91));
     if (BLEND) {
         vec3 _e95 = light;
-        _fs2p_location0 = vec4(_e95, (1.0 - texel_1.w));
+        float _e97 = behind_alpha(texel_1.w);
+        _fs2p_location0 = vec4(_e95, _e97);
         return;
     } else {
-        vec3 _e100 = light;
-        _fs2p_location0 = vec4(_e100, 1.0);
+        vec3 _e99 = light;
+        _fs2p_location0 = vec4(_e99, 1.0);
         return;
     }
 }

@@ -16,6 +16,10 @@ struct Medium {
     float radius;
     vec3 irradiance;
     float thickness;
+    float datum;
+    float pad1_;
+    float pad2_;
+    float pad3_;
 };
 struct DepthCode {
     float scale;
@@ -60,7 +64,7 @@ struct Luts {
     float ground_rows;
     uvec2 size;
     uint steps;
-    uint shift;
+    uint pad1_;
     uint slices;
     float aerial_ground_rows;
 };
@@ -70,6 +74,7 @@ struct Uniforms {
 };
 const uint REDUCED = 1u;
 const uint SHELL_DIMS = 2u;
+const uint WIDE = 4u;
 const bool RAYLEIGH = true;
 const bool MIE = true;
 const bool OZONE = true;
@@ -206,9 +211,9 @@ void inner_ray(vec3 dir_2, float h_1, float radius_6, float thickness, vec3 sun_
     float s_shadow_half2_ = 0.0;
     float r_3 = (radius_6 + h_1);
     float _e15 = excess_of(h_1, radius_6);
-    float r_mu_6 = (r_3 * dir_2.z);
+    float r_mu_7 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
-    float _e25 = half_chord2_(r_mu_6, _e15, (radius_6 - p_2), p_2);
+    float _e25 = half_chord2_(r_mu_7, _e15, (radius_6 - p_2), p_2);
     sun_side_inside(dir_2, sun_2, r_3, _e15, radius_6, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1, s_shadow_half2_);
     float _e33 = s_sun_r_mu;
     float _e34 = s_nu;
@@ -217,10 +222,10 @@ void inner_ray(vec3 dir_2, float h_1, float radius_6, float thickness, vec3 sun_
     float _e37 = s_shadow_c_1;
     float _e38 = s_shadow_half2_;
     float _e40 = excess_of(thickness, radius_6);
-    float _e41 = distance_to_top(_e15, r_mu_6, _e40);
-    float _e45 = distance_to_ground(_e15, r_mu_6, sqrt(max(_e25, 0.0)));
+    float _e41 = distance_to_top(_e15, r_mu_7, _e40);
+    float _e45 = distance_to_ground(_e15, r_mu_7, sqrt(max(_e25, 0.0)));
     if (ground) {
-        local = (r_mu_6 < 0.0);
+        local = (r_mu_7 < 0.0);
     } else {
         local = false;
     }
@@ -229,7 +234,7 @@ void inner_ray(vec3 dir_2, float h_1, float radius_6, float thickness, vec3 sun_
     out_start = 0.0;
     out_length = reach;
     out_excess = _e15;
-    out_r_mu = r_mu_6;
+    out_r_mu = r_mu_7;
     out_perigee_excess = -(_e25);
     out_sun_r_mu_2 = _e33;
     out_nu_2 = _e34;
@@ -240,38 +245,42 @@ void inner_ray(vec3 dir_2, float h_1, float radius_6, float thickness, vec3 sun_
     out_ground = ground;
 }
 
-void perigee_of(float ray_length, float ray_excess, float ray_r_mu, float ray_perigee_excess, bool ray_ground, float length_, float radius_7, inout float out_distance, inout float out_excess_1, inout float out_r_mu_1) {
-    bool local_1 = false;
-    if ((ray_r_mu >= 0.0)) {
+void lowest_point(float excess_5, float r_mu_4, float perigee_excess_1, bool to_ground, float length_, float radius_7, inout float out_distance, inout float out_excess_1, inout float out_r_mu_1) {
+    if ((r_mu_4 >= 0.0)) {
         out_distance = 0.0;
-        out_excess_1 = ray_excess;
-        out_r_mu_1 = ray_r_mu;
+        out_excess_1 = excess_5;
+        out_r_mu_1 = r_mu_4;
         return;
     }
-    if ((-(ray_r_mu) <= length_)) {
-        out_distance = -(ray_r_mu);
-        out_excess_1 = ray_perigee_excess;
+    if ((-(r_mu_4) <= length_)) {
+        out_distance = -(r_mu_4);
+        out_excess_1 = perigee_excess_1;
         out_r_mu_1 = 0.0;
         return;
     }
-    float r_mu_7 = (ray_r_mu + length_);
+    float end = (r_mu_4 + length_);
+    if (to_ground) {
+        out_distance = length_;
+        out_excess_1 = 0.0;
+        out_r_mu_1 = end;
+        return;
+    }
+    bool far = ((-(r_mu_4) * length_) > (radius_7 * radius_7));
+    float near_excess = (excess_5 + (length_ * ((2.0 * r_mu_4) + length_)));
+    out_distance = length_;
+    out_excess_1 = (far ? (perigee_excess_1 + (end * end)) : near_excess);
+    out_r_mu_1 = end;
+}
+
+void perigee_of(float ray_length, float ray_excess, float ray_r_mu, float ray_perigee_excess, bool ray_ground, float length_1, float radius_8, inout float out_distance_1, inout float out_excess_2, inout float out_r_mu_2) {
+    bool local_1 = false;
     if (ray_ground) {
-        local_1 = (length_ >= ray_length);
+        local_1 = (length_1 >= ray_length);
     } else {
         local_1 = false;
     }
-    bool _e21 = local_1;
-    if (_e21) {
-        out_distance = length_;
-        out_excess_1 = 0.0;
-        out_r_mu_1 = r_mu_7;
-        return;
-    }
-    bool far = ((-(ray_r_mu) * length_) > (radius_7 * radius_7));
-    float near_excess = (ray_excess + (length_ * ((2.0 * ray_r_mu) + length_)));
-    out_distance = length_;
-    out_excess_1 = (far ? (ray_perigee_excess + (r_mu_7 * r_mu_7)) : near_excess);
-    out_r_mu_1 = r_mu_7;
+    bool to_ground_1 = local_1;
+    lowest_point(ray_excess, ray_r_mu, ray_perigee_excess, to_ground_1, length_1, radius_8, out_distance_1, out_excess_2, out_r_mu_2);
 }
 
 vec2 shadow_stretch(float ray_sun_r_mu, float ray_nu, float ray_sin2_, float ray_shadow_b, float ray_shadow_c, float ray_shadow_half2_) {
@@ -309,27 +318,30 @@ vec2 shadow_stretch(float ray_sun_r_mu, float ray_nu, float ray_sin2_, float ray
     return _e54;
 }
 
-vec4 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width) {
-    return vec4(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_center, m_ozone_inv_half_width);
+mat2x3 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width, float m_datum) {
+    vec3 fall = vec3(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_inv_half_width);
+    return mat2x3(fall, vec3(m_datum, m_ozone_center, 0.0));
 }
 
 mat3x3 coefficients_of(vec3 m_rayleigh, vec3 m_mie_extinction, vec3 m_ozone) {
     return mat3x3(m_rayleigh, m_mie_extinction, m_ozone);
 }
 
-vec3 densities(vec4 layers, float h_2) {
+vec3 densities(mat2x3 layers, float h_2) {
     vec3 d = vec3(0.0);
+    vec3 fall_1 = layers[0];
+    float z = max((h_2 - layers[1].x), 0.0);
     if (RAYLEIGH) {
-        d.x = exp((-(h_2) * layers.x));
+        d.x = exp((-(z) * fall_1.x));
     }
     if (MIE) {
-        d.y = exp((-(h_2) * layers.y));
+        d.y = exp((-(z) * fall_1.y));
     }
     if (OZONE) {
-        d.z = max(0.0, (1.0 - (abs((h_2 - layers.z)) * layers.w)));
+        d.z = max(0.0, (1.0 - (abs((z - layers[1].y)) * fall_1.z)));
     }
-    vec3 _e28 = d;
-    return _e28;
+    vec3 _e35 = d;
+    return _e35;
 }
 
 vec3 extinction(mat3x3 coefficients, vec3 d_1) {
@@ -365,8 +377,8 @@ vec3 mean_transmittance(vec3 tau) {
 
 vec3 dark_part(vec2 shadow, float t0_, float t1_) {
     float begin = clamp(shadow.x, t0_, t1_);
-    float end = clamp(shadow.y, t0_, t1_);
-    return vec3(begin, end, ((shadow.y > shadow.x) ? max((end - begin), 0.0) : 0.0));
+    float end_1 = clamp(shadow.y, t0_, t1_);
+    return vec3(begin, end_1, ((shadow.y > shadow.x) ? max((end_1 - begin), 0.0) : 0.0));
 }
 
 float lit_middle(vec3 dark, float perigee_2, float t0_1, float t1_1) {
@@ -399,21 +411,21 @@ vec4 bilinear(highp sampler2D lut, ivec2 c_first, ivec2 c_last, vec2 c_between, 
     return mix(bottom, top, c_between.y);
 }
 
-vec2 transmittance_uv(float excess_5, float h_3, float r_mu_4, float radius_8, float thickness_1) {
-    float _e2 = excess_of(thickness_1, radius_8);
-    float rho = sqrt(max(excess_5, 0.0));
+vec2 transmittance_uv(float excess_6, float h_3, float r_mu_5, float radius_9, float thickness_1) {
+    float _e2 = excess_of(thickness_1, radius_9);
+    float rho = sqrt(max(excess_6, 0.0));
     float rho_top = sqrt(_e2);
-    float _e9 = distance_to_top(excess_5, r_mu_4, _e2);
+    float _e9 = distance_to_top(excess_6, r_mu_5, _e2);
     float shortest = max((thickness_1 - h_3), 0.0);
     return vec2(((_e9 - shortest) / max(((rho + rho_top) - shortest), 1e-20)), (rho / rho_top));
 }
 
-vec3 optical_path_to_top(highp sampler2D lut_1, float radius_9, float thickness_2, float excess_6, float h_4, float r_mu_5) {
+vec3 optical_path_to_top(highp sampler2D lut_1, float radius_10, float thickness_2, float excess_7, float h_4, float r_mu_6) {
     ivec2 corner_first = ivec2(0);
     ivec2 corner_last = ivec2(0);
     vec2 corner_between = vec2(0.0);
     ivec2 size_1 = ivec2(uvec2(textureSize(lut_1, 0).xy));
-    vec2 _e8 = transmittance_uv(excess_6, h_4, r_mu_5, radius_9, thickness_2);
+    vec2 _e8 = transmittance_uv(excess_7, h_4, r_mu_6, radius_10, thickness_2);
     vec2 position_2 = (_e8 * vec2((size_1 - ivec2(1))));
     corner(position_2, size_1, corner_first, corner_last, corner_between);
     ivec2 _e17 = corner_first;
@@ -529,7 +541,7 @@ vec3 sun_visibility_around(vec3 dir_4, float distance_1) {
     return vec3(1.0);
 }
 
-void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_lut, vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, float m_ozone_center_1, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_thickness, vec3 luts_mie_extinction, float luts_altitude_steepness, vec3 luts_mie_moment0_, float luts_altitude_growth, vec3 luts_mie_moment1_, float luts_sun_middle_1, vec3 luts_mie_moment2_, float luts_sun_width_1, float luts_sun_first_1, float luts_sun_span_1, uint luts_steps, float ray_start, float ray_sun_r_mu_1, float ray_nu_1, float ray_sin2_1, float ray_shadow_b_1, float ray_shadow_c_1, float ray_shadow_half2_1, vec3 dir_5, float perigee_distance_1, float perigee_excess_1, float perigee_r_mu_1, float u_from, float u_to, vec3 gas_2, vec3 aerosol_2, float multiple, inout vec3 out_radiance, inout vec3 out_transmittance, inout vec3 out_optical_path) {
+void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_lut, vec3 m_rayleigh_1, float m_rayleigh_inv_height_1, vec3 m_mie_scattering, float m_mie_inv_height_1, float m_ozone_center_1, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_thickness, float m_datum_1, vec3 luts_mie_extinction, float luts_altitude_steepness, vec3 luts_mie_moment0_, float luts_altitude_growth, vec3 luts_mie_moment1_, float luts_sun_middle_1, vec3 luts_mie_moment2_, float luts_sun_width_1, float luts_sun_first_1, float luts_sun_span_1, float ray_start, float ray_sun_r_mu_1, float ray_nu_1, float ray_sin2_1, float ray_shadow_b_1, float ray_shadow_c_1, float ray_shadow_half2_1, vec3 dir_5, float perigee_distance_1, float perigee_excess_2, float perigee_r_mu_1, float u_from, float u_to, uint steps, vec3 gas_2, vec3 aerosol_2, float multiple, inout vec3 out_radiance, inout vec3 out_transmittance, inout vec3 out_optical_path) {
     float t0_2 = 0.0;
     uint i = 0u;
     float lit = 0.0;
@@ -539,88 +551,88 @@ void gather(highp sampler2D transmittance_lut, highp sampler2D multi_scattering_
     out_radiance = vec3(0.0);
     out_transmittance = vec3(1.0);
     out_optical_path = vec3(0.0);
-    vec4 _e19 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
+    mat2x3 _e20 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1, m_datum_1);
     mat3x3 coefficients_1 = mat3x3(m_rayleigh_1, luts_mie_extinction, m_ozone_1);
     vec2 _e39 = shadow_stretch(ray_sun_r_mu_1, ray_nu_1, ray_sin2_1, ray_shadow_b_1, ray_shadow_c_1, ray_shadow_half2_1);
     vec4 _e40 = sun_axis(luts_sun_middle_1, luts_sun_width_1, luts_sun_first_1, luts_sun_span_1);
     vec2 _e42 = multi_scattering_span(multi_scattering_lut);
     mat3x3 moments = mat3x3((m_mie_scattering * luts_mie_moment0_), (m_mie_scattering * luts_mie_moment1_), (m_mie_scattering * luts_mie_moment2_));
-    float du = ((u_to - u_from) / float(luts_steps));
-    float _e55 = u_to_distance(perigee_distance_1, u_from);
-    t0_2 = _e55;
+    float du = ((u_to - u_from) / float(steps));
+    float _e56 = u_to_distance(perigee_distance_1, u_from);
+    t0_2 = _e56;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e178 = i;
-            i = (_e178 + 1u);
+            uint _e179 = i;
+            i = (_e179 + 1u);
         }
         loop_init = false;
-        uint _e58 = i;
-        if ((_e58 < luts_steps)) {
+        uint _e59 = i;
+        if ((_e59 < steps)) {
         } else {
             break;
         }
         {
-            uint _e60 = i;
-            float u_3 = (u_from + (du * float(_e60)));
-            float _e65 = u_to_distance(perigee_distance_1, (u_3 + du));
-            float _e66 = t0_2;
-            float step_ = (_e65 - _e66);
-            float _e71 = u_to_distance(perigee_distance_1, (u_3 + (0.5 * du)));
-            float _e73 = altitude_after(perigee_excess_1, perigee_r_mu_1, (_e71 - perigee_distance_1), m_radius);
-            vec3 _e74 = densities(_e19, _e73);
-            vec3 _e75 = extinction(coefficients_1, _e74);
-            vec3 tau_1 = (_e75 * step_);
-            vec3 _e80 = out_transmittance;
-            vec3 _e81 = mean_transmittance(tau_1);
-            vec3 weight = (_e80 * _e81);
-            float _e83 = t0_2;
-            vec3 _e84 = dark_part(_e39, _e83, _e65);
-            if ((_e84.z < step_)) {
-                lit = _e71;
-                if ((_e84.z > 0.0)) {
-                    float _e91 = t0_2;
-                    float _e92 = lit_middle(_e84, perigee_distance_1, _e91, _e65);
-                    lit = _e92;
+            uint _e61 = i;
+            float u_3 = (u_from + (du * float(_e61)));
+            float _e66 = u_to_distance(perigee_distance_1, (u_3 + du));
+            float _e67 = t0_2;
+            float step_ = (_e66 - _e67);
+            float _e72 = u_to_distance(perigee_distance_1, (u_3 + (0.5 * du)));
+            float _e74 = altitude_after(perigee_excess_2, perigee_r_mu_1, (_e72 - perigee_distance_1), m_radius);
+            vec3 _e75 = densities(_e20, _e74);
+            vec3 _e76 = extinction(coefficients_1, _e75);
+            vec3 tau_1 = (_e76 * step_);
+            vec3 _e81 = out_transmittance;
+            vec3 _e82 = mean_transmittance(tau_1);
+            vec3 weight = (_e81 * _e82);
+            float _e84 = t0_2;
+            vec3 _e85 = dark_part(_e39, _e84, _e66);
+            if ((_e85.z < step_)) {
+                lit = _e72;
+                if ((_e85.z > 0.0)) {
+                    float _e92 = t0_2;
+                    float _e93 = lit_middle(_e85, perigee_distance_1, _e92, _e66);
+                    lit = _e93;
                 }
-                float _e93 = lit;
-                float past = (_e93 - perigee_distance_1);
-                float lit_excess = max((perigee_excess_1 + (past * ((2.0 * perigee_r_mu_1) + past))), 0.0);
-                float _e102 = altitude_of(lit_excess, m_radius);
-                vec3 _e103 = densities(_e19, _e102);
-                float _e104 = lit;
-                float sun_r_mu = (ray_sun_r_mu_1 + (ray_nu_1 * _e104));
-                vec3 _e108 = optical_path_to_top(transmittance_lut, m_radius, m_thickness, lit_excess, _e102, sun_r_mu);
-                vec3 _e116 = extinction(coefficients_1, _e108);
-                source = (((gas_2 * _e103.x) + (aerosol_2 * _e103.y)) * exp(-(_e116)));
-                vec3 _e121 = source;
-                float _e122 = lit;
-                vec3 _e125 = sun_visibility(dir_5, (ray_start + _e122));
-                source = (_e121 * _e125);
-                vec3 _e127 = out_radiance;
-                vec3 _e128 = source;
-                out_radiance = (_e127 + ((weight * _e128) * (step_ - _e84.z)));
+                float _e94 = lit;
+                float past = (_e94 - perigee_distance_1);
+                float lit_excess = max((perigee_excess_2 + (past * ((2.0 * perigee_r_mu_1) + past))), 0.0);
+                float _e103 = altitude_of(lit_excess, m_radius);
+                vec3 _e104 = densities(_e20, _e103);
+                float _e105 = lit;
+                float sun_r_mu = (ray_sun_r_mu_1 + (ray_nu_1 * _e105));
+                vec3 _e109 = optical_path_to_top(transmittance_lut, m_radius, m_thickness, lit_excess, _e103, sun_r_mu);
+                vec3 _e117 = extinction(coefficients_1, _e109);
+                source = (((gas_2 * _e104.x) + (aerosol_2 * _e104.y)) * exp(-(_e117)));
+                vec3 _e122 = source;
+                float _e123 = lit;
+                vec3 _e126 = sun_visibility(dir_5, (ray_start + _e123));
+                source = (_e122 * _e126);
+                vec3 _e128 = out_radiance;
+                vec3 _e129 = source;
+                out_radiance = (_e128 + ((weight * _e129) * (step_ - _e85.z)));
             }
             if (MULTI_SCATTERING) {
-                float r_4 = (m_radius + _e73);
-                float mu_4 = clamp((((perigee_r_mu_1 + _e71) - perigee_distance_1) / r_4), -1.0, 1.0);
-                float mu_sun_2 = clamp(((ray_sun_r_mu_1 + (ray_nu_1 * _e71)) / r_4), -1.0, 1.0);
-                float _e148 = altitude_to_v(luts_altitude_steepness, luts_altitude_growth, _e73, m_thickness);
-                float _e149 = mu_sun_to_u(_e40, mu_sun_2);
-                vec2 node_1 = (vec2(_e149, _e148) * _e42);
+                float r_4 = (m_radius + _e74);
+                float mu_4 = clamp((((perigee_r_mu_1 + _e72) - perigee_distance_1) / r_4), -1.0, 1.0);
+                float mu_sun_2 = clamp(((ray_sun_r_mu_1 + (ray_nu_1 * _e72)) / r_4), -1.0, 1.0);
+                float _e149 = altitude_to_v(luts_altitude_steepness, luts_altitude_growth, _e74, m_thickness);
+                float _e150 = mu_sun_to_u(_e40, mu_sun_2);
+                vec2 node_1 = (vec2(_e150, _e149) * _e42);
                 multi_scattering_source(multi_scattering_lut, node_1, m_rayleigh_1, moments, mu_4, mu_sun_2, ray_nu_1, before_gas, before_aerosol);
-                vec3 _e154 = before_gas;
-                vec3 _e155 = before_aerosol;
-                vec3 _e157 = sun_visibility_around(dir_5, (ray_start + _e71));
-                vec3 source_1 = (((_e154 * _e157) * _e74.x) + ((_e155 * _e157) * _e74.y));
-                vec3 _e165 = out_radiance;
-                out_radiance = (_e165 + ((weight * (step_ * multiple)) * source_1));
+                vec3 _e155 = before_gas;
+                vec3 _e156 = before_aerosol;
+                vec3 _e158 = sun_visibility_around(dir_5, (ray_start + _e72));
+                vec3 source_1 = (((_e155 * _e158) * _e75.x) + ((_e156 * _e158) * _e75.y));
+                vec3 _e166 = out_radiance;
+                out_radiance = (_e166 + ((weight * (step_ * multiple)) * source_1));
             }
-            vec3 _e171 = out_transmittance;
-            out_transmittance = (_e171 * exp(-(tau_1)));
-            vec3 _e175 = out_optical_path;
-            out_optical_path = (_e175 + (_e74 * step_));
-            t0_2 = _e65;
+            vec3 _e172 = out_transmittance;
+            out_transmittance = (_e172 * exp(-(tau_1)));
+            vec3 _e176 = out_optical_path;
+            out_optical_path = (_e176 + (_e75 * step_));
+            t0_2 = _e66;
         }
     }
 }
@@ -631,7 +643,7 @@ vec2 u_to_azimuth(float u_1) {
     return (vec2(((c_1 - u_1) * (c_1 + u_1)), ((2.0 * u_1) * c_1)) * norm);
 }
 
-void upward_ray(vec2 azimuth, float v, float h_6, float radius_10, float thickness_4, vec4 mapping, vec3 sun_3, inout vec3 out_dir, inout float out_ray_start, inout float out_ray_length, inout float out_ray_excess, inout float out_ray_r_mu, inout float out_ray_perigee_excess, inout float out_ray_sun_r_mu, inout float out_ray_nu, inout float out_ray_sin2_, inout float out_ray_shadow_b, inout float out_ray_shadow_c, inout float out_ray_shadow_half2_, inout bool out_ray_ground) {
+void upward_ray(vec2 azimuth, float v, float h_6, float radius_11, float thickness_4, vec4 mapping, vec3 sun_3, inout vec3 out_dir, inout float out_ray_start, inout float out_ray_length, inout float out_ray_excess, inout float out_ray_r_mu, inout float out_ray_perigee_excess, inout float out_ray_sun_r_mu, inout float out_ray_nu, inout float out_ray_sin2_, inout float out_ray_shadow_b, inout float out_ray_shadow_c, inout float out_ray_shadow_half2_, inout bool out_ray_ground) {
     float inner_ray_start = 0.0;
     float inner_ray_length = 0.0;
     float inner_ray_excess = 0.0;
@@ -650,7 +662,7 @@ void upward_ray(vec2 azimuth, float v, float h_6, float radius_10, float thickne
     float s = (sqrt(half_1) * rest);
     float mu_5 = max((((((2.0 * half_1) * u_4) * u_4) * (1.0 + rest)) - mapping.w), 0.0);
     vec3 dir_6 = vec3((azimuth * ((2.0 * s) * sqrt((1.0 - (s * s))))), mu_5);
-    inner_ray(dir_6, h_6, radius_10, thickness_4, sun_3, false, inner_ray_start, inner_ray_length, inner_ray_excess, inner_ray_r_mu, inner_ray_perigee_excess, inner_ray_sun_r_mu, inner_ray_nu, inner_ray_sin2_, inner_ray_shadow_b, inner_ray_shadow_c, inner_ray_shadow_half2_, inner_ray_ground);
+    inner_ray(dir_6, h_6, radius_11, thickness_4, sun_3, false, inner_ray_start, inner_ray_length, inner_ray_excess, inner_ray_r_mu, inner_ray_perigee_excess, inner_ray_sun_r_mu, inner_ray_nu, inner_ray_sin2_, inner_ray_shadow_b, inner_ray_shadow_c, inner_ray_shadow_half2_, inner_ray_ground);
     float _e79 = inner_ray_start;
     float _e80 = inner_ray_length;
     float _e81 = inner_ray_excess;
@@ -678,9 +690,9 @@ void upward_ray(vec2 azimuth, float v, float h_6, float radius_10, float thickne
     out_ray_ground = _e90;
 }
 
-void sky_view_ray(float u_2, float v_1, bool ground_1, float h_7, float radius_11, float thickness_5, vec4 mapping_1, vec3 sun_4, inout vec3 out_dir_1, inout float out_ray_start_1, inout float out_ray_length_1, inout float out_ray_excess_1, inout float out_ray_r_mu_1, inout float out_ray_perigee_excess_1, inout float out_ray_sun_r_mu_1, inout float out_ray_nu_1, inout float out_ray_sin2_1, inout float out_ray_shadow_b_1, inout float out_ray_shadow_c_1, inout float out_ray_shadow_half2_1, inout bool out_ray_ground_1) {
+void sky_view_ray(float u_2, float v_1, bool ground_1, float h_7, float radius_12, float thickness_5, vec4 mapping_1, vec3 sun_4, inout vec3 out_dir_1, inout float out_ray_start_1, inout float out_ray_length_1, inout float out_ray_excess_1, inout float out_ray_r_mu_1, inout float out_ray_perigee_excess_1, inout float out_ray_sun_r_mu_1, inout float out_ray_nu_1, inout float out_ray_sin2_1, inout float out_ray_shadow_b_1, inout float out_ray_shadow_c_1, inout float out_ray_shadow_half2_1, inout bool out_ray_ground_1) {
     bool local_2 = false;
-    float perigee_excess_2 = 0.0;
+    float perigee_excess_3 = 0.0;
     float perigee_3 = 0.0;
     float from_start = 0.0;
     float mu_2 = 0.0;
@@ -699,12 +711,12 @@ void sky_view_ray(float u_2, float v_1, bool ground_1, float h_7, float radius_1
     }
     bool _e29 = local_2;
     if (_e29) {
-        upward_ray(_e19, v_1, h_7, radius_11, thickness_5, mapping_1, sun_4, out_dir_1, out_ray_start_1, out_ray_length_1, out_ray_excess_1, out_ray_r_mu_1, out_ray_perigee_excess_1, out_ray_sun_r_mu_1, out_ray_nu_1, out_ray_sin2_1, out_ray_shadow_b_1, out_ray_shadow_c_1, out_ray_shadow_half2_1, out_ray_ground_1);
+        upward_ray(_e19, v_1, h_7, radius_12, thickness_5, mapping_1, sun_4, out_dir_1, out_ray_start_1, out_ray_length_1, out_ray_excess_1, out_ray_r_mu_1, out_ray_perigee_excess_1, out_ray_sun_r_mu_1, out_ray_nu_1, out_ray_sin2_1, out_ray_shadow_b_1, out_ray_shadow_c_1, out_ray_shadow_half2_1, out_ray_ground_1);
         return;
     }
-    float r_5 = (radius_11 + h_7);
-    float _e35 = excess_of(h_7, radius_11);
-    float _e36 = excess_of(thickness_5, radius_11);
+    float r_5 = (radius_12 + h_7);
+    float _e35 = excess_of(h_7, radius_12);
+    float _e36 = excess_of(thickness_5, radius_12);
     bool outside = (h_7 > thickness_5);
     float start_excess = (outside ? _e36 : _e35);
     if (ground_1) {
@@ -713,23 +725,23 @@ void sky_view_ray(float u_2, float v_1, bool ground_1, float h_7, float radius_1
         mu_2 = ((v_1 * v_1) * (1.0 + rest_1));
         float _e53 = mu_2;
         float _e55 = mu_2;
-        perigee_excess_2 = (((-(radius_11) * radius_11) * _e53) * _e55);
-        perigee_3 = (radius_11 * ((2.0 * s_1) * sqrt((1.0 - (s_1 * s_1)))));
-        float _e67 = perigee_excess_2;
+        perigee_excess_3 = (((-(radius_12) * radius_12) * _e53) * _e55);
+        perigee_3 = (radius_12 * ((2.0 * s_1) * sqrt((1.0 - (s_1 * s_1)))));
+        float _e67 = perigee_excess_3;
         from_start = (start_excess - _e67);
     } else {
         float limit = min(h_7, thickness_5);
         float s_2 = min((v_1 / max(mapping_1.x, 1e-20)), 1.0);
-        float z = ((1.0 - s_2) * (1.0 + s_2));
+        float z_1 = ((1.0 - s_2) * (1.0 + s_2));
         float k = (1.0 - mapping_1.y);
-        float y_1 = ((2.0 * z) / max((k + sqrt(((k * k) + ((4.0 * mapping_1.y) * z)))), 1e-20));
+        float y_1 = ((2.0 * z_1) / max((k + sqrt(((k * k) + ((4.0 * mapping_1.y) * z_1)))), 1e-20));
         float perigee_h = (limit * min((((s_2 * s_2) * (1.0 + y_1)) / (1.0 + (mapping_1.y * y_1))), 1.0));
-        float _e110 = excess_of(perigee_h, radius_11);
-        perigee_excess_2 = _e110;
-        perigee_3 = (radius_11 + perigee_h);
-        from_start = (((limit * y_1) * y_1) * (((2.0 * radius_11) + limit) + perigee_h));
+        float _e110 = excess_of(perigee_h, radius_12);
+        perigee_excess_3 = _e110;
+        perigee_3 = (radius_12 + perigee_h);
+        from_start = (((limit * y_1) * y_1) * (((2.0 * radius_12) + limit) + perigee_h));
     }
-    float above_1 = ((h_7 - thickness_5) * (((2.0 * radius_11) + thickness_5) + h_7));
+    float above_1 = ((h_7 - thickness_5) * (((2.0 * radius_12) + thickness_5) + h_7));
     float _e125 = from_start;
     float r_mu_8 = -(sqrt(max(_e125, 0.0)));
     float _e130 = from_start;
@@ -739,15 +751,15 @@ void sky_view_ray(float u_2, float v_1, bool ground_1, float h_7, float radius_1
     if (outside) {
         start_1 = (above_1 / (-(r_mu_8) - (r_5 * down)));
         float _e149 = start_1;
-        sun_side_outside(dir_7, sun_4, r_5, _e149, -(r_mu_8), _e36, radius_11, s_sun_r_mu_1, s_nu_1, s_sin2_2, s_shadow_b_2, s_shadow_c_2, s_shadow_half2_1);
+        sun_side_outside(dir_7, sun_4, r_5, _e149, -(r_mu_8), _e36, radius_12, s_sun_r_mu_1, s_nu_1, s_sin2_2, s_shadow_b_2, s_shadow_c_2, s_shadow_half2_1);
     } else {
-        sun_side_inside(dir_7, sun_4, r_5, _e35, radius_11, s_sun_r_mu_1, s_nu_1, s_sin2_2, s_shadow_b_2, s_shadow_c_2, s_shadow_half2_1);
+        sun_side_inside(dir_7, sun_4, r_5, _e35, radius_12, s_sun_r_mu_1, s_nu_1, s_sin2_2, s_shadow_b_2, s_shadow_c_2, s_shadow_half2_1);
     }
     float _e157 = distance_to_top(start_excess, r_mu_8, _e36);
     float _e158 = mu_2;
-    float reach_1 = (ground_1 ? (start_excess / max(((radius_11 * _e158) - r_mu_8), 1e-20)) : _e157);
+    float reach_1 = (ground_1 ? (start_excess / max(((radius_12 * _e158) - r_mu_8), 1e-20)) : _e157);
     float ray_start_1 = start_1;
-    float ray_perigee_excess_1 = perigee_excess_2;
+    float ray_perigee_excess_1 = perigee_excess_3;
     float ray_sun_r_mu_2 = s_sun_r_mu_1;
     float ray_nu_2 = s_nu_1;
     float ray_sin2_2 = s_sin2_2;
@@ -817,6 +829,7 @@ void main() {
     vec3 f_medium_ozone = _group_0_binding_0_fs.frame.medium.ozone;
     float f_medium_radius = _group_0_binding_0_fs.frame.medium.radius;
     float f_medium_thickness = _group_0_binding_0_fs.frame.medium.thickness;
+    float f_medium_datum = _group_0_binding_0_fs.frame.medium.datum;
     float f_altitude = _group_0_binding_0_fs.frame.altitude;
     vec3 f_sun = _group_0_binding_0_fs.frame.sun;
     vec4 f_sky_view_mapping = _group_0_binding_0_fs.frame.sky_view_mapping;
@@ -832,53 +845,53 @@ void main() {
     float luts_sun_span_2 = _group_0_binding_0_fs.luts.sun_span;
     float luts_ground_rows = _group_0_binding_0_fs.luts.ground_rows;
     uvec2 luts_size = _group_0_binding_0_fs.luts.size;
-    uint luts_steps_1 = _group_0_binding_0_fs.luts.steps;
+    uint luts_steps = _group_0_binding_0_fs.luts.steps;
     ivec2 texel = ivec2(position.xy);
     ivec2 size_2 = ivec2(luts_size);
     float u_5 = (float(texel.x) / float((size_2.x - 1)));
-    vec2 _e75 = row_to_v(texel.y, size_2.y, int(luts_ground_rows));
-    bool ground_3 = (_e75.y > 0.5);
-    sky_view_ray(u_5, _e75.x, ground_3, f_altitude, f_medium_radius, f_medium_thickness, f_sky_view_mapping, f_sun, view_dir, view_ray_start, view_ray_length, view_ray_excess, view_ray_r_mu, view_ray_perigee_excess, view_ray_sun_r_mu, view_ray_nu, view_ray_sin2_, view_ray_shadow_b, view_ray_shadow_c, view_ray_shadow_half2_, view_ray_ground);
-    vec3 _e93 = view_dir;
-    float _e94 = view_ray_start;
-    float _e95 = view_ray_length;
-    float _e96 = view_ray_excess;
-    float _e97 = view_ray_r_mu;
-    float _e98 = view_ray_perigee_excess;
-    float _e99 = view_ray_sun_r_mu;
-    float _e100 = view_ray_nu;
-    float _e101 = view_ray_sin2_;
-    float _e102 = view_ray_shadow_b;
-    float _e103 = view_ray_shadow_c;
-    float _e104 = view_ray_shadow_half2_;
-    bool _e105 = view_ray_ground;
-    if ((_e95 <= 0.0)) {
+    vec2 _e77 = row_to_v(texel.y, size_2.y, int(luts_ground_rows));
+    bool ground_3 = (_e77.y > 0.5);
+    sky_view_ray(u_5, _e77.x, ground_3, f_altitude, f_medium_radius, f_medium_thickness, f_sky_view_mapping, f_sun, view_dir, view_ray_start, view_ray_length, view_ray_excess, view_ray_r_mu, view_ray_perigee_excess, view_ray_sun_r_mu, view_ray_nu, view_ray_sin2_, view_ray_shadow_b, view_ray_shadow_c, view_ray_shadow_half2_, view_ray_ground);
+    vec3 _e95 = view_dir;
+    float _e96 = view_ray_start;
+    float _e97 = view_ray_length;
+    float _e98 = view_ray_excess;
+    float _e99 = view_ray_r_mu;
+    float _e100 = view_ray_perigee_excess;
+    float _e101 = view_ray_sun_r_mu;
+    float _e102 = view_ray_nu;
+    float _e103 = view_ray_sin2_;
+    float _e104 = view_ray_shadow_b;
+    float _e105 = view_ray_shadow_c;
+    float _e106 = view_ray_shadow_half2_;
+    bool _e107 = view_ray_ground;
+    if ((_e97 <= 0.0)) {
         _fs2p_location0 = vec4(0.0, 0.0, 0.0, 1.0);
         return;
     }
-    perigee_of(_e95, _e96, _e97, _e98, _e105, _e95, f_medium_radius, perigee_distance, perigee_excess, perigee_r_mu);
-    float _e116 = perigee_distance;
-    float _e117 = perigee_excess;
-    float _e118 = perigee_r_mu;
-    float _e120 = distance_to_u(_e116, 0.0);
-    float _e121 = distance_to_u(_e116, _e95);
+    perigee_of(_e97, _e98, _e99, _e100, _e107, _e97, f_medium_radius, perigee_distance, perigee_excess, perigee_r_mu);
+    float _e118 = perigee_distance;
+    float _e119 = perigee_excess;
+    float _e120 = perigee_r_mu;
+    float _e122 = distance_to_u(_e118, 0.0);
+    float _e123 = distance_to_u(_e118, _e97);
     if (MIE_SINGLE) {
         aerosol = f_medium_mie_scattering;
     } else {
-        float _e124 = rayleigh_phase(_e100);
-        gas = (f_medium_rayleigh * _e124);
+        float _e126 = rayleigh_phase(_e102);
+        gas = (f_medium_rayleigh * _e126);
     }
-    vec3 _e127 = gas;
-    vec3 _e128 = aerosol;
-    gather(_group_0_binding_1_fs, _group_0_binding_2_fs, f_medium_rayleigh, f_medium_rayleigh_inv_height, f_medium_mie_scattering, f_medium_mie_inv_height, f_medium_ozone_center, f_medium_ozone_inv_half_width, f_medium_ozone, f_medium_radius, f_medium_thickness, luts_mie_extinction_1, luts_altitude_steepness_1, luts_mie_moment0_1, luts_altitude_growth_1, luts_mie_moment1_1, luts_sun_middle_2, luts_mie_moment2_1, luts_sun_width_2, luts_sun_first_2, luts_sun_span_2, luts_steps_1, _e94, _e99, _e100, _e101, _e102, _e103, _e104, _e93, _e116, _e117, _e118, _e120, _e121, _e127, _e128, 1.0, g_radiance, g_transmittance, g_optical_path);
-    vec3 _e135 = g_radiance;
-    vec3 _e136 = g_optical_path;
-    mat3x3 _e137 = coefficients_of(f_medium_rayleigh, f_medium_mie_extinction, f_medium_ozone);
-    vec3 _e138 = extinction(_e137, _e136);
-    float grey = dot(exp(-(_e138)), vec3(0.33333334));
-    float scale = (ground_3 ? (1.0 / _e95) : 1.0);
-    vec3 _e152 = encode_light((max(_e135, vec3(0.0)) * scale));
-    _fs2p_location0 = vec4(_e152, grey);
+    vec3 _e129 = gas;
+    vec3 _e130 = aerosol;
+    gather(_group_0_binding_1_fs, _group_0_binding_2_fs, f_medium_rayleigh, f_medium_rayleigh_inv_height, f_medium_mie_scattering, f_medium_mie_inv_height, f_medium_ozone_center, f_medium_ozone_inv_half_width, f_medium_ozone, f_medium_radius, f_medium_thickness, f_medium_datum, luts_mie_extinction_1, luts_altitude_steepness_1, luts_mie_moment0_1, luts_altitude_growth_1, luts_mie_moment1_1, luts_sun_middle_2, luts_mie_moment2_1, luts_sun_width_2, luts_sun_first_2, luts_sun_span_2, _e96, _e101, _e102, _e103, _e104, _e105, _e106, _e95, _e118, _e119, _e120, _e122, _e123, luts_steps, _e129, _e130, 1.0, g_radiance, g_transmittance, g_optical_path);
+    vec3 _e137 = g_radiance;
+    vec3 _e138 = g_optical_path;
+    mat3x3 _e139 = coefficients_of(f_medium_rayleigh, f_medium_mie_extinction, f_medium_ozone);
+    vec3 _e140 = extinction(_e139, _e138);
+    float grey = dot(exp(-(_e140)), vec3(0.33333334));
+    float scale = (ground_3 ? (1.0 / _e97) : 1.0);
+    vec3 _e154 = encode_light((max(_e137, vec3(0.0)) * scale));
+    _fs2p_location0 = vec4(_e154, grey);
     return;
 }
 

@@ -16,6 +16,10 @@ struct Medium {
     float radius;
     vec3 irradiance;
     float thickness;
+    float datum;
+    float pad1_;
+    float pad2_;
+    float pad3_;
 };
 struct DepthCode {
     float scale;
@@ -60,7 +64,7 @@ struct Luts {
     float ground_rows;
     uvec2 size;
     uint steps;
-    uint shift;
+    uint pad1_;
     uint slices;
     float aerial_ground_rows;
 };
@@ -97,7 +101,9 @@ struct Terrain {
 };
 const uint REDUCED = 1u;
 const uint SHELL_DIMS = 2u;
+const uint WIDE = 4u;
 const float HALF_MAX = 32000.0;
+const float FLOAT_MAX = 1e38;
 const bool RAYLEIGH = true;
 const bool MIE = true;
 const bool OZONE = true;
@@ -129,6 +135,10 @@ smooth in vec3 _vs2fs_location0;
 smooth in vec3 _vs2fs_location1;
 smooth in vec3 _vs2fs_location2;
 layout(location = 0) out vec4 _fs2p_location0;
+
+float most_light(uint flags) {
+    return (((flags & WIDE) != 0u) ? FLOAT_MAX : HALF_MAX);
+}
 
 float depth_of(float c_scale, float c_bias, float c_log, float z) {
     if ((c_log > 0.0)) {
@@ -315,45 +325,47 @@ void main() {
     float f_depth_scale = _group_0_binding_0_fs.frame.depth.scale;
     float f_depth_bias = _group_0_binding_0_fs.frame.depth.bias;
     float f_depth_log = _group_0_binding_0_fs.frame.depth.log_;
+    uint f_flags = _group_0_binding_0_fs.frame.flags;
     light = in_light;
     if (MOON) {
-        vec3 _e19 = light;
-        vec3 _e23 = _group_0_binding_0_fs.moon_shadow.across;
-        float _e25 = _group_0_binding_0_fs.moon_shadow.along;
-        float _e27 = _group_0_binding_0_fs.moon_shadow.radius;
-        float _e29 = _group_0_binding_0_fs.moon_shadow.tan_sun_radius;
-        float _e31 = _group_0_binding_0_fs.moon_shadow.min_visibility;
-        vec3 _e33 = moon_shadow_visibility(_group_0_binding_1_fs, _e23, _e25, _e27, _e29, _e31, in_position, f_sun);
-        light = (_e19 * _e33);
+        vec3 _e21 = light;
+        vec3 _e25 = _group_0_binding_0_fs.moon_shadow.across;
+        float _e27 = _group_0_binding_0_fs.moon_shadow.along;
+        float _e29 = _group_0_binding_0_fs.moon_shadow.radius;
+        float _e31 = _group_0_binding_0_fs.moon_shadow.tan_sun_radius;
+        float _e33 = _group_0_binding_0_fs.moon_shadow.min_visibility;
+        vec3 _e35 = moon_shadow_visibility(_group_0_binding_1_fs, _e25, _e27, _e29, _e31, _e33, in_position, f_sun);
+        light = (_e21 * _e35);
     }
     if (SKY_LIGHT) {
-        float _e39 = _group_0_binding_0_fs.luts.sun_middle;
-        float _e41 = _group_0_binding_0_fs.luts.sun_width;
-        float _e43 = _group_0_binding_0_fs.luts.sun_first;
-        float _e45 = _group_0_binding_0_fs.luts.sun_span;
-        vec3 _e48 = ground_irradiance(_group_0_binding_2_fs, _e39, _e41, _e43, _e45, in_surface.z);
-        sky = _e48;
-        vec3 _e50 = sky;
-        sky = (_e50 * (0.5 + (0.5 * in_surface.y)));
+        float _e41 = _group_0_binding_0_fs.luts.sun_middle;
+        float _e43 = _group_0_binding_0_fs.luts.sun_width;
+        float _e45 = _group_0_binding_0_fs.luts.sun_first;
+        float _e47 = _group_0_binding_0_fs.luts.sun_span;
+        vec3 _e50 = ground_irradiance(_group_0_binding_2_fs, _e41, _e43, _e45, _e47, in_surface.z);
+        sky = _e50;
+        vec3 _e52 = sky;
+        sky = (_e52 * (0.5 + (0.5 * in_surface.y)));
         if (MOON) {
-            vec3 _e58 = sky;
-            vec3 _e62 = _group_0_binding_0_fs.moon_shadow.across;
-            float _e64 = _group_0_binding_0_fs.moon_shadow.min_visibility;
-            float _e66 = _group_0_binding_0_fs.moon_shadow.inv_extent;
-            vec3 _e68 = moon_shadow_visibility_around(_group_0_binding_1_fs, _e62, _e64, _e66, in_position, f_sun);
-            sky = (_e58 * _e68);
+            vec3 _e60 = sky;
+            vec3 _e64 = _group_0_binding_0_fs.moon_shadow.across;
+            float _e66 = _group_0_binding_0_fs.moon_shadow.min_visibility;
+            float _e68 = _group_0_binding_0_fs.moon_shadow.inv_extent;
+            vec3 _e70 = moon_shadow_visibility_around(_group_0_binding_1_fs, _e64, _e66, _e68, in_position, f_sun);
+            sky = (_e60 * _e70);
         }
-        vec3 _e70 = light;
-        vec3 _e71 = sky;
-        light = (_e70 + _e71);
+        vec3 _e72 = light;
+        vec3 _e73 = sky;
+        light = (_e72 + _e73);
     }
-    vec3 _e75 = ground_albedo(in_surface.x, in_surface.y);
-    vec3 _e76 = light;
-    vec3 reflected = (((_e75 * _e76) * f_medium_irradiance) * 0.31830987);
-    vec3 _e83 = _group_0_binding_0_fs.axis;
-    float _e87 = depth_of(f_depth_scale, f_depth_bias, f_depth_log, max(dot(in_position, _e83), 1e-9));
-    _fs2p_location0 = vec4(min(reflected, vec3(32000.0)), 1.0);
-    gl_FragDepth = clamp(_e87, 0.0, 1.0);
+    vec3 _e77 = ground_albedo(in_surface.x, in_surface.y);
+    vec3 _e78 = light;
+    vec3 reflected = (((_e77 * _e78) * f_medium_irradiance) * 0.31830987);
+    vec3 _e85 = _group_0_binding_0_fs.axis;
+    float _e89 = depth_of(f_depth_scale, f_depth_bias, f_depth_log, max(dot(in_position, _e85), 1e-9));
+    float _e90 = most_light(f_flags);
+    _fs2p_location0 = vec4(min(reflected, vec3(_e90)), 1.0);
+    gl_FragDepth = clamp(_e89, 0.0, 1.0);
     return;
 }
 

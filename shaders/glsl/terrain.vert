@@ -16,6 +16,10 @@ struct Medium {
     float radius;
     vec3 irradiance;
     float thickness;
+    float datum;
+    float pad1_;
+    float pad2_;
+    float pad3_;
 };
 struct DepthCode {
     float scale;
@@ -60,7 +64,7 @@ struct Luts {
     float ground_rows;
     uvec2 size;
     uint steps;
-    uint shift;
+    uint pad1_;
     uint slices;
     float aerial_ground_rows;
 };
@@ -97,7 +101,9 @@ struct Terrain {
 };
 const uint REDUCED = 1u;
 const uint SHELL_DIMS = 2u;
+const uint WIDE = 4u;
 const float HALF_MAX = 32000.0;
+const float FLOAT_MAX = 1e38;
 const bool RAYLEIGH = true;
 const bool MIE = true;
 const bool OZONE = true;
@@ -147,27 +153,30 @@ float distance_to_top(float excess_2, float r_mu_1, float top_excess) {
     return (root - r_mu_1);
 }
 
-vec4 layers_of(float m_rayleigh_inv_height_1, float m_mie_inv_height_1, float m_ozone_center_1, float m_ozone_inv_half_width_1) {
-    return vec4(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
+mat2x3 layers_of(float m_rayleigh_inv_height_1, float m_mie_inv_height_1, float m_ozone_center_1, float m_ozone_inv_half_width_1, float m_datum_1) {
+    vec3 fall = vec3(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_inv_half_width_1);
+    return mat2x3(fall, vec3(m_datum_1, m_ozone_center_1, 0.0));
 }
 
 mat3x3 coefficients_of(vec3 m_rayleigh_1, vec3 m_mie_extinction_1, vec3 m_ozone_1) {
     return mat3x3(m_rayleigh_1, m_mie_extinction_1, m_ozone_1);
 }
 
-vec3 densities(vec4 layers, float h_1) {
+vec3 densities(mat2x3 layers, float h_1) {
     vec3 d = vec3(0.0);
+    vec3 fall_1 = layers[0];
+    float z = max((h_1 - layers[1].x), 0.0);
     if (RAYLEIGH) {
-        d.x = exp((-(h_1) * layers.x));
+        d.x = exp((-(z) * fall_1.x));
     }
     if (MIE) {
-        d.y = exp((-(h_1) * layers.y));
+        d.y = exp((-(z) * fall_1.y));
     }
     if (OZONE) {
-        d.z = max(0.0, (1.0 - (abs((h_1 - layers.z)) * layers.w)));
+        d.z = max(0.0, (1.0 - (abs((z - layers[1].y)) * fall_1.z)));
     }
-    vec3 _e28 = d;
-    return _e28;
+    vec3 _e35 = d;
+    return _e35;
 }
 
 vec3 extinction(mat3x3 coefficients, vec3 d_1) {
@@ -192,7 +201,7 @@ float u_to_distance(float perigee, float u) {
     return (perigee + (u * abs(u)));
 }
 
-vec3 path_densities(vec4 layers_1, float radius_3, float excess_3, float r_mu_2, float distance_, uint samples) {
+vec3 path_densities(mat2x3 layers_1, float radius_3, float excess_3, float r_mu_2, float distance_, uint samples) {
     vec3 sum_1 = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
@@ -228,7 +237,7 @@ vec3 path_densities(vec4 layers_1, float radius_3, float excess_3, float r_mu_2,
     return _e45;
 }
 
-vec3 sun_transmittance(mat3x3 coefficients_1, vec4 layers_2, float radius_4, float thickness, float excess_4, float sun_r_mu, uint samples_1) {
+vec3 sun_transmittance(mat3x3 coefficients_1, mat2x3 layers_2, float radius_4, float thickness, float excess_4, float sun_r_mu, uint samples_1) {
     float _e2 = excess_of(thickness, radius_4);
     float _e5 = distance_to_top(excess_4, sun_r_mu, _e2);
     vec3 _e8 = path_densities(layers_2, radius_4, excess_4, sun_r_mu, _e5, samples_1);
@@ -373,41 +382,42 @@ void grid_point(uint index_1, inout vec3 out_flat, inout float out_sin_arc, inou
     out_spacing = max(along, (sin_arc * 0.016362462));
 }
 
-vec3 ground_light(vec3 m_rayleigh_2, float m_rayleigh_inv_height_2, float m_mie_inv_height_2, vec3 m_mie_extinction_2, float m_ozone_center_2, float m_ozone_inv_half_width_2, vec3 m_ozone_2, float m_radius_1, float m_thickness_1, float h_3, vec3 n_1, vec3 normal) {
+vec3 ground_light(vec3 m_rayleigh_2, float m_rayleigh_inv_height_2, float m_mie_inv_height_2, vec3 m_mie_extinction_2, float m_ozone_center_2, float m_ozone_inv_half_width_2, vec3 m_ozone_2, float m_radius_1, float m_thickness_1, float m_datum_2, float h_3, vec3 n_1, vec3 normal) {
     vec3 light = vec3(0.0);
     vec3 f_sun = _group_0_binding_0_vs.frame.sun;
     float f_sun_chord = _group_0_binding_0_vs.frame.sun_chord;
     float mu_sun = dot(n_1, f_sun);
-    float _e20 = excess_of(h_3, m_radius_1);
-    float sun_r_mu_1 = ((m_radius_1 + h_3) * mu_sun);
-    float dip = (sqrt(_e20) / (m_radius_1 + h_3));
+    float height = (m_datum_2 + h_3);
+    float _e22 = excess_of(height, m_radius_1);
+    float sun_r_mu_1 = ((m_radius_1 + height) * mu_sun);
+    float dip = (sqrt(_e22) / (m_radius_1 + height));
     float visible = smoothstep(-1.0, 1.0, ((mu_sun + dip) / f_sun_chord));
     if (SKY_LIGHT) {
     } else {
-        vec3 _e34 = _group_0_binding_0_vs.sky_light;
-        light = ((_e34 * clamp(((mu_sun + 0.1) / 1.1), 0.0, 1.0)) * (0.5 + (0.5 * dot(normal, n_1))));
+        vec3 _e36 = _group_0_binding_0_vs.sky_light;
+        light = ((_e36 * clamp(((mu_sun + 0.1) / 1.1), 0.0, 1.0)) * (0.5 + (0.5 * dot(normal, n_1))));
     }
     if ((visible > 0.0)) {
-        mat3x3 _e53 = coefficients_of(m_rayleigh_2, m_mie_extinction_2, m_ozone_2);
-        vec4 _e54 = layers_of(m_rayleigh_inv_height_2, m_mie_inv_height_2, m_ozone_center_2, m_ozone_inv_half_width_2);
-        vec3 _e56 = sun_transmittance(_e53, _e54, m_radius_1, m_thickness_1, _e20, sun_r_mu_1, 8u);
-        vec3 _e57 = light;
-        light = (_e57 + (_e56 * (visible * max(dot(normal, f_sun), 0.0))));
+        mat3x3 _e55 = coefficients_of(m_rayleigh_2, m_mie_extinction_2, m_ozone_2);
+        mat2x3 _e56 = layers_of(m_rayleigh_inv_height_2, m_mie_inv_height_2, m_ozone_center_2, m_ozone_inv_half_width_2, m_datum_2);
+        vec3 _e58 = sun_transmittance(_e55, _e56, m_radius_1, m_thickness_1, _e22, sun_r_mu_1, 8u);
+        vec3 _e59 = light;
+        light = (_e59 + (_e58 * (visible * max(dot(normal, f_sun), 0.0))));
     }
-    vec3 _e64 = light;
-    return _e64;
+    vec3 _e66 = light;
+    return _e66;
 }
 
 vec4 clip_position(vec3 position) {
     vec3 f_ray_right = _group_0_binding_0_vs.frame.ray_right;
     vec3 f_ray_up = _group_0_binding_0_vs.frame.ray_up;
     vec3 _e8 = _group_0_binding_0_vs.axis;
-    float z = dot(position, _e8);
+    float z_1 = dot(position, _e8);
     float _e16 = _group_0_binding_0_vs.offset_x;
-    float right = ((dot(position, f_ray_right) / dot(f_ray_right, f_ray_right)) - (_e16 * z));
+    float right = ((dot(position, f_ray_right) / dot(f_ray_right, f_ray_right)) - (_e16 * z_1));
     float _e24 = _group_0_binding_0_vs.offset_y;
-    float top = ((dot(position, f_ray_up) / dot(f_ray_up, f_ray_up)) - (_e24 * z));
-    return vec4(right, top, (0.5 * z), z);
+    float top = ((dot(position, f_ray_up) / dot(f_ray_up, f_ray_up)) - (_e24 * z_1));
+    return vec4(right, top, (0.5 * z_1), z_1);
 }
 
 void main() {
@@ -421,6 +431,7 @@ void main() {
     vec3 m_ozone = vec3(0.0);
     float m_radius = 0.0;
     float m_thickness = 0.0;
+    float m_datum = 0.0;
     vec4 out_clip = vec4(0.0);
     vec3 out_position = vec3(0.0);
     vec3 out_light = vec3(0.0);
@@ -438,6 +449,7 @@ void main() {
     vec3 f_medium_ozone = _group_0_binding_0_vs.frame.medium.ozone;
     float f_medium_radius = _group_0_binding_0_vs.frame.medium.radius;
     float f_medium_thickness = _group_0_binding_0_vs.frame.medium.thickness;
+    float f_medium_datum = _group_0_binding_0_vs.frame.medium.datum;
     vec3 f_sun_1 = _group_0_binding_0_vs.frame.sun;
     float f_camera_altitude = _group_0_binding_0_vs.frame.camera_altitude;
     m_rayleigh = f_medium_rayleigh;
@@ -449,58 +461,61 @@ void main() {
     m_ozone = f_medium_ozone;
     m_radius = f_medium_radius;
     m_thickness = f_medium_thickness;
+    m_datum = f_medium_datum;
     if (SKY_LIGHT) {
-        vec3 _e38 = _group_0_binding_0_vs.luts.mie_extinction;
-        m_mie_extinction = _e38;
+        vec3 _e41 = _group_0_binding_0_vs.luts.mie_extinction;
+        m_mie_extinction = _e41;
     }
     vec3 up = vec3(0.0, 0.0, 1.0);
     grid_point(index, p_flat, p_sin_arc, p_drop, p_spacing);
-    vec3 _e48 = p_flat;
-    float _e49 = p_sin_arc;
-    float _e50 = p_drop;
-    float _e51 = p_spacing;
-    vec3 n_2 = ((_e48 * _e49) + (up * (1.0 - _e50)));
-    vec3 _e59 = _group_0_binding_0_vs.planet_x;
-    vec3 _e63 = _group_0_binding_0_vs.planet_y;
-    vec3 _e67 = _group_0_binding_0_vs.planet_z;
-    vec3 planet_n = vec3(dot(_e59, n_2), dot(_e63, n_2), dot(_e67, n_2));
-    float _e72 = _group_0_binding_0_vs.amplitude;
-    float _e75 = _group_0_binding_0_vs.mountain_rate;
-    float _e78 = _group_0_binding_0_vs.sea;
-    vec4 _e79 = height_field(planet_n, _e72, _e75, _e78, _e51);
-    float h_4 = _e79.w;
-    float _e81 = m_radius;
-    float r = (_e81 + h_4);
-    vec3 position_1 = ((_e48 * (r * _e49)) + (up * ((h_4 - f_camera_altitude) - (r * _e50))));
-    vec3 _e92 = _group_0_binding_0_vs.planet_x;
-    vec3 _e97 = _group_0_binding_0_vs.planet_y;
-    vec3 _e103 = _group_0_binding_0_vs.planet_z;
-    vec3 g = (((_e92 * _e79.x) + (_e97 * _e79.y)) + (_e103 * _e79.z));
-    float _e110 = m_radius;
-    vec3 normal_1 = normalize((n_2 - ((g - (n_2 * dot(g, n_2))) / vec3(_e110))));
-    vec4 _e119 = clip_position(position_1);
-    out_clip = _e119;
+    vec3 _e51 = p_flat;
+    float _e52 = p_sin_arc;
+    float _e53 = p_drop;
+    float _e54 = p_spacing;
+    vec3 n_2 = ((_e51 * _e52) + (up * (1.0 - _e53)));
+    vec3 _e62 = _group_0_binding_0_vs.planet_x;
+    vec3 _e66 = _group_0_binding_0_vs.planet_y;
+    vec3 _e70 = _group_0_binding_0_vs.planet_z;
+    vec3 planet_n = vec3(dot(_e62, n_2), dot(_e66, n_2), dot(_e70, n_2));
+    float _e75 = _group_0_binding_0_vs.amplitude;
+    float _e78 = _group_0_binding_0_vs.mountain_rate;
+    float _e81 = _group_0_binding_0_vs.sea;
+    vec4 _e82 = height_field(planet_n, _e75, _e78, _e81, _e54);
+    float h_4 = _e82.w;
+    float _e84 = m_radius;
+    float _e85 = m_datum;
+    float r = ((_e84 + _e85) + h_4);
+    vec3 position_1 = ((_e51 * (r * _e52)) + (up * ((h_4 - f_camera_altitude) - (r * _e53))));
+    vec3 _e97 = _group_0_binding_0_vs.planet_x;
+    vec3 _e102 = _group_0_binding_0_vs.planet_y;
+    vec3 _e108 = _group_0_binding_0_vs.planet_z;
+    vec3 g = (((_e97 * _e82.x) + (_e102 * _e82.y)) + (_e108 * _e82.z));
+    float _e115 = m_radius;
+    vec3 normal_1 = normalize((n_2 - ((g - (n_2 * dot(g, n_2))) / vec3(_e115))));
+    vec4 _e124 = clip_position(position_1);
+    out_clip = _e124;
     out_position = position_1;
-    vec3 _e120 = m_rayleigh;
-    float _e121 = m_rayleigh_inv_height;
-    float _e122 = m_mie_inv_height;
-    vec3 _e123 = m_mie_extinction;
-    float _e124 = m_ozone_center;
-    float _e125 = m_ozone_inv_half_width;
-    vec3 _e126 = m_ozone;
-    float _e127 = m_radius;
-    float _e128 = m_thickness;
-    vec3 _e129 = ground_light(_e120, _e121, _e122, _e123, _e124, _e125, _e126, _e127, _e128, h_4, n_2, normal_1);
-    out_light = _e129;
+    vec3 _e125 = m_rayleigh;
+    float _e126 = m_rayleigh_inv_height;
+    float _e127 = m_mie_inv_height;
+    vec3 _e128 = m_mie_extinction;
+    float _e129 = m_ozone_center;
+    float _e130 = m_ozone_inv_half_width;
+    vec3 _e131 = m_ozone;
+    float _e132 = m_radius;
+    float _e133 = m_thickness;
+    float _e134 = m_datum;
+    vec3 _e135 = ground_light(_e125, _e126, _e127, _e128, _e129, _e130, _e131, _e132, _e133, _e134, h_4, n_2, normal_1);
+    out_light = _e135;
     out_surface = vec3(h_4, dot(normal_1, n_2), dot(n_2, f_sun_1));
-    vec4 _e133 = out_clip;
-    vec3 _e134 = out_position;
-    vec3 _e135 = out_light;
-    vec3 _e136 = out_surface;
-    gl_Position = _e133;
-    _vs2fs_location0 = _e134;
-    _vs2fs_location1 = _e135;
-    _vs2fs_location2 = _e136;
+    vec4 _e139 = out_clip;
+    vec3 _e140 = out_position;
+    vec3 _e141 = out_light;
+    vec3 _e142 = out_surface;
+    gl_Position = _e139;
+    _vs2fs_location0 = _e140;
+    _vs2fs_location1 = _e141;
+    _vs2fs_location2 = _e142;
     gl_Position.yz = vec2(-gl_Position.y, gl_Position.z * 2.0 - gl_Position.w);
     return;
 }

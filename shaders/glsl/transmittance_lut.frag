@@ -16,6 +16,10 @@ struct Medium {
     float radius;
     vec3 irradiance;
     float thickness;
+    float datum;
+    float pad1_;
+    float pad2_;
+    float pad3_;
 };
 struct Luts {
     vec3 mie_extinction;
@@ -34,7 +38,7 @@ struct Luts {
     float ground_rows;
     uvec2 size;
     uint steps;
-    uint shift;
+    uint pad1_;
     uint slices;
     float aerial_ground_rows;
 };
@@ -44,6 +48,7 @@ struct Uniforms {
 };
 const uint REDUCED = 1u;
 const uint SHELL_DIMS = 2u;
+const uint WIDE = 4u;
 const float LOG_FLOOR = -100.0;
 const bool RAYLEIGH = true;
 const bool MIE = true;
@@ -79,30 +84,33 @@ vec3 transmittance_texel_ray(vec2 position_1, vec2 size, float m_radius, float m
     return vec3((rho * rho), max(r_mu_2, -(rho)), d_1);
 }
 
-vec4 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width) {
-    return vec4(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_center, m_ozone_inv_half_width);
+mat2x3 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width, float m_datum) {
+    vec3 fall = vec3(m_rayleigh_inv_height, m_mie_inv_height, m_ozone_inv_half_width);
+    return mat2x3(fall, vec3(m_datum, m_ozone_center, 0.0));
 }
 
-vec3 densities(vec4 layers, float h_1) {
+vec3 densities(mat2x3 layers, float h_1) {
     vec3 d = vec3(0.0);
+    vec3 fall_1 = layers[0];
+    float z = max((h_1 - layers[1].x), 0.0);
     if (RAYLEIGH) {
-        d.x = exp((-(h_1) * layers.x));
+        d.x = exp((-(z) * fall_1.x));
     }
     if (MIE) {
-        d.y = exp((-(h_1) * layers.y));
+        d.y = exp((-(z) * fall_1.y));
     }
     if (OZONE) {
-        d.z = max(0.0, (1.0 - (abs((h_1 - layers.z)) * layers.w)));
+        d.z = max(0.0, (1.0 - (abs((z - layers[1].y)) * fall_1.z)));
     }
-    vec3 _e28 = d;
-    return _e28;
+    vec3 _e35 = d;
+    return _e35;
 }
 
 float u_to_distance(float perigee, float u) {
     return (perigee + (u * abs(u)));
 }
 
-vec3 path_densities(vec4 layers_1, float radius_3, float excess_2, float r_mu_1, float distance_, uint samples) {
+vec3 path_densities(mat2x3 layers_1, float radius_3, float excess_2, float r_mu_1, float distance_, uint samples) {
     vec3 sum = vec3(0.0);
     float t0_ = 0.0;
     uint i = 0u;
@@ -146,12 +154,13 @@ void main() {
     float m_ozone_inv_half_width_1 = _group_0_binding_0_fs.medium.ozone_inv_half_width;
     float m_radius_1 = _group_0_binding_0_fs.medium.radius;
     float m_thickness_1 = _group_0_binding_0_fs.medium.thickness;
-    uvec2 _e20 = _group_0_binding_0_fs.luts.size;
-    vec3 _e22 = transmittance_texel_ray(floor(position.xy), vec2(_e20), m_radius_1, m_thickness_1);
-    vec4 _e23 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1);
-    uint _e30 = _group_0_binding_0_fs.luts.steps;
-    vec3 _e31 = path_densities(_e23, m_radius_1, _e22.x, _e22.y, _e22.z, _e30);
-    _fs2p_location0 = vec4(max(log2(max(_e31, vec3(1e-37))), vec3(-100.0)), 0.0);
+    float m_datum_1 = _group_0_binding_0_fs.medium.datum;
+    uvec2 _e22 = _group_0_binding_0_fs.luts.size;
+    vec3 _e24 = transmittance_texel_ray(floor(position.xy), vec2(_e22), m_radius_1, m_thickness_1);
+    mat2x3 _e25 = layers_of(m_rayleigh_inv_height_1, m_mie_inv_height_1, m_ozone_center_1, m_ozone_inv_half_width_1, m_datum_1);
+    uint _e32 = _group_0_binding_0_fs.luts.steps;
+    vec3 _e33 = path_densities(_e25, m_radius_1, _e24.x, _e24.y, _e24.z, _e32);
+    _fs2p_location0 = vec4(max(log2(max(_e33, vec3(1e-37))), vec3(-100.0)), 0.0);
     return;
 }
 

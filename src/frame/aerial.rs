@@ -130,7 +130,6 @@ fn aerial(frame: &Frame) -> Node {
             lit_fraction,
             ("sky_view_lut", Some(SKY_VIEW)),
             ("aerial_lut", frame.aerial_lut()),
-            ("transmittance_lut", Some(TRANSMITTANCE)),
             ("mie_single_lut", single.then_some(MIE_SINGLE)),
         ]);
         let program =

@@ -4,9 +4,10 @@
 
 use super::effect::{Decision, Effect, Reason};
 use super::graph::{Node, Resource, Stage, reads};
+use super::medium::Air;
 use super::uniforms::{FrameUniform, block};
-use super::{Frame, aerial};
-use crate::gpu::{Program, Uniform};
+use super::{Frame, aerial, background};
+use crate::gpu::Uniform;
 use crate::model::airglow::Airglow;
 use crate::shaders::airglow;
 
@@ -80,7 +81,7 @@ impl Effect for AirglowBefore {
             Ok(_) if !aerial::is_drawn(frame) => (false, Reason::of("no pass draws air before the scene")),
             Ok(glow) => {
                 let bottom = glow.altitude - glow.half_width;
-                let altitude = frame.visibility.altitude;
+                let altitude = frame.view.altitude;
                 let above = altitude > bottom;
                 let text = if above {
                     "the camera is above the layer, at"
@@ -100,7 +101,8 @@ impl Effect for AirglowBefore {
 fn node(frame: &Frame, stage: Stage, writes: Resource, before: bool) -> Node {
     let glow = frame.settings.look.airglow.unwrap_or(Airglow::EARTH);
     let intensity = frame.scene.atmosphere.sun_intensity;
-    let km = |metres: f64| (metres / 1e3) as f32;
+    // Above the lowest ground, as all heights in shaders.
+    let km = |altitude: f64| ((altitude - frame.scene.atmosphere.lowest_ground) / 1e3) as f32;
     let block = AirglowUniform {
         frame: frame.uniform,
         zenith: glow.zenith.map(|v| (v * intensity) as f32),
@@ -109,11 +111,13 @@ fn node(frame: &Frame, stage: Stage, writes: Resource, before: bool) -> Node {
         top: km(glow.altitude + glow.half_width),
         ..AirglowUniform::default()
     };
-    let program = Program::new(&airglow::INFO, if before { airglow::BEFORE } else { 0 }).blended();
+    // What else is behind the sky is dimmed by a pass of its own, this too then.
+    let through_air = !before && background::is_drawn(frame) && !frame.behind;
+    let program = Air::ALL.program(&airglow::INFO, [("BEFORE", before), ("THROUGH_AIR", through_air)]);
     let depth = before.then_some(Resource::SceneDepth);
     Node {
         uniform: Uniform::new(&block),
         reads: reads([("scene_depth", depth)]),
-        ..Node::draw("airglow", stage, program, writes)
+        ..Node::draw("airglow", stage, program.blended(), writes)
     }
 }

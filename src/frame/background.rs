@@ -2,6 +2,7 @@
 
 use super::Frame;
 use super::aerial::phase_constant;
+use super::airglow::AirglowBehind;
 use super::eclipse::{Eclipse, MOON_SHADOW};
 use super::effect::{Decision, Effect, Reason};
 use super::graph::{Extent, Node, Resource, Stage, Texel, reads};
@@ -9,7 +10,7 @@ use super::luts::{MIE_SINGLE, SKY_VIEW, TRANSMITTANCE};
 use super::medium::{Air, NO_AIR};
 use crate::gpu::{Program, Uniform};
 use crate::settings::Composition;
-use crate::shaders::{sky_march, sky_march_eclipse, sky_view, upsample};
+use crate::shaders::{behind_air, sky_march, sky_march_eclipse, sky_view, upsample};
 
 /// Altitudes over which the background pass hands the sky over to the aerial pass, metres, where the air is
 /// 100 km deep or more; see [`hand_over`].
@@ -44,6 +45,11 @@ pub(crate) fn draws_any(background_weight: f64) -> bool {
 /// Whether the background pass draws air.
 pub(crate) fn is_drawn(frame: &Frame) -> bool {
     sees_sky(frame) && draws_any(frame.background_weight)
+}
+
+/// Whether something lies behind the sky that the background pass draws.
+pub(crate) fn has_behind(frame: &Frame) -> bool {
+    frame.behind || frame.is_on(&AirglowBehind)
 }
 
 /// Whether there is a ray in the picture that goes through air and misses the ground.
@@ -87,12 +93,15 @@ impl Effect for BackgroundSky {
     fn push_nodes(&self, frame: &Frame, nodes: &mut Vec<Node>) {
         let reduced = frame.is_on(&ReducedResolution);
         let label = "background sky";
+        if frame.behind {
+            let program = Air::ALL.program(&behind_air::INFO, []).multiplied();
+            let uniform = Uniform::new(&frame.uniform);
+            let node = Node::draw("behind the air", Stage::Background, program, Resource::Background);
+            nodes.push(Node { uniform, ..node });
+        }
         if !reduced {
-            nodes.push(sky(
-                frame,
-                Node::draw(label, Stage::Background, NOTHING, Resource::Background),
-                false,
-            ));
+            let node = Node::draw(label, Stage::Background, NOTHING, Resource::Background);
+            nodes.push(sky(frame, node, false));
             return;
         }
         let size = reduced_size(frame);
@@ -124,10 +133,11 @@ fn sky(frame: &Frame, node: Node, reduced: bool) -> Node {
     let block = if reduced { frame.uniform.reduced(&frame.view, reduced_size(frame)) } else { frame.uniform };
     let air = frame.omission.air;
     let phase = phase_constant(frame);
+    let dims = ("DIMS", !has_behind(frame));
     let mut over_black = None;
     let (program, uniform, reads) = if frame.is_on(&Eclipse) {
         let light = frame.multi_scattering();
-        let constants = [phase, ("SUNLIGHT", true), ("MULTI_SCATTERING", light.is_some())];
+        let constants = [phase, dims, ("SUNLIGHT", true), ("MULTI_SCATTERING", light.is_some())];
         let program = Air::ALL.program(&sky_march_eclipse::INFO, constants);
         let list = reads([
             ("moon_shadow_lut", Some(MOON_SHADOW)),
@@ -137,15 +147,16 @@ fn sky(frame: &Frame, node: Node, reduced: bool) -> Node {
         (program, frame.with_eclipse(block), list)
     } else if frame.luts().is_some() {
         let single = frame.has_mie_single();
-        let program = Air::ALL.program(&sky_view::INFO, [phase, ("MIE_SINGLE", single), ("BLEND", true)]);
+        let program =
+            Air::ALL.program(&sky_view::INFO, [phase, dims, ("MIE_SINGLE", single), ("BLEND", true)]);
         let list =
             reads([("sky_view_lut", Some(SKY_VIEW)), ("mie_single_lut", single.then_some(MIE_SINGLE))]);
-        if !reduced {
+        if !reduced && !has_behind(frame) {
             over_black = Some(Air::ALL.program(&sky_view::INFO, [phase, ("MIE_SINGLE", single)]));
         }
         (program, frame.with_luts(block), list)
     } else {
-        let program = air.program(&sky_march::INFO, [phase, ("SUNLIGHT", frame.sends_light())]);
+        let program = air.program(&sky_march::INFO, [phase, dims, ("SUNLIGHT", frame.sends_light())]);
         (program, Uniform::new(&block), reads([]))
     };
     Node { work: super::graph::Work::Draw(program.blended()), uniform, reads, over_black, ..node }

@@ -127,6 +127,9 @@ impl Effect for MoonDisk {
     fn push_nodes(&self, frame: &Frame, nodes: &mut Vec<Node>) {
         let air = dimming(frame);
         push_disk(frame, "moon", air.program(&moon_disk::INFO, [("AIR", air.any())]), &frame.moon, nodes);
+        if !frame.behind {
+            return;
+        }
         // Before anything else that is drawn there, or it would hide the light of the air before it.
         let first = nodes.iter().position(|node| node.writes == Resource::Background);
         push_disk(
@@ -137,7 +140,7 @@ impl Effect for MoonDisk {
             nodes,
         );
         if let (Some(first), Some(body)) = (first, nodes.pop()) {
-            nodes.insert(first, Node { hides: true, ..body });
+            nodes.insert(first, body);
         }
     }
 }

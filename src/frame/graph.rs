@@ -189,8 +189,6 @@ pub struct Node {
     pub depth: DepthUse,
     /// Fraction of its target's pixels that it draws, 0 to 1.
     pub fraction: f64,
-    /// It only hides what was in its target before: left out where that is cleared.
-    pub hides: bool,
 }
 
 impl Node {
@@ -209,7 +207,6 @@ impl Node {
             over_black: None,
             depth: DepthUse::Always,
             fraction: 1.0,
-            hides: false,
         }
     }
 
@@ -238,7 +235,6 @@ impl Node {
             over_black,
             depth,
             fraction: 1.0,
-            hides: false,
         }
     }
 
@@ -260,7 +256,6 @@ impl Node {
             over_black,
             depth,
             fraction: 1.0,
-            hides: false,
         }
     }
 
@@ -482,9 +477,6 @@ impl Graph {
                     }
                     (writes, _) => {
                         let Some(mut target) = bindings.target(writes) else { continue };
-                        if node.hides && target.clear.is_some() {
-                            continue;
-                        }
                         let slot = &mut cleared[match writes {
                             Resource::Background => 0,
                             Resource::Aerial => 1,

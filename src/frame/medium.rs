@@ -137,7 +137,7 @@ impl Effect for Atmosphere {
         } else if !o.air.any() {
             (false, Reason::of("too thin to be seen"))
         } else {
-            (true, Reason::number("in the picture; camera at", frame.visibility.altitude / 1e3, " km"))
+            (true, Reason::number("in the picture; camera at", frame.view.altitude / 1e3, " km"))
         }
     }
 }

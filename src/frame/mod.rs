@@ -86,6 +86,8 @@ pub struct Frame {
     pub(crate) background_weight: f64,
     /// Whether the user says how much of the sunlight along each ray is not hidden.
     pub(crate) lit_fraction: bool,
+    /// Whether the background's target holds something when the frame begins.
+    pub(crate) behind: bool,
     /// The block of every pass of the atmosphere, for the whole picture.
     pub(crate) uniform: FrameUniform,
     /// What of it the LUTs of the view are made of: the previous frame's, where the difference cannot be
@@ -149,7 +151,7 @@ impl Frame {
             }
         }
         let background_weight = match settings.look.composition {
-            Composition::Full => background_weight(view.altitude, scene.atmosphere.thickness()),
+            Composition::Full => background_weight(view.height, scene.atmosphere.thickness()),
             Composition::SkyDome => 1.0,
             Composition::AtmospherePost | Composition::Planet => 0.0,
         };
@@ -178,6 +180,7 @@ impl Frame {
             omission: Omission::default(),
             background_weight,
             lit_fraction: false,
+            behind: false,
             effects: EFFECTS.map(|effect| EffectReport { name: effect.name(), ..off }),
         };
         frame.sun = SkyDisk::sun(&frame);

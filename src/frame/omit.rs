@@ -46,7 +46,7 @@ pub(crate) fn omit<const N: usize>(candidates: [Candidate; N], bounded: bool) ->
     out
 }
 
-/// Upper bounds of optical depths and of light, for the air above an altitude.
+/// Upper bounds of optical depths and of light, for the air above a height over the lowest ground.
 pub(crate) struct LightBounds<'a> {
     p: &'a AtmosphereParams,
     low: f64,
@@ -114,7 +114,7 @@ impl<'a> LightBounds<'a> {
         let j = 1 - i.min(1);
         let [least, _] = self.phase(j);
         let other = self.scattering(j);
-        let ends = [self.low, self.p.thickness()].map(|h| self.p.densities(h));
+        let ends = [self.low, self.p.thickness()].map(|h| self.p.densities(h + self.p.lowest_ground));
         let mut ratio: f64 = 0.0;
         for c in 0..3 {
             for d in ends {
@@ -146,8 +146,8 @@ impl<'a> LightBounds<'a> {
     /// that.
     pub fn night(&self, visibility: &Visibility, luts: bool) -> f64 {
         let depression =
-            -visibility.sun_elevation - (visibility.planet_radius / visibility.camera_radius).acos();
-        let dip = (visibility.planet_radius / visibility.top).acos();
+            -visibility.sun_elevation - (visibility.ground_radius / visibility.camera_radius).acos();
+        let dip = (visibility.ground_radius / visibility.top).acos();
         if !luts && depression > 2.0 * dip + MARGIN {
             return 0.0;
         }
@@ -158,7 +158,8 @@ impl<'a> LightBounds<'a> {
         if depression <= 0.0 || height <= 0.0 {
             return if height <= 0.0 { 0.0 } else { f64::INFINITY };
         }
-        let x = visibility.planet_radius * (1.0 / (0.5 * depression).cos() - 1.0) / height;
+        let lit = visibility.ground_radius * (1.0 / (0.5 * depression).cos() - 1.0) + p.lowest_ground;
+        let x = lit / height;
         if x < 4.0 {
             return f64::INFINITY;
         }
@@ -177,21 +178,24 @@ fn largest(v: [f64; 3]) -> f64 {
     v.into_iter().fold(0.0, f64::max)
 }
 
-/// Densities integrated along a straight line that comes down to an altitude, from top to top: at most.
-/// Metres.
+/// Densities integrated along a straight line that comes down to a height over the lowest ground, from top to
+/// top: at most. Metres.
 ///
 /// Of an exponential: its Chapman function for a horizontal ray, `sqrt(2 pi r H) (1 + 3 H / (8 r))` and less,
-/// and no more than the line is long. Of the absorber: its largest density times the length within it.
+/// and no more than the line is long; below altitude 0, where it is even, the line's length. Of the absorber:
+/// its largest density times the length within it.
 fn longest(p: &AtmosphereParams, low: f64) -> [f64; 3] {
+    let low = low + p.lowest_ground;
     let a = p.planet_radius + low;
     let half = |h: f64| ((h - low) * (p.planet_radius + h + a)).max(0.0).sqrt();
-    let line = 2.0 * half(p.thickness());
+    let line = 2.0 * half(p.top_altitude());
     let exponential = |height: f64| {
-        (-low / height).exp() * line.min((2.0 * PI * a * height).sqrt() * (1.0 + 0.375 * height / a))
+        let above = (2.0 * PI * a * height).sqrt() * (1.0 + 0.375 * height / a);
+        (-low.max(0.0) / height).exp() * line.min(2.0 * half(0.0) + above)
     };
     let (center, width) = (p.ozone_center_altitude, p.ozone_half_width);
-    let (from, to) = ((center - width).max(low), (center + width).min(p.thickness()));
-    let densest = (1.0 - (low - center).max(0.0) / width).max(0.0);
+    let (from, to) = ((center - width).max(low), (center + width).min(p.top_altitude()));
+    let densest = (1.0 - (low.max(0.0) - center).max(0.0) / width).max(0.0);
     let layer = if to > from { 2.0 * (half(to) - half(from)) * densest } else { 0.0 };
     [exponential(p.rayleigh_scale_height), exponential(p.mie_scale_height), layer]
 }

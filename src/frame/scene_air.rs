@@ -2,7 +2,7 @@
 
 use super::Frame;
 use super::graph::{Reads, Resource, reads};
-use super::luts::{LutsUniform, MIE_SINGLE, SKY_VIEW, TRANSMITTANCE};
+use super::luts::{LutsUniform, MIE_SINGLE, SKY_VIEW};
 use super::uniforms::{FrameUniform, block};
 use crate::model::atmosphere::MiePhase;
 
@@ -61,7 +61,7 @@ impl Frame {
     #[inline(never)]
     pub(crate) fn push_scene_reads(&self, list: &mut Vec<Resource>) {
         if self.is_read_by_scene() {
-            list.extend([SKY_VIEW, MIE_SINGLE, TRANSMITTANCE]);
+            list.extend([SKY_VIEW, MIE_SINGLE]);
             list.extend(self.aerial_lut());
         }
     }
@@ -74,7 +74,6 @@ impl Frame {
         reads([
             ("sky_view_lut", Some(SKY_VIEW)),
             ("aerial_lut", self.aerial_lut()),
-            ("transmittance_lut", Some(TRANSMITTANCE)),
             // Any other texture where there is none: it counts for nothing then.
             ("mie_single_lut", Some(if self.has_mie_single() { MIE_SINGLE } else { SKY_VIEW })),
         ])

@@ -3,10 +3,10 @@
 use glam::DVec3;
 
 use super::background::draws_any;
-use crate::gpu::RowOrder;
+use crate::gpu::{Format, RowOrder};
 use crate::model::atmosphere::AtmosphereParams;
 use crate::model::scene::{Scene, ZenithView};
-use crate::shaders::sky_view::numbers::{REDUCED, SHELL_DIMS};
+use crate::shaders::sky_view::numbers::{REDUCED, SHELL_DIMS, WIDE};
 
 /// How much a coordinate of the unit vector to the sun may change before a view's LUTs are made again. By
 /// `docs/effects.md` ("Light for a scene of one's own") green light falls to a fifth from 1° to -2°, so by
@@ -54,6 +54,10 @@ block! {
         radius: f32,
         irradiance: [f32; 3],
         thickness: f32,
+        datum: f32,
+        pad1: f32,
+        pad2: f32,
+        pad3: f32,
     }
 }
 
@@ -107,9 +111,11 @@ impl MediumUniform {
             mie_asymmetry: p.mie_asymmetry.map(|g| g as f32),
             ozone_inv_half_width: (KM / p.ozone_half_width) as f32,
             ozone: per_km(p.ozone_absorption),
-            radius: (p.planet_radius / KM) as f32,
+            radius: (p.ground_radius() / KM) as f32,
             irradiance: [p.sun_intensity as f32; 3],
             thickness: (p.thickness() / KM) as f32,
+            datum: (-p.lowest_ground / KM) as f32,
+            ..Self::default()
         }
     }
 }
@@ -119,23 +125,23 @@ fn vec3(v: DVec3) -> [f32; 3] {
 }
 
 impl FrameUniform {
-    /// How the sky-view LUT shares its rows above the horizon, at an altitude (metres): the part for rays
+    /// How the sky-view LUT shares its rows above the horizon, at a height (metres): the part for rays
     /// that go down and pass the ground, how far that part is spaced as seen from outside (0 to 1), evenly in
     /// the altitude that a ray passes, and the share that it has near the ground, as many rows as crowding at
     /// the horizon alone would give it. Last: the horizon's cosine of the zenith angle with its sign changed.
-    pub(crate) fn sky_view_mapping(altitude: f64, p: &AtmosphereParams) -> [f32; 4] {
-        let radius = p.planet_radius;
-        let horizon = (altitude * (2.0 * radius + altitude)).sqrt() / (radius + altitude);
+    pub(crate) fn sky_view_mapping(height: f64, p: &AtmosphereParams) -> [f32; 4] {
+        let radius = p.ground_radius();
+        let horizon = (height * (2.0 * radius + height)).sqrt() / (radius + height);
         let s_max = (0.5 + 0.5 * horizon).sqrt();
         let near = (0.5 * horizon / (s_max * (s_max + std::f64::consts::FRAC_1_SQRT_2))).sqrt();
-        let bend = (altitude / p.thickness()).min(1.0).powi(4);
+        let bend = (height / p.thickness()).min(1.0).powi(4);
         [near + (1.0 - near) * bend, bend, near, horizon].map(|v| v as f32)
     }
 
-    /// The block of a checked scene's picture. The camera's altitude counts as 0 below the ground. size:
-    /// pixels; rows: which end of the picture the target's first row is; samples: along the view ray and from
-    /// each of them towards the sun; background_weight: fraction of the sky's light that the background pass
-    /// draws, 0 to 1.
+    /// The block of a checked scene's picture. The camera counts as on the lowest ground where it is below.
+    /// size: pixels; rows: which end of the picture the target's first row is; samples: along the view ray
+    /// and from each of them towards the sun; background_weight: fraction of the sky's light that the
+    /// background pass draws, 0 to 1.
     pub fn new(
         scene: &Scene,
         view: &ZenithView,
@@ -151,7 +157,7 @@ impl FrameUniform {
         Self {
             medium: MediumUniform::new(p),
             ray_forward: vec3(view.basis.forward),
-            altitude: (view.altitude.max(0.0) / KM) as f32,
+            altitude: (view.height.max(0.0) / KM) as f32,
             ray_right: vec3(view.basis.right),
             sky_weight: background_weight as f32,
             ray_up: vec3(view.basis.up * flip),
@@ -172,7 +178,7 @@ impl FrameUniform {
             light_samples,
             flags: if draws_any(background_weight) { 0 } else { SHELL_DIMS },
             camera_altitude: (view.altitude / KM) as f32,
-            sky_view_mapping: Self::sky_view_mapping(view.altitude.max(0.0), p),
+            sky_view_mapping: Self::sky_view_mapping(view.height.max(0.0), p),
         }
     }
 
@@ -185,11 +191,17 @@ impl FrameUniform {
         Self { ray_forward: vec3(b.forward - across + down), ..self }
     }
 
-    /// The same block for a smaller picture of the same view, whose planet pixels are marked instead of
-    /// discarded.
+    /// The same block for targets of these formats: nothing is cut where all hold 32-bit floats.
+    pub(crate) fn drawn_to(self, formats: impl IntoIterator<Item = Format>) -> Self {
+        let wide = formats.into_iter().all(|format| format == Format::Rgba32Float);
+        Self { flags: if wide { self.flags | WIDE } else { self.flags }, ..self }
+    }
+
+    /// The same block for a smaller picture of the same view, in halves, whose planet pixels are marked
+    /// instead of discarded.
     pub(crate) fn reduced(self, view: &ZenithView, size: [u32; 2]) -> Self {
         let pixel_angle = pixel_angle(view, size);
-        Self { size: size.map(|s| s as f32), pixel_angle, flags: self.flags | REDUCED, ..self }
+        Self { size: size.map(|s| s as f32), pixel_angle, flags: (self.flags & !WIDE) | REDUCED, ..self }
     }
 
     /// What of the block the LUTs of a view depend on: medium, altitude and sun; the rest is 0, so that

@@ -16,15 +16,14 @@ pub(crate) const MARGIN: f64 = 1e-3;
 /// and its shell of air.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Visibility {
-    /// Radius of the planet, metres.
-    pub planet_radius: f64,
+    /// Radius of the lowest ground, metres.
+    pub ground_radius: f64,
     /// Radius of the top of the air, metres.
     pub top: f64,
-    /// Distance of the camera from the planet's centre, metres; the planet's radius for a camera below the
-    /// ground.
+    /// Distance of the camera from the planet's centre, metres; the lowest ground's for a camera below that.
     pub camera_radius: f64,
-    /// Altitude of the camera, metres, never negative.
-    pub altitude: f64,
+    /// Height of the camera above the lowest ground, metres, never negative.
+    pub height: f64,
     /// Half angle under which the planet is seen, radians.
     pub planet_angle: f64,
     /// Elevation of the sun's centre at the camera, radians.
@@ -35,7 +34,7 @@ pub(crate) struct Visibility {
     pub ground: bool,
     /// Whether a ray through air can miss the ground.
     pub sky: bool,
-    /// Lowest altitude of the air in the picture, metres.
+    /// Height above the lowest ground of the lowest air in the picture, metres.
     pub lowest: f64,
 }
 
@@ -49,10 +48,10 @@ impl Visibility {
         let most = |of: DVec3| corners.iter().map(|&c| angle(c, of)).fold(0.0, f64::max);
         // Beyond a right angle the cone does not hold what lies between its corners.
         let widest = Some(most(axis)).filter(|w| *w < 0.5 * PI).unwrap_or(PI);
-        let (planet_radius, top) = (p.planet_radius, p.atmosphere_radius);
-        let altitude = view.altitude.max(0.0);
-        let camera_radius = planet_radius + altitude;
-        let planet_angle = (planet_radius / camera_radius).min(1.0).asin();
+        let (ground_radius, top) = (p.ground_radius(), p.atmosphere_radius);
+        let height = view.height.max(0.0);
+        let camera_radius = ground_radius + height;
+        let planet_angle = (ground_radius / camera_radius).min(1.0).asin();
         let shell = if camera_radius > top { (top / camera_radius).asin() } else { PI };
         // Angles from straight down to the picture: no nearer than its cone and than each of its four sides.
         let down = -DVec3::Z;
@@ -67,14 +66,14 @@ impl Visibility {
         let ground = nearest <= planet_angle;
         let lowest = match nearest {
             _ if ground => 0.0,
-            n if n < 0.5 * PI => (camera_radius * n.sin() - planet_radius).max(0.0),
-            _ => altitude,
+            n if n < 0.5 * PI => (camera_radius * n.sin() - ground_radius).max(0.0),
+            _ => height,
         };
         Self {
-            planet_radius,
+            ground_radius,
             top,
             camera_radius,
-            altitude,
+            height,
             planet_angle,
             sun_elevation: view.sun.z.clamp(-1.0, 1.0).asin(),
             air,
@@ -92,14 +91,14 @@ impl Visibility {
     /// Distance to the farthest air that a straight line from the camera reaches before the ground or space,
     /// metres.
     pub fn farthest(&self) -> f64 {
-        let to = |r: f64| ((r - self.planet_radius) * (r + self.planet_radius)).max(0.0).sqrt();
+        let to = |r: f64| ((r - self.ground_radius) * (r + self.ground_radius)).max(0.0).sqrt();
         to(self.camera_radius) + to(self.top)
     }
 
-    /// Angle at the planet's centre from the camera to the farthest air above an altitude (metres) that it
-    /// sees, radians.
-    pub fn arc_to_air_above(&self, altitude: f64) -> f64 {
-        let a = self.planet_radius + altitude;
+    /// Angle at the planet's centre from the camera to the farthest air above a height (metres) that it sees,
+    /// radians.
+    pub fn arc_to_air_above(&self, height: f64) -> f64 {
+        let a = self.ground_radius + height;
         (a / self.camera_radius).min(1.0).acos() + (a / self.top).min(1.0).acos()
     }
 }

@@ -25,7 +25,7 @@ pub use pool::{PoolKey, TexturePool};
 pub use program::Glsl;
 #[cfg(any(feature = "wgpu", feature = "translate"))]
 pub(crate) use program::SAMPLER_BINDING;
-pub use program::{Inputs, Program, ProgramInfo, TEXTURES_MAX, TextureSlot, Vertices};
+pub use program::{Blend, Inputs, Program, ProgramInfo, TEXTURES_MAX, TextureSlot, Vertices};
 
 arena::ids! {
     /// A texture of a backend.

@@ -98,23 +98,39 @@ impl ProgramInfo {
     }
 }
 
+/// What becomes of what is in the target.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Blend {
+    /// The output takes its place.
+    None,
+    /// The output is laid over it by its (premultiplied) alpha.
+    Over,
+    /// Its colour is multiplied by the output's, channel by channel; its alpha stays.
+    Multiply,
+}
+
 /// A program with a choice of its constants. Two of them are equal where names and choices are.
 #[derive(Clone, Copy)]
 pub struct Program {
     info: &'static ProgramInfo,
     constants: u32,
-    blend: bool,
+    blend: Blend,
 }
 
 impl Program {
     /// A program with those constants on whose bits are set, the others off.
     pub const fn new(info: &'static ProgramInfo, constants: u32) -> Self {
-        Self { info, constants: constants & info.all(), blend: false }
+        Self { info, constants: constants & info.all(), blend: Blend::None }
     }
 
     /// The same program, its output laid over the target by its (premultiplied) alpha.
     pub const fn blended(self) -> Self {
-        Self { blend: true, ..self }
+        Self { blend: Blend::Over, ..self }
+    }
+
+    /// The same program, the target's colour multiplied by its output.
+    pub const fn multiplied(self) -> Self {
+        Self { blend: Blend::Multiply, ..self }
     }
 
     /// The row of the table.
@@ -127,9 +143,14 @@ impl Program {
         self.constants
     }
 
-    /// Whether the output is laid over the target.
-    pub const fn blends(&self) -> bool {
+    /// What becomes of what is in the target.
+    pub const fn blend(&self) -> Blend {
         self.blend
+    }
+
+    /// Whether what is in the target counts.
+    pub const fn blends(&self) -> bool {
+        !matches!(self.blend, Blend::None)
     }
 
     /// The program's name and what is on, for people: `sky_march+RAYLEIGH+MIE`.
@@ -197,7 +218,12 @@ impl Hash for Program {
 
 impl fmt::Debug for Program {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "Program({}{})", self.name(), if self.blend { ", blended" } else { "" })
+        let blend = match self.blend {
+            Blend::None => "",
+            Blend::Over => ", blended",
+            Blend::Multiply => ", multiplied",
+        };
+        write!(f, "Program({}{blend})", self.name())
     }
 }
 

@@ -24,9 +24,9 @@ pub use bindings::Bindings;
 use super::arena::Arena;
 use super::map::Map;
 use super::{
-    AdapterInfo, Backend, DepthUse, Format, Live, Pass, PassTime, Precision, Program, ProgramId, ReadId,
-    TEXTURES_MAX, TextureDesc, TextureId, Ticket, TimerId, TimerKind, UNIFORM_MAX, Vertices, Viewport,
-    check_pass, check_texels, encode_texels, unsuitable,
+    AdapterInfo, Backend, Blend, DepthUse, Format, Live, Pass, PassTime, Precision, Program, ProgramId,
+    ReadId, TEXTURES_MAX, TextureDesc, TextureId, Ticket, TimerId, TimerKind, UNIFORM_MAX, Vertices,
+    Viewport, check_pass, check_texels, encode_texels, unsuitable,
 };
 use crate::error::{Error, Result};
 pub use context::SharedContext;
@@ -473,7 +473,11 @@ impl WebGlBackend {
             if program.blends() {
                 gl.enable(glow::BLEND);
                 gl.blend_equation(glow::FUNC_ADD);
-                gl.blend_func(glow::ONE, glow::ONE_MINUS_SRC_ALPHA);
+                if program.blend() == Blend::Multiply {
+                    gl.blend_func_separate(glow::DST_COLOR, glow::ZERO, glow::ZERO, glow::ONE);
+                } else {
+                    gl.blend_func(glow::ONE, glow::ONE_MINUS_SRC_ALPHA);
+                }
             }
             gl.use_program(Some(handle));
             gl.bind_vertex_array(Some(self.vertex_array));

@@ -15,9 +15,9 @@ use std::sync::{Arc, Mutex, PoisonError};
 use super::arena::Arena;
 use super::map::Map;
 use super::{
-    AdapterInfo, Backend, DepthUse, Format, Inputs, Live, Pass, PassTime, Precision, Program, ProgramId,
-    ReadId, SAMPLER_BINDING, TEXTURES_MAX, TextureDesc, TextureId, Ticket, TimerId, TimerKind, Uniform,
-    Vertices, check_inputs, check_pass, check_texels, decode_texels, encode_texels, program::Bound,
+    AdapterInfo, Backend, Blend, DepthUse, Format, Inputs, Live, Pass, PassTime, Precision, Program,
+    ProgramId, ReadId, SAMPLER_BINDING, TEXTURES_MAX, TextureDesc, TextureId, Ticket, TimerId, TimerKind,
+    Uniform, Vertices, check_inputs, check_pass, check_texels, decode_texels, encode_texels, program::Bound,
     unsuitable,
 };
 use crate::error::{Error, Result};
@@ -27,6 +27,23 @@ pub use inside::{InPass, OpenPass};
 use recording::{Fate, Recordings};
 
 const NAME: &str = "webgpu";
+
+/// The target's colour times the output's; its alpha stays.
+const MULTIPLY: wgpu::BlendState = {
+    use wgpu::{BlendComponent, BlendFactor, BlendOperation};
+    wgpu::BlendState {
+        color: BlendComponent {
+            src_factor: BlendFactor::Dst,
+            dst_factor: BlendFactor::Zero,
+            operation: BlendOperation::Add,
+        },
+        alpha: BlendComponent {
+            src_factor: BlendFactor::Zero,
+            dst_factor: BlendFactor::One,
+            operation: BlendOperation::Add,
+        },
+    }
+};
 
 struct Texture {
     desc: TextureDesc,
@@ -533,7 +550,11 @@ impl WgpuBackend {
                 compilation_options: Default::default(),
                 targets: &[Some(wgpu::ColorTargetState {
                     format: color,
-                    blend: program.blends().then_some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING),
+                    blend: match program.blend() {
+                        Blend::None => None,
+                        Blend::Over => Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING),
+                        Blend::Multiply => Some(MULTIPLY),
+                    },
                     write_mask: wgpu::ColorWrites::ALL,
                 })],
             }),

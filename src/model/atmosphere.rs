@@ -6,6 +6,7 @@ use crate::error::{Error, Quoted, Result, in_range};
 ///
 /// Both integrate to 1 over the sphere; see [`crate::model::phase`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 pub enum MiePhase {
     /// Henyey & Greenstein 1941.
     #[default]
@@ -20,10 +21,17 @@ pub enum MiePhase {
 /// both with exponential density `exp(-h / H)` in altitude `h`, and an absorbing layer ("ozone")
 /// whose density is a tent. Per-channel values are for red, green, blue.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct AtmosphereParams {
-    /// Radius of the surface, altitude 0. Metres, 1e2 to 1e9.
+    /// Radius of altitude 0: the datum of altitudes and densities, as sea level is. Metres, 1e2 to 1e9.
     pub planet_radius: f64,
-    /// Radius of the top of the atmosphere. Metres; the shell is 1e-6 to 4 planet radii thick.
+    /// Altitude of the lowest ground, which ends rays and reflects light: of a shore of the Dead Sea, an
+    /// ocean's floor, Hellas on Mars. Below altitude 0 the air is as dense as there. Metres, -0.1 planet
+    /// radii to 0.
+    pub lowest_ground: f64,
+    /// Radius of the top of the atmosphere. Metres; 1e-6 planet radii above altitude 0 or more, and at most 5
+    /// times the radius of the lowest ground.
     pub atmosphere_radius: f64,
     /// Rayleigh scattering coefficient at altitude 0. 1/m, 0 to 1.
     pub rayleigh_scattering: [f64; 3],
@@ -62,6 +70,7 @@ impl AtmosphereParams {
     pub fn earth_like(planet_radius: f64) -> Self {
         Self {
             planet_radius,
+            lowest_ground: 0.0,
             atmosphere_radius: planet_radius * 1.025,
             rayleigh_scattering: [5.5e-6, 13.0e-6, 22.4e-6],
             rayleigh_scale_height: 8500.0,
@@ -86,6 +95,7 @@ impl AtmosphereParams {
     pub fn earth() -> Self {
         Self {
             planet_radius: 6_360_000.0,
+            lowest_ground: 0.0,
             atmosphere_radius: 6_460_000.0,
             rayleigh_scattering: [5.802e-6, 13.558e-6, 33.1e-6],
             rayleigh_scale_height: 8000.0,
@@ -199,9 +209,19 @@ impl AtmosphereParams {
     /// The names that [`Self::preset`] knows.
     pub const PRESETS: [&str; 5] = ["earth", "mars", "venus", "earth-like", "rayleigh"];
 
-    /// Thickness of the shell, metres.
+    /// Thickness of the air above the lowest ground, metres.
     pub fn thickness(&self) -> f64 {
+        self.top_altitude() - self.lowest_ground
+    }
+
+    /// Altitude of the top of the atmosphere, metres.
+    pub fn top_altitude(&self) -> f64 {
         self.atmosphere_radius - self.planet_radius
+    }
+
+    /// Radius of the lowest ground, metres.
+    pub fn ground_radius(&self) -> f64 {
+        self.planet_radius + self.lowest_ground
     }
 
     /// Aerosol extinction (scattering + absorption) at altitude 0, 1/m.
@@ -210,7 +230,7 @@ impl AtmosphereParams {
     }
 
     /// Density of gas, aerosol and absorber at an altitude (metres), each relative to its own
-    /// coefficient's altitude. Below the surface the surface's densities hold.
+    /// coefficient's altitude. Below altitude 0 the densities of altitude 0 hold.
     pub fn densities(&self, altitude: f64) -> [f64; 3] {
         let h = altitude.max(0.0);
         [
@@ -242,12 +262,14 @@ impl AtmosphereParams {
     pub fn validate(&self) -> Result<()> {
         in_range("atmosphere.planet_radius", self.planet_radius, 1e2, 1e9, "m")?;
         let r = self.planet_radius;
+        let lowest = "m (planet_radius × -0.1 to 0)";
+        in_range("atmosphere.lowest_ground", self.lowest_ground, -0.1 * r, 0.0, lowest)?;
         in_range(
             "atmosphere.atmosphere_radius",
             self.atmosphere_radius,
             r * (1.0 + 1e-6),
-            r * 5.0,
-            "m (planet_radius × (1 + 1e-6) to × 5)",
+            self.ground_radius() * 5.0,
+            "m (planet_radius × (1 + 1e-6) to the lowest ground's radius × 5)",
         )?;
         let coefficients = [
             ("rayleigh_scattering", &self.rayleigh_scattering),

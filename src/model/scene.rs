@@ -278,8 +278,10 @@ pub struct Scene {
 pub struct ZenithView {
     /// Rows: the frame's x, y, z axes in world coordinates.
     pub world_to_zenith: DMat3,
-    /// Altitude of the camera above the surface; may be negative.
+    /// Altitude of the camera; negative below the planet's radius.
     pub altitude: f64,
+    /// Height of the camera above [`AtmosphereParams::lowest_ground`]; negative below it.
+    pub height: f64,
     /// The camera's rays in the zenith frame.
     pub basis: RayBasis,
     /// Towards the sun: (sin, 0, cos) of its zenith angle at the camera.
@@ -316,6 +318,7 @@ impl Scene {
                 ),
             ));
         }
+        let altitude = r - self.atmosphere.planet_radius;
         let z = from_center / r;
         // The sun's horizontal part; any horizontal direction where it has none.
         let flat = sun - z * sun.dot(z);
@@ -324,7 +327,8 @@ impl Scene {
         let rows = DMat3::from_cols(x, z.cross(x), z).transpose();
         Ok(ZenithView {
             world_to_zenith: rows,
-            altitude: r - self.atmosphere.planet_radius,
+            altitude,
+            height: altitude - self.atmosphere.lowest_ground,
             basis: RayBasis { forward: rows * basis.forward, right: rows * basis.right, up: rows * basis.up },
             sun: rows * sun,
             moon: self.moon.map(|m| Moon { position: rows * (m.position - self.camera.position), ..m }),

@@ -4,8 +4,8 @@ use super::atmosphere::AtmosphereParams;
 use super::quadrature::gauss_16;
 use crate::error::{Result, in_range};
 
-/// Irradiance by the sun on a plane that faces it, at an altitude (metres, ground level below 0) where its
-/// centre stands at the given sine of elevation (-1 to 1): what the air leaves of
+/// Irradiance by the sun on a plane that faces it, at an altitude (metres; the lowest ground below it) where
+/// its centre stands at the given sine of elevation (-1 to 1): what the air leaves of
 /// [`AtmosphereParams::sun_intensity`], within 0.1 %, times the part of the sun's disk that the planet does
 /// not hide. A sun whose centre is below the horizon is seen through the air as if it were on it.
 ///
@@ -15,15 +15,15 @@ pub fn sunlight(params: &AtmosphereParams, altitude: f64, sun_sine: f64) -> Resu
     params.validate()?;
     in_range("sun_sine", sun_sine, -1.0, 1.0, "")?;
     in_range("altitude", altitude, -1e15, 1e15, "m")?;
-    let h = altitude.max(0.0);
-    let radius = params.planet_radius;
+    let altitude = altitude.max(params.lowest_ground);
+    let (h, radius) = (altitude - params.lowest_ground, params.ground_radius());
     // Sine of the horizon's dip: sqrt(r² - R²) / r.
     let dip = (h * (2.0 * radius + h)).sqrt() / (radius + h);
     let visible = disk_above((sun_sine.asin() + dip.asin()) / params.sun_angular_radius);
     if visible == 0.0 {
         return Ok([0.0; 3]);
     }
-    let [gas, aerosol, absorber] = columns_to_space(params, h, sun_sine.max(-dip));
+    let [gas, aerosol, absorber] = columns_to_space(params, altitude, sun_sine.max(-dip));
     let extinction = params.mie_extinction();
     Ok(std::array::from_fn(|c| {
         let depth = params.rayleigh_scattering[c] * gas
@@ -43,7 +43,7 @@ fn disk_above(height: f64) -> f64 {
     if h < 0.0 { part(-h) } else { 1.0 - part(h) }
 }
 
-/// Densities of gas, aerosol and absorber integrated (metres) from an altitude `h >= 0` (metres) in a
+/// Densities of gas, aerosol and absorber integrated (metres) from an altitude `h` (metres) in a
 /// direction with the given sine of elevation to the top of the air; the line meets no ground.
 ///
 /// With `v² = altitude - altitude of the perigee` the way along the line is `s = v sqrt(v² + 2 r)`, r the
@@ -55,7 +55,7 @@ fn columns_to_space(p: &AtmosphereParams, h: f64, sine: f64) -> [f64; 3] {
     // The camera above the perigee, r - r cosine, without a difference.
     let above = r * sine * sine / (1.0 + cosine);
     let perigee = h - above;
-    let span = p.thickness() - perigee;
+    let span = p.top_altitude() - perigee;
     if span <= 0.0 || (sine >= 0.0 && above >= span) {
         return [0.0; 3];
     }
@@ -93,16 +93,21 @@ impl Side {
     }
 
     fn columns(&self, p: &AtmosphereParams) -> [f64; 3] {
+        let at = |altitude: f64| (altitude - self.perigee).max(0.0).sqrt();
+        // Below altitude 0 densities are even.
+        let even = self.integral(0.0, at(0.0), |_| 1.0);
         let exponential = |height: f64| {
             let density = |v: f64| (-(self.perigee + v * v) / height).exp();
-            // Six scale heights above the lowest point of this side, and from there thirty more.
-            let reach = |heights: f64| (self.from * self.from + heights * height).sqrt();
-            self.integral(self.from, reach(6.0), density) + self.integral(reach(6.0), reach(36.0), density)
+            // Six scale heights above the lowest point of this side that is not below altitude 0, and from
+            // there thirty more.
+            let from = self.from.max(at(0.0));
+            let reach = |heights: f64| (from * from + heights * height).sqrt();
+            even + self.integral(from, reach(6.0), density) + self.integral(reach(6.0), reach(36.0), density)
         };
         let (center, width) = (p.ozone_center_altitude, p.ozone_half_width);
         let tent = |v: f64| (1.0 - (self.perigee + v * v - center).abs() / width).max(0.0);
-        let at = |altitude: f64| (altitude - self.perigee).max(0.0).sqrt();
-        let absorber = self.integral(at(center - width), at(center), tent)
+        let absorber = even * p.densities(0.0)[2]
+            + self.integral(at(0.0).max(at(center - width)), at(center), tent)
             + self.integral(at(center), at(center + width), tent);
         [exponential(p.rayleigh_scale_height), exponential(p.mie_scale_height), absorber]
     }
@@ -119,6 +124,11 @@ mod tests {
         let strips = (0..STRIPS).map(|i| (2 * i + 1) as f64 / STRIPS as f64 - 1.0);
         let width = |y: f64| (1.0 - y * y).sqrt();
         strips.clone().filter(|y| y + height > 0.0).map(width).sum::<f64>() / strips.map(width).sum::<f64>()
+    }
+
+    /// An Earth with a trench.
+    fn trench() -> AtmosphereParams {
+        AtmosphereParams { lowest_ground: -10.9e3, ..AtmosphereParams::earth() }
     }
 
     #[test]
@@ -139,10 +149,10 @@ mod tests {
     /// ends.
     #[test]
     fn light_falls_with_the_visible_part_of_the_disk() {
-        for params in [AtmosphereParams::earth(), AtmosphereParams::mars()] {
-            for altitude in [0.0, 3e3, 4e5] {
+        for params in [AtmosphereParams::earth(), AtmosphereParams::mars(), trench()] {
+            for altitude in [params.lowest_ground, 0.0, 3e3, 4e5] {
                 let r = params.planet_radius;
-                let horizon = -(r / (r + altitude)).acos();
+                let horizon = -(params.ground_radius() / (r + altitude)).acos();
                 let at = |radii: f64| {
                     let sine = (horizon + radii * params.sun_angular_radius).sin();
                     sunlight(&params, altitude, sine).unwrap()[0]
@@ -153,7 +163,10 @@ mod tests {
                     assert!(pair[1] >= pair[0], "{altitude}: {pair:?} falls");
                     // A step of a thousandth of the radius. From 400 km that lowers the ray by 10 m at the
                     // ground: a hundredth of the aerosol's scale height.
-                    assert!(pair[1] - pair[0] <= 1e-2 * full.max(pair[1]), "{altitude}: {pair:?} of {full}");
+                    // Over a trench all of the disk is seen where rays graze altitude 0: 1.3 %, by optical
+                    // depths of 0.97 of aerosol and 3.3 of gas that grow by 10.7 m over their scale heights.
+                    let most = if params.lowest_ground < 0.0 { 1.3e-2 } else { 1e-2 };
+                    assert!(pair[1] - pair[0] <= most * full.max(pair[1]), "{altitude}: {pair:?} of {full}");
                 }
                 assert_eq!((steps[0], steps[199]), (0.0, 0.0));
                 assert!((at(-1e-9) - at(1e-9)).abs() <= 1e-6 * at(1e-9), "{altitude}: a step at the horizon");
@@ -168,14 +181,16 @@ mod tests {
             rayleigh_scale_height: 2e5,
             ..AtmosphereParams::venus()
         };
-        for params in [AtmosphereParams::earth(), AtmosphereParams::mars(), AtmosphereParams::venus(), thick]
+        for params in
+            [AtmosphereParams::earth(), AtmosphereParams::mars(), AtmosphereParams::venus(), thick, trench()]
         {
-            for altitude in [0.0, 1.7, 3e3, 2.4e4, 9e4, 4e5, 3.6e7] {
+            for altitude in [params.lowest_ground, -430.0, 0.0, 1.7, 3e3, 2.4e4, 9e4, 4e5, 3.6e7] {
                 for degrees in [90.0_f64, 30.0, 5.0, 0.3, 0.0, -0.3, -3.0, -20.0, -80.0] {
                     let sine = degrees.to_radians().sin();
                     let got = sunlight(&params, altitude, sine).unwrap();
-                    let h: f64 = altitude;
-                    let horizon = -(h * (2.0 * params.planet_radius + h)).sqrt() / (params.planet_radius + h);
+                    let h = (altitude - params.lowest_ground).max(0.0);
+                    let horizon =
+                        -(h * (2.0 * params.ground_radius() + h)).sqrt() / (params.ground_radius() + h);
                     let above = (sine.asin() - horizon.asin()) / params.sun_angular_radius;
                     if above <= -1.0 {
                         assert_eq!(got, [0.0; 3]);

@@ -90,6 +90,9 @@ fn media() -> Vec<AtmosphereParams> {
         g([0.0; 3]),
         g([-0.5, 0.5, 0.999]),
         g([-0.999, 0.999, 0.9]),
+        AtmosphereParams { lowest_ground: -430.0, ..earth.clone() },
+        AtmosphereParams { lowest_ground: -11e3, ..earth.clone() },
+        AtmosphereParams { lowest_ground: -7e3, ..AtmosphereParams::mars() },
     ]
 }
 
@@ -117,10 +120,11 @@ pub(super) fn altitudes(p: &AtmosphereParams) -> [f64; 14] {
 
 const GRID_DIRECTIONS: usize = 18;
 const GRID_SUNS: usize = 14;
+const GRID_MEDIA: usize = 24;
 
 /// How many cases [`grid`] has.
 pub fn grid_len() -> usize {
-    21 * 14 * GRID_DIRECTIONS * GRID_SUNS
+    GRID_MEDIA * 14 * GRID_DIRECTIONS * GRID_SUNS
 }
 
 /// A case of the grid, by its number below [`grid_len`].
@@ -131,7 +135,8 @@ pub fn grid(index: usize) -> Case {
         rest /= base;
         digit
     };
-    let (sun, direction, altitude, medium) = (digit(GRID_SUNS), digit(GRID_DIRECTIONS), digit(14), digit(21));
+    let (sun, direction) = (digit(GRID_SUNS), digit(GRID_DIRECTIONS));
+    let (altitude, medium) = (digit(14), digit(GRID_MEDIA));
     let p = &media()[medium];
     let h = altitudes(p)[altitude];
     let mut rng = Rng::with_seed(index as u64 ^ 0x9e37_79b9);
@@ -157,7 +162,7 @@ pub fn random(seed: u64, index: u64) -> Case {
 
 /// The grid's media, or parameters from everything that is accepted.
 pub(super) fn any_medium(rng: &mut Rng) -> AtmosphereParams {
-    if rng.u8(0..4) == 0 { media().swap_remove(rng.usize(0..21)) } else { medium(rng) }
+    if rng.u8(0..4) == 0 { media().swap_remove(rng.usize(0..GRID_MEDIA)) } else { medium(rng) }
 }
 
 fn log(rng: &mut Rng, low: f64, high: f64) -> f64 {
@@ -185,7 +190,7 @@ fn medium(rng: &mut Rng) -> AtmosphereParams {
         let fitting = shell * planet_radius * log(rng, 1e-2, 1.0);
         if rng.bool() { fitting.clamp(0.1, 1e7) } else { within(rng, 0.1, 1e7) }
     };
-    AtmosphereParams {
+    let mut p = AtmosphereParams {
         planet_radius,
         atmosphere_radius: planet_radius * (1.0 + shell),
         rayleigh_scattering: coefficients(rng),
@@ -203,7 +208,15 @@ fn medium(rng: &mut Rng) -> AtmosphereParams {
         ozone_center_altitude: if rng.u8(0..8) == 0 { 0.0 } else { height(rng) },
         ozone_half_width: height(rng).max(1.0),
         ..AtmosphereParams::earth()
+    };
+    if rng.u8(0..4) == 0 {
+        // As deep as the promise of right light goes, or as deep as is accepted.
+        let scale = p.rayleigh_scale_height.min(p.mie_scale_height);
+        let deepest = 0.1 * planet_radius;
+        p.lowest_ground = -[(3.0 * scale * rng.f64()).min(deepest), deepest][usize::from(rng.u8(0..4) == 0)];
+        p.atmosphere_radius = p.atmosphere_radius.min(4.999_999 * p.ground_radius());
     }
+    p
 }
 
 /// The sun by its number: the grid's fixed places, then random ones.

@@ -637,11 +637,15 @@ fn promised(case: &Case) -> bool {
     let m = &case.medium;
     let (gas, aerosol, layer) =
         (1.0 / m.rayleigh_inv_height, 1.0 / m.mie_inv_height, 1.0 / m.ozone_inv_half_width);
-    let depth = (0..3).map(|c| m.rayleigh[c] * gas + m.mie_extinction[c] * aerosol + m.ozone[c] * layer);
+    let depth = (0..3).map(|c| {
+        m.rayleigh[c] * (gas + m.datum)
+            + m.mie_extinction[c] * (aerosol + m.datum)
+            + m.ozone[c] * (layer + m.datum)
+    });
     let within = |v: f32, low: f32, high: f32| (low * 0.999..=high * 1.001).contains(&v);
     within(m.radius, 1.0, 7e4)
         && within(m.thickness / m.radius, 1e-5, 2.0)
-        && [gas, aerosol].into_iter().all(|h| within(h, 1e-3, 1e3))
+        && [gas, aerosol].into_iter().all(|h| within(h, 1e-3, 1e3) && m.datum <= 3.001 * h)
         && depth.fold(0.0, f32::max) <= 1.001e4
 }
 

@@ -171,7 +171,7 @@ impl Case {
 const CASE_TEXELS: usize = size_of::<Case>() / 16;
 const _: () = assert!(CASE_TEXELS == generated::probe_luts::numbers::CASE_TEXELS as usize);
 /// Cases in a row of the texture: it is then no wider than the 2048 texels that WebGL2 promises.
-const ROW: usize = 156;
+const ROW: usize = 146;
 
 /// Most cases of one draw.
 pub const BATCH: usize = ROW * 250;

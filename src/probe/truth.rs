@@ -293,6 +293,7 @@ pub(super) struct Air64<'a>(pub &'a Case, pub [f64; 2]);
 impl Air64<'_> {
     pub fn densities(self, h: f64) -> [f64; 3] {
         let m = &self.0.medium;
+        let h = (h - f64::from(m.datum)).max(0.0);
         [
             (-h * f64::from(m.rayleigh_inv_height)).exp(),
             (-h * f64::from(m.mie_inv_height)).exp(),

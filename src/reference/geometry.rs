@@ -133,6 +133,9 @@ impl Chord {
 
     /// The part of the ray inside a shell up to altitude `top`, cut by the ground and at `length` metres
     /// from the origin; as distances from the perigee. `None` if the ray has no part in the shell.
+    ///
+    /// An object behind the ground, no farther away than air can be, stands in a trench: the ray goes on to
+    /// it below the ground.
     pub fn clip(&self, top: f64, length: f64) -> Option<(f64, f64, RayEnd)> {
         let s_top = self.at_altitude(top)?;
         let start = self.origin.max(-s_top);
@@ -141,8 +144,12 @@ impl Chord {
         }
         let (mut end, mut kind) = (s_top, RayEnd::Space);
         if self.perigee_altitude < 0.0 && self.origin < 0.0 {
-            end = -self.at_altitude(0.0)?;
-            kind = RayEnd::Ground;
+            let half = self.at_altitude(0.0)?;
+            let horizon = |s: f64| ((s - half) * (s + half)).max(0.0).sqrt();
+            let farthest = horizon(self.origin.abs()) + horizon(s_top);
+            if !(self.origin + length > -half && length <= farthest) {
+                (end, kind) = (-half, RayEnd::Ground);
+            }
         }
         let object = self.origin + length;
         if object < end {

@@ -14,11 +14,17 @@ pub(crate) enum ColumnRule {
     Precise,
 }
 
-/// The parameters in the form that integrals need.
+/// The parameters in the form that integrals need: told from the lowest ground, so that all altitudes in this
+/// module and its users are heights above it.
 #[derive(Clone, Debug)]
 pub(crate) struct Medium {
+    /// As the user gave them.
     pub params: AtmosphereParams,
-    /// Altitude of the top, metres.
+    /// The same planet, its radius that of the lowest ground.
+    pub from_ground: AtmosphereParams,
+    /// Altitude 0 above the lowest ground, metres. Below it densities are even.
+    datum: f64,
+    /// Height of the top, metres.
     pub top: f64,
     pub mie_extinction: [f64; 3],
     scatters_gas: bool,
@@ -36,28 +42,47 @@ impl Medium {
             has_aerosol: mie_extinction.iter().any(|&v| v > 0.0),
             has_ozone: params.ozone_absorption.iter().any(|&v| v > 0.0),
             params: params.clone(),
+            from_ground: AtmosphereParams {
+                planet_radius: params.ground_radius(),
+                lowest_ground: 0.0,
+                ..params.clone()
+            },
+            datum: -params.lowest_ground,
         }
+    }
+
+    /// Densities of gas, aerosol and absorber at a height.
+    pub fn densities(&self, height: f64) -> [f64; 3] {
+        self.params.densities(height - self.datum)
+    }
+
+    /// Extinction coefficient at a height, 1/m.
+    pub fn extinction(&self, height: f64) -> [f64; 3] {
+        self.params.extinction(height - self.datum)
     }
 
     /// Optical depth of each channel for columns (metres of density 1) of gas, aerosol, ozone.
     pub fn optical_depth(&self, columns: [f64; 3]) -> [f64; 3] {
         std::array::from_fn(|c| {
-            self.params.rayleigh_scattering[c] * columns[0]
+            self.from_ground.rayleigh_scattering[c] * columns[0]
                 + self.mie_extinction[c] * columns[1]
-                + self.params.ozone_absorption[c] * columns[2]
+                + self.from_ground.ozone_absorption[c] * columns[2]
         })
     }
 
     /// Scattering coefficient times phase function at an altitude, 1/(m sr), per channel.
     /// `phase` holds the gas's and the aerosol's phase functions for the scattering angle.
     pub fn scattering(&self, altitude: f64, phase: &Phases) -> [f64; 3] {
-        let h = altitude.max(0.0);
-        let gas =
-            if self.scatters_gas { (-h / self.params.rayleigh_scale_height).exp() * phase.gas } else { 0.0 };
-        let aerosol = if self.has_aerosol { (-h / self.params.mie_scale_height).exp() } else { 0.0 };
+        let h = (altitude - self.datum).max(0.0);
+        let gas = if self.scatters_gas {
+            (-h / self.from_ground.rayleigh_scale_height).exp() * phase.gas
+        } else {
+            0.0
+        };
+        let aerosol = if self.has_aerosol { (-h / self.from_ground.mie_scale_height).exp() } else { 0.0 };
         std::array::from_fn(|c| {
-            self.params.rayleigh_scattering[c] * gas
-                + self.params.mie_scattering[c] * aerosol * phase.aerosol[c]
+            self.from_ground.rayleigh_scattering[c] * gas
+                + self.from_ground.mie_scattering[c] * aerosol * phase.aerosol[c]
         })
     }
 
@@ -66,14 +91,15 @@ impl Medium {
         let cos = cos.clamp(-1.0, 1.0);
         Phases {
             gas: phase::rayleigh(cos),
-            aerosol: self.params.mie_asymmetry.map(|g| phase::mie(self.params.mie_phase, cos, g)),
+            aerosol: self.from_ground.mie_asymmetry.map(|g| phase::mie(self.from_ground.mie_phase, cos, g)),
         }
     }
 
-    /// Altitudes at which the density profiles have a kink.
-    pub fn kinks(&self) -> [f64; 3] {
-        let (c, w) = (self.params.ozone_center_altitude, self.params.ozone_half_width);
-        if self.has_ozone { [c - w, c, c + w] } else { [-1.0; 3] }
+    /// Heights at which the density profiles have a kink.
+    pub fn kinks(&self) -> [f64; 4] {
+        let (c, w) = (self.from_ground.ozone_center_altitude + self.datum, self.from_ground.ozone_half_width);
+        let [foot, tip, end] = if self.has_ozone { [c - w, c, c + w] } else { [-1.0; 3] };
+        [foot, tip, end, self.datum]
     }
 
     /// Columns of gas, aerosol and ozone (metres of density 1) along a line from `s0` to `s1 ≥ s0` metres
@@ -98,7 +124,16 @@ impl Medium {
         if vb <= va {
             return [0.0; 3];
         }
-        let low = (chord.perigee_altitude + va * va).max(0.0);
+        // Below the datum there is as much of each as of the way, times the density there.
+        let level = (self.datum - chord.perigee_altitude).max(0.0).sqrt();
+        let even = if va < level { chord.at_v(level.min(vb)).0 - chord.at_v(va).0 } else { 0.0 };
+        let [_, _, absorber] = self.params.densities(0.0);
+        let below = [even, even, even * absorber];
+        let va = va.max(level);
+        if vb <= va {
+            return below;
+        }
+        let low = (chord.perigee_altitude + va * va - self.datum).max(0.0);
         let exponential = |scale_height: f64| {
             let n = -1.0 / scale_height;
             let reach = |x: f64| (va * va + x * scale_height).sqrt();
@@ -115,7 +150,7 @@ impl Medium {
             };
             sum * (low * n).exp()
         };
-        let p = &self.params;
+        let p = &self.from_ground;
         let gas = if self.scatters_gas { exponential(p.rayleigh_scale_height) } else { 0.0 };
         let aerosol = match self.has_aerosol {
             false => 0.0,
@@ -124,11 +159,13 @@ impl Medium {
         };
         let mut ozone = 0.0;
         if self.has_ozone {
+            let [foot, tip, end, _] = self.kinks();
             let f = |v: f64| {
                 let h = chord.perigee_altitude + v * v;
-                (1.0 - (h - p.ozone_center_altitude).abs() / p.ozone_half_width).max(0.0) * chord.at_v(v).1
+                (1.0 - (h - tip).abs() / p.ozone_half_width).max(0.0) * chord.at_v(v).1
             };
-            let [bottom, middle, top] = self.kinks().map(|h| (h - chord.perigee_altitude).max(0.0).sqrt());
+            let [bottom, middle, top] =
+                [foot, tip, end].map(|h| (h - chord.perigee_altitude).max(0.0).sqrt());
             for (a, b) in [(bottom, middle), (middle, top)] {
                 let (a, b) = (a.max(va), b.min(vb));
                 if b > a {
@@ -139,7 +176,7 @@ impl Medium {
                 }
             }
         }
-        [gas, aerosol, ozone]
+        [gas + below[0], aerosol + below[1], ozone + below[2]]
     }
 
     /// Columns from a point towards the sun, up to the top; `None` where the planet is in the way.
@@ -185,12 +222,19 @@ mod tests {
         let mut flat = AtmosphereParams::earth();
         flat.planet_radius = 1e8;
         flat.atmosphere_radius = 1e8 + 1000.0;
-        for params in [AtmosphereParams::earth(), AtmosphereParams::mars(), tiny, flat] {
+        let deep =
+            AtmosphereParams { lowest_ground: -5e3, ozone_center_altitude: 1e3, ..AtmosphereParams::earth() };
+        for params in [AtmosphereParams::earth(), AtmosphereParams::mars(), tiny, flat, deep] {
             let params = AtmosphereParams { ozone_absorption: [1e-6; 3], ..params };
             let medium = Medium::new(&params);
             for altitude in [0.0, 0.001, 0.3, 0.9].map(|f| f * medium.top) {
                 for angle in [0.0, 0.5, 1.4, 1.5607963, 1.57, 1.580796] {
-                    let chord = Chord::new(params.planet_radius, altitude, f64::cos(angle), f64::sin(angle));
+                    let chord = Chord::new(
+                        medium.from_ground.planet_radius,
+                        altitude,
+                        f64::cos(angle),
+                        f64::sin(angle),
+                    );
                     let Some((s0, s1, _)) = chord.clip(medium.top, f64::INFINITY) else { continue };
                     let mut breaks = vec![s0, s1, 0.0f64.clamp(s0, s1)];
                     for h in
@@ -202,7 +246,7 @@ mod tests {
                     }
                     breaks.sort_by(f64::total_cmp);
                     let plain =
-                        integrate(|s| params.densities(chord.altitude(s)), &breaks, 1e-12, 1e-12, 4000);
+                        integrate(|s| medium.densities(chord.altitude(s)), &breaks, 1e-12, 1e-12, 4000);
                     for (rule, tolerance) in [(ColumnRule::Precise, 1e-9), (ColumnRule::Quick, 5e-6)] {
                         let columns = medium.columns(&chord, s0, s1, rule);
                         for c in 0..3 {

@@ -377,7 +377,7 @@ impl Orders {
         let aerosol = params.mie_scattering.iter().any(|&v| v > 0.0);
         let degree = if aerosol { settings.degree as usize } else { 2 };
         let mie = params.mie_asymmetry.map(|g| harmonics::mie_moments(params.mie_phase, g, degree));
-        let grid = Grid::new(params, &settings);
+        let grid = Grid::new(&medium.from_ground, &settings);
         let empty = Interpolant {
             log_mean: vec![],
             ratio: vec![],
@@ -410,7 +410,7 @@ impl Orders {
     /// planet's axis towards the sun, does not have.
     pub fn radiance(&self, query: &RayQuery, tolerance: Tolerance) -> Result<Radiance> {
         tolerance.validate()?;
-        let query = query.validate()?;
+        let query = query.validate(&self.medium.params)?;
         if query.moon.is_some() {
             return Err(Error::invalid(
                 "ray.moon",
@@ -418,7 +418,7 @@ impl Orders {
                 "none: its shadow has no symmetry; use reference::path",
             ));
         }
-        let params = &self.medium.params;
+        let params = &self.medium.from_ground;
         let once = scatter(&self.medium, &query, Line::Adaptive(tolerance), None);
         let aerosol = params.mie_scattering.iter().any(|&v| v > 0.0);
         let per_irradiance = match aerosol {
@@ -466,7 +466,10 @@ impl Orders {
                 }
             }
             for c in 0..3 {
-                out.per_irradiance[c] += more.value[c] + out.ground[c];
+                // Further orders take no light away. A phase function's expansion that is too short for its
+                // peak may, in air that is thick enough.
+                let scattered = (out.per_irradiance[c] + more.value[c]).max(once.per_irradiance[c]);
+                out.per_irradiance[c] = scattered + out.ground[c];
             }
         }
         out.radiance = out.per_irradiance.map(|v| v * params.sun_intensity);
@@ -489,8 +492,12 @@ impl Orders {
         if mu <= 0.0 {
             return [0.0; 3];
         }
-        let up =
-            Chord::new(self.medium.params.planet_radius, 0.0, mu, ((1.0 - mu) * (1.0 + mu)).max(0.0).sqrt());
+        let up = Chord::new(
+            self.medium.from_ground.planet_radius,
+            0.0,
+            mu,
+            ((1.0 - mu) * (1.0 + mu)).max(0.0).sqrt(),
+        );
         match self.medium.columns_to_sun(&up, ColumnRule::Quick) {
             Some(columns) => self.medium.optical_depth(columns).map(|t| mu * (-t).exp()),
             None => [0.0; 3],
@@ -502,7 +509,7 @@ impl Orders {
     ///
     /// Integrates the radiance that crosses the top outwards over all directions and sun angles.
     pub fn escaping_share(&self, directions: u32) -> [f64; 3] {
-        let p = &self.medium.params;
+        let p = &self.medium.from_ground;
         let n = directions.clamp(2, 128) as usize;
         let ratio = p.planet_radius / p.atmosphere_radius;
         // What is taken from the beam, over the cross-section π R²: all that meets the ground or the shell.
@@ -542,7 +549,8 @@ impl Orders {
                 for &(mu, weight) in &downs {
                     for i in 0..n {
                         let azimuth = PI * (i as f64 + 0.5) / n as f64;
-                        let query = RayQuery::new(self.medium.top, mu.acos(), angle, azimuth);
+                        let query =
+                            RayQuery::new(self.medium.params.top_altitude(), mu.acos(), angle, azimuth);
                         let Ok(light) = self.radiance(&query, Tolerance::PICTURE) else { continue };
                         for c in 0..3 {
                             sum[c] += area * weight * -mu * 2.0 * PI / n as f64 * light.per_irradiance[c];
@@ -557,8 +565,8 @@ impl Orders {
 
     /// Scattering coefficient times phase moment: what a moment of radiance becomes, per channel.
     fn moment_factors(&self, altitude: f64) -> Vec<[f64; 3]> {
-        let p = &self.medium.params;
-        let [gas, aerosol, _] = p.densities(altitude);
+        let p = &self.medium.from_ground;
+        let [gas, aerosol, _] = self.medium.densities(altitude);
         (0..=self.degree)
             .map(|l| {
                 std::array::from_fn(|c| {
@@ -620,8 +628,8 @@ impl Orders {
     /// Directions of view at a table row: cosine, sine and weight (of the cosine), split at the horizon and
     /// crowded around it.
     fn view_cosines(&self, altitude: f64) -> Vec<(f64, f64)> {
-        let r = self.medium.params.planet_radius + altitude;
-        let horizon = -(altitude * (r + self.medium.params.planet_radius)).sqrt() / r;
+        let r = self.medium.from_ground.planet_radius + altitude;
+        let horizon = -(altitude * (r + self.medium.from_ground.planet_radius)).sqrt() / r;
         gauss_legendre(self.settings.zeniths as usize)
             .into_iter()
             .flat_map(|(x, w)| {
@@ -636,7 +644,7 @@ impl Orders {
     /// Radiance after one scattering event or one reflection by the ground.
     fn first_order(&self) -> Field {
         self.gather(|altitude, mu, angles, out| {
-            let p = &self.medium.params;
+            let p = &self.medium.from_ground;
             let sin = ((1.0 - mu) * (1.0 + mu)).max(0.0).sqrt();
             for (k, &sun_angle) in self.grid.sun_angles.iter().enumerate() {
                 for (f, &azimuth) in angles.iter().enumerate() {
@@ -693,7 +701,7 @@ impl Orders {
         let suns = self.grid.sun_angles.len();
         let last = Interpolant::new(last, n, suns);
         let bands = self.degree + 1;
-        let p = &self.medium.params;
+        let p = &self.medium.from_ground;
         self.gather(|altitude, mu, angles, out| {
             out.fill([0.0; 3]);
             let sin = ((1.0 - mu) * (1.0 + mu)).max(0.0).sqrt();

@@ -47,11 +47,12 @@ pub struct Estimate {
 /// Parameters that [`AtmosphereParams::validate`] refuses; a query or setting out of range.
 pub fn path_trace(params: &AtmosphereParams, query: &RayQuery, settings: Settings) -> Result<Estimate> {
     params.validate()?;
-    let query = query.validate()?;
+    let query = query.validate(params)?;
     in_range("settings.paths", settings.paths as f64, 16.0, 1e10, "")?;
-    let to_eye = DVec3::Z * (params.planet_radius + query.altitude);
+    let medium = Medium::new(params);
+    let to_eye = DVec3::Z * (medium.from_ground.planet_radius + query.altitude);
     let moon = query.moon.map(|moon| Moon { position: moon.position + to_eye, ..moon });
-    let tracer = Tracer { moon, ..Tracer::new(Medium::new(params)) };
+    let tracer = Tracer { moon, ..Tracer::new(medium) };
     let once = scatter(&tracer.medium, &query, Line::Adaptive(Tolerance { relative: 1e-5 }), None);
     let mut out = Estimate { per_irradiance: once.per_irradiance, std_err: [0.0; 3] };
     let Some(first) = First::new(&tracer, &query) else { return Ok(out) };
@@ -134,7 +135,7 @@ struct Tracer {
 
 impl Tracer {
     fn new(medium: Medium) -> Self {
-        let p = &medium.params;
+        let p = &medium.from_ground;
         let mut scale = p.rayleigh_scale_height;
         if medium.mie_extinction.iter().any(|&v| v > 0.0) {
             scale = scale.min(p.mie_scale_height);
@@ -154,8 +155,8 @@ impl Tracer {
         let majorants = (0..shells.len())
             .map(|i| {
                 let (low, high) = (shells[i], shells.get(i + 1).copied().unwrap_or(medium.top));
-                let [gas, aerosol, _] = p.densities(low);
-                let ozone = p.densities(p.ozone_center_altitude.clamp(low, high))[2];
+                let [gas, aerosol, _] = medium.densities(low);
+                let ozone = medium.densities(medium.kinks()[1].clamp(low, high))[2];
                 std::array::from_fn(|c| {
                     p.rayleigh_scattering[c] * gas
                         + medium.mie_extinction[c] * aerosol
@@ -168,19 +169,18 @@ impl Tracer {
 
     fn chord(&self, at: &Vertex) -> Chord {
         let (mu, sin) = (at.zenith.dot(at.direction), at.zenith.cross(at.direction).length());
-        Chord::new(self.medium.params.planet_radius, at.altitude, mu, sin)
+        Chord::new(self.medium.from_ground.planet_radius, at.altitude, mu, sin)
     }
 
     /// The vertex `s` along a chord that starts at `from`.
     fn step(&self, from: &Vertex, chord: &Chord, s: f64) -> Vertex {
-        let r = self.medium.params.planet_radius + from.altitude;
+        let r = self.medium.from_ground.planet_radius + from.altitude;
         let point = from.zenith * r + from.direction * (s - chord.origin);
         Vertex { zenith: point.normalize(), altitude: chord.altitude(s).max(0.0), direction: from.direction }
     }
 
     /// Where light of a channel is next scattered or absorbed between s0 and s1, or `None`.
     fn collide(&self, chord: &Chord, s0: f64, s1: f64, c: usize, random: &mut Random) -> Option<f64> {
-        let p = &self.medium.params;
         let mut s = s0;
         let mut depth = -(1.0 - random.uniform()).ln();
         let mut shell = self.shells.partition_point(|&h| h <= chord.altitude(s)).saturating_sub(1);
@@ -208,7 +208,7 @@ impl Tracer {
                     break;
                 }
                 s += depth / majorant;
-                let extinction = p.extinction(chord.altitude(s))[c];
+                let extinction = self.medium.extinction(chord.altitude(s))[c];
                 if random.uniform() * majorant < extinction {
                     return Some(s);
                 }
@@ -224,14 +224,14 @@ impl Tracer {
 
     /// Scattering coefficients of gas and aerosol at an altitude.
     fn scattering(&self, altitude: f64, c: usize) -> (f64, f64) {
-        let p = &self.medium.params;
-        let [gas, aerosol, _] = p.densities(altitude);
+        let p = &self.medium.from_ground;
+        let [gas, aerosol, _] = self.medium.densities(altitude);
         (p.rayleigh_scattering[c] * gas, p.mie_scattering[c] * aerosol)
     }
 
     /// Share of the sun's light that arrives at a vertex, 0 in the planet's shadow.
     fn sunlight(&self, at: &Vertex, sun: DVec3, c: usize) -> f64 {
-        let p = &self.medium.params;
+        let p = &self.medium.from_ground;
         let passed = self.moon.map_or(1.0, |moon| {
             moon.sunlight(at.zenith * (p.planet_radius + at.altitude), sun, p.sun_angular_radius)[c]
         });
@@ -247,7 +247,7 @@ impl Tracer {
 
     /// A direction of scattering, by the mixture of both phase functions.
     fn scatter_direction(&self, at: &Vertex, c: usize, random: &mut Random) -> DVec3 {
-        let p = &self.medium.params;
+        let p = &self.medium.from_ground;
         let (gas, aerosol) = self.scattering(at.altitude, c);
         let cos = if random.uniform() * (gas + aerosol) < gas {
             loop {
@@ -332,7 +332,7 @@ impl First {
             if cos > 0.0 {
                 direct_ground = std::array::from_fn(|c| {
                     let light = cos * tracer.sunlight(&Vertex { altitude: 0.0, ..at }, query.sun, c);
-                    ground_transmittance[c] * medium.params.ground_albedo[c] / PI * light
+                    ground_transmittance[c] * medium.from_ground.ground_albedo[c] / PI * light
                 });
             }
         }
@@ -354,7 +354,7 @@ impl First {
     /// its first vertex.
     fn path(&self, tracer: &Tracer, c: usize, stratum: f64, random: &mut Random) -> f64 {
         let medium = &tracer.medium;
-        let albedo = medium.params.ground_albedo[c];
+        let albedo = medium.from_ground.ground_albedo[c];
         let at_ground = if self.hits_ground {
             let through = self.ground_transmittance[c] * albedo;
             through / (through + 1.0 - self.ground_transmittance[c] + 1e-12)
@@ -397,7 +397,7 @@ impl First {
         mut weight: f64,
         random: &mut Random,
     ) -> f64 {
-        let p = &tracer.medium.params;
+        let p = &tracer.medium.from_ground;
         let start = weight;
         let mut light = 0.0;
         loop {
@@ -406,7 +406,7 @@ impl First {
             if let Some(s) = tracer.collide(&chord, s0, s1, c, random) {
                 vertex = tracer.step(&vertex, &chord, s);
                 let (gas, aerosol) = tracer.scattering(vertex.altitude, c);
-                let extinction = p.extinction(vertex.altitude)[c];
+                let extinction = tracer.medium.extinction(vertex.altitude)[c];
                 if gas + aerosol <= 0.0 {
                     return light;
                 }

@@ -21,13 +21,14 @@ use crate::model::quadrature::{fixed, gauss_legendre, integrate};
 /// centre, and the origin's altitude is a number of its own, so nothing is a difference of two radii.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RayQuery {
-    /// Of the origin above the surface, metres. Below the surface counts as on it; above the top is fine.
+    /// Altitude of the origin, metres. Below the lowest ground counts as on it; above the top is fine.
     pub altitude: f64,
     /// Where the ray goes, any length but zero.
     pub direction: DVec3,
     /// Towards the sun, any length but zero.
     pub sun: DVec3,
-    /// Distance of a scene object that ends the ray, metres; infinite if there is none.
+    /// Distance of a scene object that ends the ray, metres; infinite if there is none. One that lies deeper
+    /// than the lowest ground, or behind its bulge, stands in air as dense as on it.
     pub length: f64,
     /// A moon that dims the sun, its position from the ray's origin in the ray's own frame; for
     /// [`single_scattering`] and
@@ -87,7 +88,9 @@ impl RayQuery {
         Self { length, ..self }
     }
 
-    pub(crate) fn validate(&self) -> Result<Self> {
+    /// Checks a ray through this air; answers one with unit vectors whose altitude is the height above the
+    /// lowest ground.
+    pub(crate) fn validate(&self, params: &AtmosphereParams) -> Result<Self> {
         in_range("ray.altitude", self.altitude, -1e16, 1e16, "m")?;
         if let Some(moon) = &self.moon {
             moon.validate(DVec3::ZERO)?;
@@ -96,7 +99,7 @@ impl RayQuery {
             in_range("ray.length", self.length, 0.0, 1e16, "m (or infinite)")?;
         }
         Ok(Self {
-            altitude: self.altitude.max(0.0),
+            altitude: (self.altitude - params.lowest_ground).max(0.0),
             direction: direction("ray.direction", self.direction)?,
             sun: direction("ray.sun", self.sun)?,
             length: self.length,
@@ -266,7 +269,7 @@ pub fn single_scattering(
 ) -> Result<Scattered> {
     params.validate()?;
     tolerance.validate()?;
-    let query = query.validate()?;
+    let query = query.validate(params)?;
     let medium = Medium::new(params);
     let Sun::Disk { rings } = sun else {
         return Ok(scatter(&medium, &query, Line::Adaptive(tolerance), None));
@@ -371,7 +374,7 @@ pub(crate) fn scatter(
     line: Line,
     tail: Option<&SmallAngles>,
 ) -> Scattered {
-    let params = &medium.params;
+    let params = &medium.from_ground;
     let d = query.direction;
     let chord = Chord::new(params.planet_radius, query.altitude, d.z, d.x.hypot(d.y));
     let Some((s0, s1, ends_at)) = chord.clip(medium.top, query.length) else {
@@ -465,7 +468,7 @@ pub(crate) fn view_breaks(
     step: f64,
     breaks: &mut Vec<f64>,
 ) {
-    let p = &medium.params;
+    let p = &medium.from_ground;
     let low = if a * b <= 0.0 { 0.0 } else { (a * a).min(b * b) };
     breaks.extend([a, b]);
     if a < 0.0 && b > 0.0 {
@@ -534,10 +537,10 @@ pub fn transmittance(params: &AtmosphereParams, query: &RayQuery, tolerance: Tol
 pub fn optical_depth(params: &AtmosphereParams, query: &RayQuery, tolerance: Tolerance) -> Result<[f64; 3]> {
     params.validate()?;
     tolerance.validate()?;
-    let query = query.validate()?;
+    let query = query.validate(params)?;
     let medium = Medium::new(params);
     let d = query.direction;
-    let chord = Chord::new(params.planet_radius, query.altitude, d.z, d.x.hypot(d.y));
+    let chord = Chord::new(medium.from_ground.planet_radius, query.altitude, d.z, d.x.hypot(d.y));
     Ok(match chord.clip(medium.top, query.length) {
         Some((s0, s1, _)) => medium.optical_depth(medium.columns(&chord, s0, s1, tolerance.columns())),
         None => [0.0; 3],
@@ -573,29 +576,30 @@ pub fn compute_single_scatter(
     light_samples: u32,
 ) -> [f32; 3] {
     let query = RayQuery::in_world(camera.into(), look.into(), sun.into(), params.planet_radius);
-    let Some(query) = query.and_then(|q| q.validate()).ok().filter(|_| params.validate().is_ok()) else {
+    let Some(query) = query.and_then(|q| q.validate(params)).ok().filter(|_| params.validate().is_ok())
+    else {
         return [0.0; 3];
     };
     let view_samples = view_samples.clamp(1, MAX_SAMPLES);
     let light_samples = light_samples.clamp(1, MAX_SAMPLES);
     let medium = Medium::new(params);
     let d = query.direction;
-    let chord = Chord::new(params.planet_radius, query.altitude, d.z, d.x.hypot(d.y));
+    let chord = Chord::new(medium.from_ground.planet_radius, query.altitude, d.z, d.x.hypot(d.y));
     let Some((s0, s1, _)) = chord.clip(medium.top, query.length) else { return [0.0; 3] };
-    let line = SunLine::new(chord, params.planet_radius, d, query.sun);
+    let line = SunLine::new(chord, medium.from_ground.planet_radius, d, query.sun);
     let phases = medium.phases(d.dot(query.sun));
     let mut view_depth = [0.0; 3];
     let mut sum = [0.0; 3];
     march(&chord, s0, s1, view_samples, |s, length| {
         let altitude = chord.altitude(s).max(0.0);
-        let extinction = params.extinction(altitude);
+        let extinction = medium.extinction(altitude);
         let step: [f64; 3] = std::array::from_fn(|c| extinction[c] * length);
         let to_sun = line.to_sun(s, altitude);
         let shaded = to_sun.perigee_altitude < 0.0 && to_sun.origin < 0.0;
         if let Some((a, b, _)) = to_sun.clip(medium.top, f64::INFINITY).filter(|_| !shaded) {
             let mut light_depth = [0.0; 3];
             march(&to_sun, a, b, light_samples, |s, length| {
-                let extinction = params.extinction(to_sun.altitude(s));
+                let extinction = medium.extinction(to_sun.altitude(s));
                 for c in 0..3 {
                     light_depth[c] += extinction[c] * length;
                 }

@@ -112,7 +112,7 @@ impl<'a> Painter<'a> {
             None => (None, f64::INFINITY),
         };
         let mut color = ground.unwrap_or([0.0; 3]);
-        let hits_planet = ray_sphere_intersect(self.camera, world, DVec3::ZERO, p.planet_radius)
+        let hits_planet = ray_sphere_intersect(self.camera, world, DVec3::ZERO, p.ground_radius())
             .is_some_and(|(near, _)| near >= 0.0);
         if ground.is_none()
             && !hits_planet

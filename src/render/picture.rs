@@ -277,7 +277,8 @@ impl PictureRenderer {
         let users = canvas.between == Between::Users;
         let (scene, sky, scale) = as_drawn(scene, settings, canvas.between)?;
         let (graph, pool, last) = self.sky.parts();
-        let frame = Frame::checked(&scene, &sky, canvas.size, canvas.rows, last.as_ref())?;
+        let mut frame = Frame::checked(&scene, &sky, canvas.size, canvas.rows, last.as_ref())?;
+        frame.uniform = frame.uniform.drawn_to([settings.radiance]);
         let frame = last.insert(frame);
         if users {
             list(graph, frame, None, Stage::Background);

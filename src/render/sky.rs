@@ -29,9 +29,9 @@ pub struct AerialTargets {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FrameTargets {
     /// Where the sky behind the scene is drawn, before the scene: depth ALWAYS, no depth write. The colour is
-    /// laid over what is there (stars, say), which the air dims by its grey mean. The first pass that draws
-    /// here clears as the target says, and where none does, one that does nothing else; opaque black is
-    /// fastest, as the sky is then just written.
+    /// added to what is there (stars, say), which the air dims channel by channel, in a pass of its own. The
+    /// first pass that draws here clears as the target says, and where none does, one that does nothing else;
+    /// opaque black is fastest: nothing is behind the sky then, which is just written.
     pub background: Option<Target>,
     /// What the air before the scene reads and draws to, after the scene.
     pub aerial: Option<AerialTargets>,
@@ -120,8 +120,8 @@ impl SkyRenderer {
         Ok(())
     }
 
-    /// What a scene would call for in a picture of a size in pixels, after the frame that was drawn last: see
-    /// [`Frame::after`].
+    /// What a scene would call for in a picture of a size in pixels, before nothing
+    /// ([`FrameTargets::background`]), after the frame that was drawn last: see [`Frame::after`].
     ///
     /// # Errors
     /// [`crate::ErrorKind::Invalid`] as for [`Frame::new`].
@@ -159,6 +159,11 @@ impl SkyRenderer {
             frame.uniform = frame.uniform.moved(&frame.view, size, desc.rows, [x, y]);
         }
         frame.lit_fraction = targets.lit_fraction.is_some();
+        let black = |clear: [f32; 4]| clear[..3] == [0.0; 3];
+        frame.behind = targets.background.is_some_and(|target| !target.clear.is_some_and(black));
+        let drawn = targets.background.iter().chain(targets.aerial.iter().map(|a| &a.target));
+        let formats = drawn.filter_map(|target| backend.texture(target.color)).map(|desc| desc.format);
+        frame.uniform = frame.uniform.drawn_to(formats);
         let frame = self.frame.insert(frame);
         let bindings = Bindings {
             background: targets.background,

@@ -184,7 +184,7 @@ impl SkyLight {
     /// `lib/multi_scattering_lut.wgsl`, in f64.
     fn at(&self, altitude: f64, sun_sine: f64) -> [(usize, f64); 2] {
         let t = &self.luts;
-        let h = (altitude / self.params.thickness()).clamp(0.0, 1.0);
+        let h = ((altitude - self.params.lowest_ground) / self.params.thickness()).clamp(0.0, 1.0);
         let row = ((h * f64::from(t.altitude_growth)).ln_1p() / f64::from(t.altitude_steepness)).sqrt();
         let y = (sun_sine - f64::from(t.sun_middle)) / f64::from(t.sun_width);
         let column = (y.asinh() - f64::from(t.sun_first)) / f64::from(t.sun_span);
@@ -200,16 +200,17 @@ impl SkyLight {
         f64::from(self.texels[4 * (row * self.nodes[0] + column) + channel])
     }
 
-    /// Irradiance of level ground from the sky, the sun's own light not counted. `sun_sine`: of the elevation
-    /// of the sun's centre, -1 to 1.
+    /// Irradiance of level ground, the lowest, from the sky, the sun's own light not counted. `sun_sine`: of
+    /// the elevation of the sun's centre, -1 to 1.
     ///
     /// # Errors
     /// [`crate::ErrorKind::Invalid`] as for [`sunlight`].
     pub fn ground_irradiance(&self, sun_sine: f64) -> Result<[f64; 3]> {
-        let beam = sunlight(&self.params, 0.0, sun_sine)?;
-        let [(column, part), _] = self.at(0.0, sun_sine);
+        let lowest = self.params.lowest_ground;
+        let beam = sunlight(&self.params, lowest, sun_sine)?;
+        let [(column, part), _] = self.at(lowest, sun_sine);
         let row = self.nodes[1] * ROWS;
-        let forward = self.forward(0.0, sun_sine)?;
+        let forward = self.forward(lowest, sun_sine)?;
         Ok(std::array::from_fn(|c| {
             let log = self.texel(column, row, c) * (1.0 - part) + self.texel(column + 1, row, c) * part;
             log.exp2() * self.params.sun_intensity + (forward[c] - beam[c]) * sun_sine.max(0.0)
@@ -261,7 +262,7 @@ impl SkyLight {
             ambient_color: DVec3::from(sky.map(|v| v / std::f64::consts::PI)).as_vec3(),
             ambient_intensity: if sky_sum > 0.0 { 1.0 } else { 0.0 },
             shadow_min_light: if all > 0.0 { (sky_sum / all) as f32 } else { 0.0 },
-            atmosphere_density: if altitude > self.params.thickness() { 0.0 } else { density as f32 },
+            atmosphere_density: if altitude > self.params.top_altitude() { 0.0 } else { density as f32 },
         })
     }
 }

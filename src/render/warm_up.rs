@@ -104,8 +104,13 @@ impl WarmUp {
         let mut jobs = Vec::new();
         let mut graph = Graph::default();
         for view in views(scene)? {
-            graph.list(&Frame::new(&view, &quick(settings), SIZE)?, |_| true, None);
-            graph.nodes.iter().for_each(|node| push(&mut jobs, node, &targets, false));
+            // Before a target that holds nothing, and before stars.
+            for behind in [false, true] {
+                let mut frame = Frame::new(&view, &quick(settings), SIZE)?;
+                frame.behind = behind;
+                graph.list(&frame, |_| true, None);
+                graph.nodes.iter().for_each(|node| push(&mut jobs, node, &targets, false));
+            }
         }
         Ok(Self::new(jobs))
     }

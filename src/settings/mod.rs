@@ -27,8 +27,8 @@ pub enum Composition {
     /// disks of sun and moon only.
     AtmospherePost,
     /// A shell around a planet's mesh, laid over the scene by blending, where its colour cannot be read: the
-    /// scene is dimmed by the grey mean of the transmittance. The background holds the disks of sun and moon
-    /// only.
+    /// scene, and the stars around it, are dimmed by the grey mean of the transmittance, at every altitude
+    /// alike. The background holds the disks of sun and moon only.
     Planet,
 }
 

@@ -4,7 +4,7 @@
 use crate::gpu::{ProgramInfo, TextureSlot, Vertices};
 
 /// Every program.
-pub static PROGRAMS: &[&ProgramInfo] = &[&aerial_lut_scan::INFO, &aerial_lut_slices::INFO, &aerial_march::INFO, &aerial_march_eclipse::INFO, &aerial_perspective::INFO, &airglow::INFO, &copy::INFO, &moon_disk::INFO, &multi_scattering_gather::INFO, &multi_scattering_lut::INFO, &sky_march::INFO, &sky_march_eclipse::INFO, &sky_view::INFO, &sky_view_lut::INFO, &sun_disk::INFO, &terrain::INFO, &tone_map::INFO, &transmittance_lut::INFO, &upsample::INFO, ];
+pub static PROGRAMS: &[&ProgramInfo] = &[&aerial_lut::INFO, &aerial_lut_summands::INFO, &aerial_march::INFO, &aerial_march_eclipse::INFO, &aerial_perspective::INFO, &airglow::INFO, &behind_air::INFO, &copy::INFO, &moon_disk::INFO, &multi_scattering_gather::INFO, &multi_scattering_lut::INFO, &sky_march::INFO, &sky_march_eclipse::INFO, &sky_view::INFO, &sky_view_lut::INFO, &sun_disk::INFO, &terrain::INFO, &tone_map::INFO, &transmittance_lut::INFO, &upsample::INFO, ];
 
 #[cfg(any(feature = "wgpu", feature = "translate"))]
 mod text {
@@ -17,13 +17,14 @@ mod text {
     pub(super) const LIB_MEDIUM: &str = crate::shaders::wgsl!("lib/medium");
     pub(super) const LIB_PATH: &str = crate::shaders::wgsl!("lib/path");
     pub(super) const LIB_AERIAL_LUT: &str = crate::shaders::wgsl!("lib/aerial_lut");
-    pub(super) const PASS_AERIAL_LUT_SCAN: &str = crate::shaders::wgsl!("pass/aerial_lut_scan");
+    pub(super) const LIB_COLUMNS: &str = crate::shaders::wgsl!("lib/columns");
+    pub(super) const PASS_AERIAL_LUT: &str = crate::shaders::wgsl!("pass/aerial_lut");
     pub(super) const LIB_TRANSMITTANCE_LUT: &str = crate::shaders::wgsl!("lib/transmittance_lut");
     pub(super) const LIB_MULTI_SCATTERING_LUT: &str = crate::shaders::wgsl!("lib/multi_scattering_lut");
     pub(super) const LIB_GATHER: &str = crate::shaders::wgsl!("lib/gather");
     pub(super) const LIB_OPEN_SUN: &str = crate::shaders::wgsl!("lib/open_sun");
     pub(super) const LIB_PHASE: &str = crate::shaders::wgsl!("lib/phase");
-    pub(super) const PASS_AERIAL_LUT_SLICES: &str = crate::shaders::wgsl!("pass/aerial_lut_slices");
+    pub(super) const PASS_AERIAL_LUT_SUMMANDS: &str = crate::shaders::wgsl!("pass/aerial_lut_summands");
     pub(super) const LIB_VIEW: &str = crate::shaders::wgsl!("lib/view");
     pub(super) const LIB_AERIAL: &str = crate::shaders::wgsl!("lib/aerial");
     pub(super) const LIB_SINGLE_SCATTERING: &str = crate::shaders::wgsl!("lib/single_scattering");
@@ -36,12 +37,14 @@ mod text {
     pub(super) const LIB_LUT_AIR: &str = crate::shaders::wgsl!("lib/lut_air");
     pub(super) const PASS_AERIAL_PERSPECTIVE: &str = crate::shaders::wgsl!("pass/aerial_perspective");
     pub(super) const PASS_AIRGLOW: &str = crate::shaders::wgsl!("pass/airglow");
+    pub(super) const PASS_BEHIND_AIR: &str = crate::shaders::wgsl!("pass/behind_air");
     pub(super) const PASS_COPY: &str = crate::shaders::wgsl!("pass/copy");
     pub(super) const LIB_CELESTIAL_DISK: &str = crate::shaders::wgsl!("lib/celestial_disk");
     pub(super) const PASS_MOON_DISK: &str = crate::shaders::wgsl!("pass/moon_disk");
     pub(super) const LIB_DIRECTIONS: &str = crate::shaders::wgsl!("lib/directions");
     pub(super) const PASS_MULTI_SCATTERING_GATHER: &str = crate::shaders::wgsl!("pass/multi_scattering_gather");
     pub(super) const PASS_MULTI_SCATTERING_LUT: &str = crate::shaders::wgsl!("pass/multi_scattering_lut");
+    pub(super) const LIB_BEHIND: &str = crate::shaders::wgsl!("lib/behind");
     pub(super) const PASS_SKY_MARCH: &str = crate::shaders::wgsl!("pass/sky_march");
     pub(super) const PASS_SKY_MARCH_ECLIPSE: &str = crate::shaders::wgsl!("pass/sky_march_eclipse");
     pub(super) const PASS_SKY_VIEW: &str = crate::shaders::wgsl!("pass/sky_view");
@@ -59,24 +62,25 @@ mod text {
 static PARTS: &[&str] = &[
     "#version 300 es\n",
     "const bool ACES = true;\nconst bool AGX = true;\nconst bool DITHER = true;\n",
-    "const float LOG_FLOOR = -100.0;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst int AIR_SMOOTH = 0;\nconst int AIR_MIE = 1;\nconst int AIR_BEAM = 2;\nconst int AIR_TRANSMITTANCE = 3;\nconst int AIR_KINDS = 4;\nconst bool FINISH = true;\n",
-    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst bool MULTI_SCATTERING = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst int ZENITHS = 16;\nconst int AZIMUTHS = 8;\n",
-    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst bool MULTI_SCATTERING = true;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool MIE_SINGLE = true;\n",
-    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst bool MULTI_SCATTERING = true;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst int AIR_SMOOTH = 0;\nconst int AIR_MIE = 1;\nconst int AIR_BEAM = 2;\nconst int AIR_TRANSMITTANCE = 3;\nconst int AIR_KINDS = 4;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\n",
-    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst int ZENITHS = 16;\nconst int AZIMUTHS = 8;\n",
-    "const uint REDUCED=1u;const uint SHELL_DIMS=2u;const float HALF_MAX=32000.0;\n",
-    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst float HALF_MAX = 32000.0;\nconst bool BEFORE = true;\nconst vec4 NODES = vec4(0.06943184, 0.3300095, 0.66999054, 0.93056816);\nconst vec4 WEIGHTS = vec4(0.17392743, 0.32607257, 0.32607257, 0.17392743);\n",
-    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst float HALF_MAX = 32000.0;\nconst bool BLEND = true;\nconst bool LIT_FRACTION = true;\nconst float SUBPIXEL = 0.0625;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool SUNLIGHT = true;\n",
-    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst float HALF_MAX = 32000.0;\nconst bool BLEND = true;\nconst bool LIT_FRACTION = true;\nconst float SUBPIXEL = 0.0625;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst bool MULTI_SCATTERING = true;\nconst float PI = 3.1415927;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool SUNLIGHT = true;\nconst float SQRT_HALF = 0.70710677;\n",
-    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst float HALF_MAX = 32000.0;\nconst bool BLEND = true;\nconst bool LIT_FRACTION = true;\nconst float SUBPIXEL = 0.0625;\nconst float LOG_FLOOR = -100.0;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst int AIR_SMOOTH = 0;\nconst int AIR_MIE = 1;\nconst int AIR_BEAM = 2;\nconst int AIR_TRANSMITTANCE = 3;\nconst int AIR_KINDS = 4;\nconst bool MIE_SINGLE = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\n",
-    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst float HALF_MAX = 32000.0;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst bool AIR = true;\nconst uint DISK_STEPS = 128u;\nconst uint VERTICES = 4u;\n",
-    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst float HALF_MAX = 32000.0;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst bool AIR = true;\nconst uint DISK_STEPS = 128u;\nconst uint VERTICES = 4u;\nconst bool BODY = true;\n",
-    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst float HALF_MAX = 32000.0;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst bool AIR = true;\nconst uint DISK_STEPS = 128u;\nconst uint VERTICES = 4u;\nconst bool LIMB_DARKENING = true;\nconst bool MOON = true;\n",
-    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst float HALF_MAX = 32000.0;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool SUNLIGHT = true;\n",
-    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst float HALF_MAX = 32000.0;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool SUNLIGHT = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst uint RINGS = 256u;\nconst uint SEGMENTS = 384u;\nconst bool SKY_LIGHT = true;\nconst bool MOON = true;\nconst uint VERTICES = 197632u;\n",
-    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst float HALF_MAX = 32000.0;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst bool MULTI_SCATTERING = true;\nconst float PI = 3.1415927;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool SUNLIGHT = true;\nconst float SQRT_HALF = 0.70710677;\n",
-    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst float HALF_MAX = 32000.0;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst float LOG_FLOOR = -100.0;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool MIE_SINGLE = true;\nconst bool BLEND = true;\n",
-    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst float LOG_FLOOR = -100.0;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\n",
+    "const float LOG_FLOOR = -100.0;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst uint WIDE = 4u;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst int AIR_SMOOTH = 0;\nconst int AIR_MIE = 1;\nconst int AIR_KINDS = 2;\nconst int AIR_PATH = 2;\nconst int AIR_SUMMANDS = 3;\nconst vec4 COLUMN_NODES = vec4(0.18343464, 0.5255324, 0.7966665, 0.96028984);\nconst vec4 COLUMN_WEIGHTS = vec4(0.36268377, 0.31370664, 0.22238104, 0.101228535);\nconst float COLUMN_HEIGHTS = 7.0;\nconst vec3 TENT_NODES = vec3(0.11270166, 0.5, 0.88729835);\nconst vec3 TENT_WEIGHTS = vec3(0.2777778, 0.44444445, 0.2777778);\nconst vec2 ROUGH_NODES = vec2(0.33998105, 0.8611363);\nconst vec2 ROUGH_WEIGHTS = vec2(0.65214515, 0.34785485);\nconst float ROUGH_HEIGHTS = 5.0;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst uint WIDE = 4u;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst bool MULTI_SCATTERING = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst int ZENITHS = 16;\nconst int AZIMUTHS = 8;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst uint WIDE = 4u;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst bool MULTI_SCATTERING = true;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool MIE_SINGLE = true;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst uint WIDE = 4u;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst bool MULTI_SCATTERING = true;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst int AIR_SMOOTH = 0;\nconst int AIR_MIE = 1;\nconst int AIR_KINDS = 2;\nconst int AIR_PATH = 2;\nconst int AIR_SUMMANDS = 3;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst float FIRST_SLICE = 0.01;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst uint WIDE = 4u;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst int ZENITHS = 16;\nconst int AZIMUTHS = 8;\n",
+    "const uint REDUCED=1u;const uint SHELL_DIMS=2u;const uint WIDE=4u;const float HALF_MAX=32000.0;const float FLOAT_MAX=1e38;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst uint WIDE = 4u;\nconst float HALF_MAX = 32000.0;\nconst float FLOAT_MAX = 1e38;\nconst bool BLEND = true;\nconst bool LIT_FRACTION = true;\nconst float SUBPIXEL = 0.0625;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool SUNLIGHT = true;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst uint WIDE = 4u;\nconst float HALF_MAX = 32000.0;\nconst float FLOAT_MAX = 1e38;\nconst bool BLEND = true;\nconst bool LIT_FRACTION = true;\nconst float SUBPIXEL = 0.0625;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst bool MULTI_SCATTERING = true;\nconst float PI = 3.1415927;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool SUNLIGHT = true;\nconst float SQRT_HALF = 0.70710677;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst uint WIDE = 4u;\nconst float HALF_MAX = 32000.0;\nconst float FLOAT_MAX = 1e38;\nconst bool BLEND = true;\nconst bool LIT_FRACTION = true;\nconst float SUBPIXEL = 0.0625;\nconst float LOG_FLOOR = -100.0;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst int AIR_SMOOTH = 0;\nconst int AIR_MIE = 1;\nconst int AIR_KINDS = 2;\nconst int AIR_PATH = 2;\nconst int AIR_SUMMANDS = 3;\nconst vec4 COLUMN_NODES = vec4(0.18343464, 0.5255324, 0.7966665, 0.96028984);\nconst vec4 COLUMN_WEIGHTS = vec4(0.36268377, 0.31370664, 0.22238104, 0.101228535);\nconst float COLUMN_HEIGHTS = 7.0;\nconst vec3 TENT_NODES = vec3(0.11270166, 0.5, 0.88729835);\nconst vec3 TENT_WEIGHTS = vec3(0.2777778, 0.44444445, 0.2777778);\nconst vec2 ROUGH_NODES = vec2(0.33998105, 0.8611363);\nconst vec2 ROUGH_WEIGHTS = vec2(0.65214515, 0.34785485);\nconst float ROUGH_HEIGHTS = 5.0;\nconst bool MIE_SINGLE = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst uint WIDE = 4u;\nconst float HALF_MAX = 32000.0;\nconst float FLOAT_MAX = 1e38;\nconst bool DIMS = true;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool SUNLIGHT = true;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst uint WIDE = 4u;\nconst float HALF_MAX = 32000.0;\nconst float FLOAT_MAX = 1e38;\nconst bool DIMS = true;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst bool MULTI_SCATTERING = true;\nconst float PI = 3.1415927;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool SUNLIGHT = true;\nconst float SQRT_HALF = 0.70710677;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst uint WIDE = 4u;\nconst float HALF_MAX = 32000.0;\nconst float FLOAT_MAX = 1e38;\nconst bool DIMS = true;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst float LOG_FLOOR = -100.0;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool MIE_SINGLE = true;\nconst bool BLEND = true;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst uint WIDE = 4u;\nconst float HALF_MAX = 32000.0;\nconst float FLOAT_MAX = 1e38;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst bool AIR = true;\nconst uint DISK_STEPS = 128u;\nconst uint VERTICES = 4u;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst uint WIDE = 4u;\nconst float HALF_MAX = 32000.0;\nconst float FLOAT_MAX = 1e38;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst bool AIR = true;\nconst uint DISK_STEPS = 128u;\nconst uint VERTICES = 4u;\nconst bool BODY = true;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst uint WIDE = 4u;\nconst float HALF_MAX = 32000.0;\nconst float FLOAT_MAX = 1e38;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst bool AIR = true;\nconst uint DISK_STEPS = 128u;\nconst uint VERTICES = 4u;\nconst bool LIMB_DARKENING = true;\nconst bool MOON = true;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst uint WIDE = 4u;\nconst float HALF_MAX = 32000.0;\nconst float FLOAT_MAX = 1e38;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst float INV_4PI = 0.07957747;\nconst bool CORNETTE_SHANKS = true;\nconst bool SUNLIGHT = true;\nconst float LOG_FLOOR = -100.0;\nconst int MOMENTS = 6;\nconst float SH0_ = 0.2820948;\nconst float SH1_ = 0.48860252;\nconst float SH20_ = 0.31539157;\nconst float SH21_ = 1.0925485;\nconst float SH22_ = 0.54627424;\nconst float PI = 3.1415927;\nconst float SQRT_HALF = 0.70710677;\nconst uint RINGS = 256u;\nconst uint SEGMENTS = 384u;\nconst bool SKY_LIGHT = true;\nconst bool MOON = true;\nconst uint VERTICES = 197632u;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst uint WIDE = 4u;\nconst float HALF_MAX = 32000.0;\nconst float FLOAT_MAX = 1e38;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst vec4 COLUMN_NODES = vec4(0.18343464, 0.5255324, 0.7966665, 0.96028984);\nconst vec4 COLUMN_WEIGHTS = vec4(0.36268377, 0.31370664, 0.22238104, 0.101228535);\nconst float COLUMN_HEIGHTS = 7.0;\nconst vec3 TENT_NODES = vec3(0.11270166, 0.5, 0.88729835);\nconst vec3 TENT_WEIGHTS = vec3(0.2777778, 0.44444445, 0.2777778);\nconst vec2 ROUGH_NODES = vec2(0.33998105, 0.8611363);\nconst vec2 ROUGH_WEIGHTS = vec2(0.65214515, 0.34785485);\nconst float ROUGH_HEIGHTS = 5.0;\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst uint WIDE = 4u;\nconst float HALF_MAX = 32000.0;\nconst float FLOAT_MAX = 1e38;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\nconst vec4 COLUMN_NODES = vec4(0.18343464, 0.5255324, 0.7966665, 0.96028984);\nconst vec4 COLUMN_WEIGHTS = vec4(0.36268377, 0.31370664, 0.22238104, 0.101228535);\nconst float COLUMN_HEIGHTS = 7.0;\nconst vec3 TENT_NODES = vec3(0.11270166, 0.5, 0.88729835);\nconst vec3 TENT_WEIGHTS = vec3(0.2777778, 0.44444445, 0.2777778);\nconst vec2 ROUGH_NODES = vec2(0.33998105, 0.8611363);\nconst vec2 ROUGH_WEIGHTS = vec2(0.65214515, 0.34785485);\nconst float ROUGH_HEIGHTS = 5.0;\nconst bool BEFORE = true;\nconst bool THROUGH_AIR = true;\nconst vec4 NODES = vec4(0.06943184, 0.3300095, 0.66999054, 0.93056816);\nconst vec4 WEIGHTS = vec4(0.17392743, 0.32607257, 0.32607257, 0.17392743);\n",
+    "const uint REDUCED = 1u;\nconst uint SHELL_DIMS = 2u;\nconst uint WIDE = 4u;\nconst float LOG_FLOOR = -100.0;\nconst bool RAYLEIGH = true;\nconst bool MIE = true;\nconst bool OZONE = true;\n",
     "layout(location=0)out vec4 o0;\n",
     "layout(std140)uniform Frame_block_0Fragment{Frame g0;};\n",
     "layout(std140)uniform Terrain_block_0Fragment{Terrain g0;};\n",
@@ -89,8 +93,8 @@ static PARTS: &[&str] = &[
     "smooth out vec3 v0;smooth out vec3 v1;smooth out vec3 v2;\n",
     "struct DepthCode{float scale;float bias;float log_;float background;};\n",
     "struct Frame{Medium medium;vec3 ray_forward;float altitude;vec3 ray_right;float sky_weight;vec3 ray_up;float shell_weight;vec3 sun;float sun_chord;vec2 size;float sun_disk;float pixel_angle;DepthCode depth;uint view_samples;uint light_samples;uint flags;float camera_altitude;vec4 sky_view_mapping;};\n",
-    "struct Luts{vec3 mie_extinction;float altitude_steepness;vec3 mie_moment0_;float altitude_growth;vec3 mie_moment1_;float sun_middle;vec3 mie_moment2_;float sun_width;vec3 mie_asymmetry;float pad;vec3 albedo;float sun_first;float sun_span;float ground_rows;uvec2 size;uint steps;uint shift;uint slices;float aerial_ground_rows;};\n",
-    "struct Medium{vec3 rayleigh;float rayleigh_inv_height;vec3 mie_scattering;float mie_inv_height;vec3 mie_extinction;float ozone_center;vec3 mie_asymmetry;float ozone_inv_half_width;vec3 ozone;float radius;vec3 irradiance;float thickness;};\n",
+    "struct Luts{vec3 mie_extinction;float altitude_steepness;vec3 mie_moment0_;float altitude_growth;vec3 mie_moment1_;float sun_middle;vec3 mie_moment2_;float sun_width;vec3 mie_asymmetry;float pad;vec3 albedo;float sun_first;float sun_span;float ground_rows;uvec2 size;uint steps;uint pad1_;uint slices;float aerial_ground_rows;};\n",
+    "struct Medium{vec3 rayleigh;float rayleigh_inv_height;vec3 mie_scattering;float mie_inv_height;vec3 mie_extinction;float ozone_center;vec3 mie_asymmetry;float ozone_inv_half_width;vec3 ozone;float radius;vec3 irradiance;float thickness;float datum;float pad1_;float pad2_;float pad3_;};\n",
     "struct MoonShadow{vec3 across;float along;float radius;float tan_sun_radius;float min_visibility;float inv_extent;};\n",
     "struct Terrain{Frame frame;vec3 axis;float amplitude;vec3 grid_x;float arc_scale;vec3 grid_y;float arc_rate;vec3 planet_x;float sea;vec3 planet_y;float offset_x;vec3 planet_z;float offset_y;vec3 low_albedo;float mountain_rate;vec3 high_albedo;float snow_line;vec3 sky_light;float pad;Luts luts;MoonShadow moon_shadow;};\n",
     "struct Tone{float exposure;uint flipped;float pad1_;float pad2_;};\n",
@@ -105,93 +109,102 @@ static PARTS: &[&str] = &[
     "uniform highp sampler2D g4;\n",
     "uniform highp sampler2D g5;\n",
     "uniform highp sampler2D g6;\n",
-    "uniform highp sampler2D g7;\n",
     "vec3 aces(vec3 a){mat3x3 b=mat3x3(vec3(0.59719,0.076,0.0284),vec3(0.35458,0.90834,0.13383),vec3(0.04823,0.01566,0.83777));mat3x3 c=mat3x3(vec3(1.60475,-0.10208,-0.00327),vec3(-0.53108,1.10813,-0.07276),vec3(-0.07367,-0.00605,1.07602));vec3 d=b*a;return c*((d*(d+vec3(0.0245786))-vec3(9.0537e-5))/(d*(0.983729*d+vec3(0.432951))+vec3(0.238081)));}\n",
-    "vec4 aerial_at(highp sampler2D a,vec2 b,vec2 c,float d,float e,int f,float g){if(e<0.0){return vec4(vec3(g),0.0);}return textureLod(a,vec2((b+c*vec2(e,float(f))+vec2(0.5))*(vec2(1.0)/vec2(c.x*d,c.y*4.0))),0.0);}\n",
-    "void aerial_column(highp sampler2D a,uint b,float c,float d,float e,bool f,inout vec2 g,inout vec2 h,inout float i){float j=float(b);vec2 k=vec2(uvec2(textureSize(a,0).xy))/vec2(j,4.0);g=vec2(d*(k.x-1.0),v_to_row(e,f,k.y,c));h=k;i=j;}\n",
-    "vec3 aerial_light(highp sampler2D a,vec2 b,vec2 c,float d,float e,int f,vec3 g){return mix(aerial_at(a,b,c,d,e-1.0,f,0.0).xyz,aerial_at(a,b,c,d,e,f,0.0).xyz,g);}\n",
-    "vec4 aerial_load(highp sampler2D a,int b,int c,int d,int e,int f,int g){return texelFetch(a,ivec2(g*e+c,f*d+b),0);}\n",
-    "void aerial_slice(highp sampler2D a,vec2 b,vec2 c,float d,float e,float f,float g,inout float h,inout vec4 i,inout vec4 j){int k=0;bool l=false;bool m=false;int n=0;bool o=false;bool p=false;float q=clamp(-f,0.0,e);float r=distance_to_u(q,0.0);float s=(distance_to_u(q,g)-r)/(distance_to_u(q,e)-r);float t=d-1.0;float u=min(g/e,1.0);float v=clamp(floor(s*d),0.0,t);vec4 w=aerial_at(a,b,c,d,v-1.0,AIR_TRANSMITTANCE,1.0);vec4 x=aerial_at(a,b,c,d,v,AIR_TRANSMITTANCE,1.0);bool y=true;while(true){if(!y){k=k+1;}y=false;l=k<4&&u>x.w;m=l&&v<t;if(m){}else{break;}{v=v+1.0;w=x;x=aerial_at(a,b,c,d,v,AIR_TRANSMITTANCE,1.0);}}bool z=true;while(true){if(!z){n=n+1;}z=false;o=n<4&&u<w.w;p=o&&v>0.0;if(p){}else{break;}{v=v-1.0;x=w;w=aerial_at(a,b,c,d,v-1.0,AIR_TRANSMITTANCE,1.0);}}h=v;i=w;j=x;}\n",
-    "void aerial_texel(vec2 a,uvec2 b,uint c,inout int d,inout int e,inout int f,inout int g,inout int h,inout int i){ivec2 j=ivec2(a);int k=int(b.x/c);int l=int(b.y)/AIR_KINDS;d=j.y/l;e=j.y%l;f=j.x%k;g=j.x/k;h=l;i=k;}\n",
+    "vec3 aerial_brightness(highp sampler2D a,vec2 b,vec2 c,float d,float e,int f){float g=min(floor(e),d-2.0);vec2 h=vec2(1.0)/vec2(c.x*d,c.y*2.0);vec2 i=(b+c*vec2(g,float(f))+vec2(0.5))*h;return mix(textureLod(a,vec2(i),0.0).xyz,textureLod(a,vec2(i+vec2(c.x*h.x,0.0)),0.0).xyz,e-g);}\n",
+    "void aerial_point(highp sampler2D a,uint b,float c,float d,float e,bool f,float g,float h,float i,inout vec2 j,inout vec2 k,inout float l,inout float m){float n=float(b);vec2 o=vec2(uvec2(textureSize(a,0).xy))/vec2(n,2.0);float p=v_to_row(e,f,o.y,c);float q=clamp(-h,0.0,g);float r=distance_to_u(q,0.0);float s=(distance_to_u(q,i)-r)/(distance_to_u(q,g)-r);j=vec2(d*(o.x-1.0),p);k=o;l=n;m=clamp(s,0.0,1.0)*(n-1.0);}\n",
+    "void aerial_texel(vec2 a,uvec2 b,uint c,int d,inout int e,inout int f,inout int g,inout int h,inout int i,inout int j){ivec2 k=ivec2(a);int l=int(b.x/c);int m=int(b.y)/d;e=k.y/m;f=k.y%m;g=k.x%l;h=k.x/l;i=m;j=l;}\n",
     "vec3 agx(vec3 a){mat3x3 b=mat3x3(vec3(0.84247905,0.042328242,0.042375654),vec3(0.0784336,0.87846863,0.0784336),vec3(0.079223745,0.07916613,0.879143));mat3x3 c=mat3x3(vec3(1.196879,-0.052896854,-0.052971635),vec3(-0.09802088,1.1519032,-0.09804345),vec3(-0.09902974,-0.098961174,1.1510737));vec3 d=(clamp(log2(max(b*a,vec3(1e-10))),vec3(-12.47393),vec3(4.026069))+vec3(12.47393))/vec3(16.499998);vec3 e=d*d;vec3 f=e*e;return pow(max(c*(15.5*f*e-40.14*f*d+31.96*f-6.868*e*d+0.4298*e+0.1191*d-vec3(0.00232)),vec3(0.0)),vec3(2.2));}\n",
-    "void air_before(highp sampler2D a,float b,float c,float d,float e,float f,float g,vec2 h,vec2 i,float j,float k,vec3 l,vec3 m,inout vec3 n,inout vec3 o){float p=0.0;vec4 q=vec4(0.0);vec4 r=vec4(0.0);aerial_slice(a,h,i,j,e,g,k,p,q,r);vec3 s=slice_passed(q,r,e,f,g,k,b,c,d);vec3 t=slice_depth(q,r);vec3 u=mean_transmittance(t*s.x)/mean_transmittance(t);vec3 v=l;vec3 w=m;if(k<e){v=v*aerial_light(a,h,i,j,p,AIR_SMOOTH,s.x*u);if(MIE_SINGLE){w=w*aerial_light(a,h,i,j,p,AIR_MIE,min(s.y*u,vec3(1.0)));}}if(MIE_SINGLE){v=v+w;}n=q.xyz*exp(-t*s.x);o=v;}\n",
+    "void air_before(highp sampler2D a,vec3 b,float c,float d,vec3 e,float f,float g,vec3 h,float i,float j,vec3 k,uint l,float m,float n,bool o,float p,float q,float r,float s,float t,float u,vec3 v,vec3 w,inout vec3 x,inout vec3 y){float z=0.0;float aa=0.0;float ab=0.0;vec2 ac=vec2(0.0);vec2 ad=vec2(0.0);float ae=0.0;float af=0.0;mat2x3 ag=layers_of(c,d,f,g,j);bool ah=u>=p;vec3 ai=path_columns(ag,n,o,q,r,min(u,p),ah,i);vec3 aj=v;vec3 ak=w;if(!ah){mat3x3 al=taking_coefficients(b,k);lowest_point(q,r,n,o,p,i,z,aa,ab);vec3 am=opacity(extinction(al,ai))/max(rough_opacity(ag,al,aa,ab,-z,p-z,i),vec3(1e-30));aerial_point(a,l,m,s,t,o,p,r,u,ac,ad,ae,af);aj=aj*min(am*aerial_brightness(a,ac,ad,ae,af,AIR_SMOOTH),vec3(1.0));if(MIE_SINGLE){ak=ak*min(am*aerial_brightness(a,ac,ad,ae,af,AIR_MIE),vec3(1.0));}}if(MIE_SINGLE){aj=aj+ak;}x=exp(-extinction(coefficients_of(b,e,h),ai));y=aj;}\n",
     "void air_path(float a,float b,bool c,float d,float e,float f,inout float g,inout float h,inout float i){float j=excess_of(f,e);float k=sqrt(max(-b,0.0));if(d<=f){float l=excess_of(d,e);g=c?distance_to_ground(l,a,k):distance_to_top(l,a,j);h=l;i=a;return;}float m=top_half_chord2_(a,b,d,e,f);if(a>=0.0||m<=0.0){g=-1.0;h=0.0;i=0.0;return;}float n=sqrt(m);g=c?distance_to_ground(j,-n,k):2.0*n;h=j;i=-n;}\n",
     "void air_path(float a,float b,bool c,float d,float e,float f,inout float g,inout float h,inout float i,inout float j){float k=excess_of(f,e);float l=sqrt(max(-b,0.0));if(d<=f){float m=excess_of(d,e);float n=distance_to_top(m,a,k);float o=distance_to_ground(m,a,l);g=0.0;h=c?o:n;i=m;j=a;return;}float p=(d-f)*(2.0*e+f+d);float q=top_half_chord2_(a,b,d,e,f);if(a>=0.0||q<=0.0){g=0.0;h=-1.0;i=0.0;j=0.0;return;}float r=sqrt(q);float s=c?distance_to_ground(k,-r,l):2.0*r;g=p/(r-a);h=s;i=k;j=-r;}\n",
-    "void air_ray(vec3 a,float b,float c,float d,vec3 e,inout float f,inout float g,inout float h,inout float i,inout float j,inout float k,inout float l,inout float m,inout float n,inout float o,inout float p,inout bool q){float r=0.0;float s=0.0;float t=0.0;float u=0.0;float v=0.0;float w=0.0;float x=0.0;float y=0.0;bool z=false;float aa=0.0;float ab=0.0;float ac=0.0;float ad=0.0;line_past(a,b,c,x,y,z);air_path(x,y,z,b,c,d,aa,ab,ac,ad);if(b<=d){sun_side_inside(a,e,c+b,ac,c,r,s,t,u,v,w);}else{if(ab>0.0){sun_side_outside(a,e,c+b,aa,-ad,ac,c,r,s,t,u,v,w);}else{s=dot(a,e);}}bool ae=z&&ab>=0.0;f=aa;g=ab;h=ac;i=ad;j=y;k=r;l=s;m=t;n=u;o=v;p=w;q=ae;}\n",
-    "void all_orders(highp sampler2D a,highp sampler2D b,vec3 c,float d,vec3 e,float f,vec3 g,float h,vec3 i,float j,vec3 k,float l,float m,vec3 n,float o,vec3 p,float q,vec3 r,float s,vec3 t,float u,float v,float w,uint x,float y,float z,float aa,float ab,float ac,float ad,float ae,float af,float ag,float ah,float ai,bool aj,vec3 ak,vec3 al,float am,inout vec3 an,inout vec3 ao){float ap=0.0;float aq=0.0;float ar=0.0;vec3 as=vec3(0.0);vec3 at=vec3(0.0);vec3 au=vec3(0.0);perigee_of(z,aa,ab,ac,aj,am,l,ap,aq,ar);float av=distance_to_u(ap,0.0);float aw=distance_to_u(ap,am);vec3 ax=c*rayleigh_phase(ae);vec3 ay=e*mie_phase_between(ak,al,i);gather(a,b,c,d,e,f,h,j,k,l,m,n,o,p,q,r,s,t,u,v,w,x,y,ad,ae,af,ag,ah,ai,ak,ap,aq,ar,av,aw,ax,ay,1.0,as,at,au);vec3 az=extinction(coefficients_of(c,g,k),au);an=as;ao=exp(-az);}\n",
+    "void air_ray(vec3 a,float b,float c,float d,vec3 e,inout float f,inout float g,inout float h,inout float i,inout float j,inout float k,inout float l,inout float m,inout float n,inout float o,inout float p,inout bool q){float r=0.0;float s=0.0;bool t=false;line_past(a,b,c,r,s,t);air_ray_of(r,s,t,a,b,c,d,e,f,g,h,i,j,k,l,m,n,o,p,q);}\n",
+    "void air_ray_of(float a,float b,bool c,vec3 d,float e,float f,float g,vec3 h,inout float i,inout float j,inout float k,inout float l,inout float m,inout float n,inout float o,inout float p,inout float q,inout float r,inout float s,inout bool t){float u=0.0;float v=0.0;float w=0.0;float x=0.0;float y=0.0;float z=0.0;float aa=0.0;float ab=0.0;float ac=0.0;float ad=0.0;air_path(a,b,c,e,f,g,aa,ab,ac,ad);if(e<=g){sun_side_inside(d,h,f+e,ac,f,u,v,w,x,y,z);}else{if(ab>0.0){sun_side_outside(d,h,f+e,aa,-ad,ac,f,u,v,w,x,y,z);}else{v=dot(d,h);}}bool ae=c&&ab>=0.0;i=aa;j=ab;k=ac;l=ad;m=b;n=u;o=v;p=w;q=x;r=y;s=z;t=ae;}\n",
+    "void all_orders(highp sampler2D a,highp sampler2D b,vec3 c,float d,vec3 e,float f,vec3 g,float h,vec3 i,float j,vec3 k,float l,float m,float n,vec3 o,float p,vec3 q,float r,vec3 s,float t,vec3 u,float v,float w,float x,uint y,float z,float aa,float ab,float ac,float ad,float ae,float af,float ag,float ah,float ai,float aj,bool ak,vec3 al,vec3 am,float an,inout vec3 ao,inout vec3 ap){float aq=0.0;float ar=0.0;float as=0.0;vec3 at=vec3(0.0);vec3 au=vec3(0.0);vec3 av=vec3(0.0);perigee_of(aa,ab,ac,ad,ak,an,l,aq,ar,as);float aw=distance_to_u(aq,0.0);float ax=distance_to_u(aq,an);vec3 ay=c*rayleigh_phase(af);vec3 az=e*mie_phase_between(al,am,i);gather(a,b,c,d,e,f,h,j,k,l,m,n,o,p,q,r,s,t,u,v,w,x,z,ae,af,ag,ah,ai,aj,al,aq,ar,as,aw,ax,y,ay,az,1.0,at,au,av);vec3 ba=extinction(coefficients_of(c,g,k),av);ao=at;ap=exp(-ba);}\n",
     "float altitude_after(float a,float b,float c,float d){return max(altitude_of(a+c*(2.0*b+c),d),0.0);}\n",
     "float altitude_of(float a,float b){return a/(b+sqrt(max(b*b+a,0.0)));}\n",
     "float altitude_to_v(float a,float b,float c,float d){float e=max(c,0.0)/d*b;return sqrt((e<0.05?e*(1.0-e*(0.5-e*(0.33333334-e*0.25))):log(1.0+e))/a);}\n",
     "float azimuth_to_u(vec3 a){float b=max(length(a.xy),1e-30);float c=a.x/b;float d=sqrt(0.5+0.5*min(abs(c),1.0));float e=0.5*abs(a.y)/b/d;return(c>=0.0?e:d)/(d+e);}\n",
+    "float behind_alpha(float a){if(DIMS){return 1.0-a;}else{return 0.0;}}\n",
     "vec4 bilinear(highp sampler2D a,ivec2 b,ivec2 c,vec2 d,ivec2 e){ivec2 f=b+e;ivec2 g=c+e;return mix(mix(texelFetch(a,f,0),texelFetch(a,ivec2(g.x,f.y),0),d.x),mix(texelFetch(a,ivec2(f.x,g.y),0),texelFetch(a,g,0),d.x),d.y);}\n",
     "vec4 clip_position(vec3 a){vec3 b=h0.frame.ray_right;vec3 c=h0.frame.ray_up;float d=dot(a,h0.axis);return vec4(dot(a,b)/dot(b,b)-h0.offset_x*d,dot(a,c)/dot(c,c)-h0.offset_y*d,0.5*d,d);}\n",
     "mat3x3 coefficients_of(vec3 a,vec3 b,vec3 c){return mat3x3(a,b,c);}\n",
-    "vec4 compose(vec4 a,vec3 b,vec3 c){if(BLEND){return veil(c,b);}else{vec3 d=a.xyz*b;return vec4(d+min(c,max(vec3(32000.0)-d,vec3(0.0))),a.w);}}\n",
+    "vec3 columns(mat2x3 a,float b,float c,float d,float e,float f){vec3 g=vec3(0.0);vec3 h=a[0];float i=a[1].x;if(RAYLEIGH){g.x=exponential_column(b,c,d,e,f,h.x,i);}if(MIE){g.y=exponential_column(b,c,d,e,f,h.y,i);}if(OZONE){float j=a[1].y;g.z=tent_column(b,abs(c),max(-d,e),f,h.z,j,i);float k=min(-d,e);if(k>0.0){g.z=g.z+tent_column(b,0.0,k,f,h.z,j,i);}}return g;}\n",
+    "vec4 compose(vec4 a,vec3 b,vec3 c,float d){if(BLEND){return veil(c,b,d);}else{vec3 e=a.xyz*b;return vec4(e+min(c,max(vec3(d)-e,vec3(0.0))),a.w);}}\n",
     "void corner(vec2 a,ivec2 b,inout ivec2 c,inout ivec2 d,inout vec2 e){vec2 f=clamp(a,vec2(0.0),vec2(b-ivec2(1)));ivec2 g=min(ivec2(f),b-ivec2(1));c=g;d=min(g+ivec2(1),b-ivec2(1));e=f-vec2(g);}\n",
     "vec3 cornette_shanks_phase(float a,float b,vec3 c){float d=1.0-a;return vec3(1.5*(1.0+d*d))/(vec3(2.0)+c*c)*henyey_greenstein_phase(a,b,c);}\n",
     "float crowded(float a,float b,float c){return sqrt(max(a,0.0)/(c*(b+c)));}\n",
     "vec3 dark_part(vec2 a,float b,float c){float d=clamp(a.x,b,c);float e=clamp(a.y,b,c);return vec3(d,e,a.y>a.x?max(e-d,0.0):0.0);}\n",
     "vec3 decode_light(vec3 a){vec3 b=a*a;return b*b;}\n",
-    "vec3 densities(vec4 a,float b){vec3 c=vec3(0.0);if(RAYLEIGH){c.x=exp(-b*a.x);}if(MIE){c.y=exp(-b*a.y);}if(OZONE){c.z=max(0.0,1.0-abs(b-a.z)*a.w);}return c;}\n",
+    "vec3 densities(mat2x3 a,float b){vec3 c=vec3(0.0);vec3 d=a[0];float e=max(b-a[1].x,0.0);if(RAYLEIGH){c.x=exp(-e*d.x);}if(MIE){c.y=exp(-e*d.y);}if(OZONE){c.z=max(0.0,1.0-abs(e-a[1].y)*d.z);}return c;}\n",
     "float depth_distance(float a,float b,float c,float d,float e,float f){if(e==d){return-1.0;}if(c>0.0){return(exp2(e*c)-1.0)*0.001*f;}float g=e*a+b;if(g<=0.0){return-1.0;}return f/g;}\n",
     "float depth_of(float a,float b,float c,float d){if(c>0.0){return log2(1.0+d*1000.0)/c;}return(1.0/d-b)/a;}\n",
-    "vec4 disk_color(vec3 a,float b,float c,bool d,float e,vec3 f,float g,float h,vec3 i,float j,float k,vec3 l,float m,float n){float o=0.0;float p=0.0;float q=0.0;vec3 r=a;if(AIR){air_path(b,c,d,e,m,n,o,p,q);if(o>0.0){r=r*exp(-extinction(coefficients_of(f,i,l),path_densities(layers_of(g,h,j,k),m,p,q,o,DISK_STEPS)));}}r=min(r,vec3(32000.0));return vec4(r,max(r.x,max(r.y,r.z))*3.125e-5);}\n",
+    "vec4 disk_color(vec3 a,float b,float c,bool d,float e,vec3 f,float g,float h,vec3 i,float j,float k,vec3 l,float m,float n,float o,float p){float q=0.0;float r=0.0;float s=0.0;vec3 t=a;if(AIR){air_path(b,c,d,e,m,n,q,r,s);if(q>0.0){t=t*exp(-extinction(coefficients_of(f,i,l),path_densities(layers_of(g,h,j,k,o),m,r,s,q,DISK_STEPS)));}}t=min(t,vec3(p));return vec4(t,max(t.x,max(t.y,t.z))/p);}\n",
     "float disk_coverage(vec3 a,float b,float c){return clamp((b-length(a))/c+0.5,0.0,1.0);}\n",
+    "float distance_at_height(float a,float b,float c,float d){return sqrt(max(excess_of(c,d)-a+b*b,0.0));}\n",
     "float distance_to_ground(float a,float b,float c){return min(a/(c-b),-b);}\n",
     "float distance_to_top(float a,float b,float c){float d=max(c-a,0.0);float e=sqrt(b*b+d);if(b>0.0){return d/(b+e);}return e-b;}\n",
     "float distance_to_u(float a,float b){return sign(b-a)*sqrt(abs(b-a));}\n",
     "vec3 dither(uvec2 a){uint b=a.x*3242174889u+a.y*2447445413u;uvec3 c=uvec3(b,b+1431655765u,b+2863311530u);return(vec3((c<<uvec3(1u)^uvec3(0u)-(c>>uvec3(31u)))>>uvec3(24u))+vec3(0.5))/vec3(256.0)-vec3(0.5);}\n",
-    "void eclipsed_light(highp sampler2D a,highp sampler2D b,vec3 c,float d,vec3 e,float f,vec3 g,float h,vec3 i,float j,vec3 k,float l,float m,vec3 n,float o,vec3 p,float q,vec3 r,float s,vec3 t,float u,float v,float w,uint x,float y,float z,float aa,float ab,float ac,float ad,float ae,float af,float ag,float ah,float ai,bool aj,vec3 ak,vec3 al,float am,uint an,uint ao,inout vec3 ap,inout vec3 aq){if(MULTI_SCATTERING){all_orders(a,b,c,d,e,f,g,h,i,j,k,l,m,n,o,p,q,r,s,t,u,v,w,x,y,z,aa,ab,ac,ad,ae,af,ag,ah,ai,aj,ak,al,am,ap,aq);return;}else{vec3 ar=ak-al;single_scattering(c,d,e,f,g,h,i,j,k,l,m,y,z,aa,ab,ac,ad,ae,af,ag,ah,ai,aj,ak,am,0.5*dot(ar,ar),an,ao,ap,aq);return;}}\n",
+    "void eclipsed_light(highp sampler2D a,highp sampler2D b,vec3 c,float d,vec3 e,float f,vec3 g,float h,vec3 i,float j,vec3 k,float l,float m,float n,vec3 o,float p,vec3 q,float r,vec3 s,float t,vec3 u,float v,float w,float x,uint y,float z,float aa,float ab,float ac,float ad,float ae,float af,float ag,float ah,float ai,float aj,bool ak,vec3 al,vec3 am,float an,uint ao,uint ap,inout vec3 aq,inout vec3 ar){if(MULTI_SCATTERING){all_orders(a,b,c,d,e,f,g,h,i,j,k,l,m,n,o,p,q,r,s,t,u,v,w,x,y,z,aa,ab,ac,ad,ae,af,ag,ah,ai,aj,ak,al,am,an,aq,ar);return;}else{vec3 as=al-am;single_scattering(c,d,e,f,g,h,i,j,k,l,m,n,z,aa,ab,ac,ad,ae,af,ag,ah,ai,aj,ak,al,an,0.5*dot(as,as),ao,ap,aq,ar);return;}}\n",
     "vec3 encode_light(vec3 a){return sqrt(sqrt(a));}\n",
     "float excess_of(float a,float b){return a*(2.0*b+a);}\n",
+    "float exponential_column(float a,float b,float c,float d,float e,float f,float g){float h=distance_at_height(a,b,max(altitude_of(a,e),g)+COLUMN_HEIGHTS/f,e);float i=max(c,-h-b);float j=0.5*max(min(d,h-b)-i,0.0);vec4 k=j*COLUMN_NODES;return j*dot(COLUMN_WEIGHTS,exp(-max(heights_after(a,b,vec4(i+j)-k,e)-vec4(g),vec4(0.0))*f)+exp(-max(heights_after(a,b,vec4(i+j)+k,e)-vec4(g),vec4(0.0))*f));}\n",
     "vec3 extinction(mat3x3 a,vec3 b){vec3 c=vec3(0.0);if(RAYLEIGH){c=c+a[0]*b.x;}if(MIE){c=c+a[1]*b.y;}if(OZONE){c=c+a[2]*b.z;}return c;}\n",
-    "void gather(highp sampler2D a,highp sampler2D b,vec3 c,float d,vec3 e,float f,float g,float h,vec3 i,float j,float k,vec3 l,float m,vec3 n,float o,vec3 p,float q,vec3 r,float s,float t,float u,uint v,float w,float x,float y,float z,float aa,float ab,float ac,vec3 ad,float ae,float af,float ag,float ah,float ai,vec3 aj,vec3 ak,float al,inout vec3 am,inout vec3 an){uint ao=0u;float ap=0.0;vec3 aq=vec3(0.0);vec3 ar=vec3(0.0);vec3 as=vec3(0.0);am=vec3(0.0);an=vec3(1.0);vec4 at=layers_of(d,f,g,h);mat3x3 au=mat3x3(c,l,i);vec2 av=shadow_stretch(x,y,z,aa,ab,ac);vec4 aw=sun_axis(q,s,t,u);vec2 ax=multi_scattering_span(b);mat3x3 ay=mat3x3(e*n,e*p,e*r);float az=(ai-ah)/float(v);float ba=u_to_distance(ae,ah);bool bb=true;while(true){if(!bb){ao=ao+1u;}bb=false;if(ao<v){}else{break;}{float bc=ah+az*float(ao);float bd=u_to_distance(ae,bc+az);float be=bd-ba;float bf=u_to_distance(ae,bc+0.5*az);float bg=altitude_after(af,ag,bf-ae,j);vec3 bh=densities(at,bg);vec3 bi=extinction(au,bh)*be;vec3 bj=an*mean_transmittance(bi);vec3 bk=dark_part(av,ba,bd);if(bk.z<be){ap=bf;if(bk.z>0.0){ap=lit_middle(bk,ae,ba,bd);}float bl=ap-ae;float bm=max(af+bl*(2.0*ag+bl),0.0);float bn=altitude_of(bm,j);vec3 bo=densities(at,bn);aq=(aj*bo.x+ak*bo.y)*exp(-extinction(au,optical_path_to_top(a,j,k,bm,bn,x+y*ap)));aq=aq*sun_visibility(ad,w+ap);am=am+bj*aq*(be-bk.z);}if(MULTI_SCATTERING){float bp=j+bg;float bq=clamp((ag+bf-ae)/bp,-1.0,1.0);float br=clamp((x+y*bf)/bp,-1.0,1.0);vec2 bs=vec2(mu_sun_to_u(aw,br),altitude_to_v(m,o,bg,k))*ax;multi_scattering_source(b,bs,c,ay,bq,br,y,ar,as);vec3 bt=ar;vec3 bu=as;vec3 bv=sun_visibility_around(ad,w+bf);am=am+bj*(be*al)*(bt*bv*bh.x+bu*bv*bh.y);}an=an*exp(-bi);ba=bd;}}}\n",
-    "void gather(highp sampler2D a,highp sampler2D b,vec3 c,float d,vec3 e,float f,float g,float h,vec3 i,float j,float k,vec3 l,float m,vec3 n,float o,vec3 p,float q,vec3 r,float s,float t,float u,uint v,float w,float x,float y,float z,float aa,float ab,float ac,vec3 ad,float ae,float af,float ag,float ah,float ai,vec3 aj,vec3 ak,float al,inout vec3 am,inout vec3 an,inout vec3 ao){uint ap=0u;float aq=0.0;vec3 ar=vec3(0.0);vec3 as=vec3(0.0);vec3 at=vec3(0.0);am=vec3(0.0);an=vec3(1.0);ao=vec3(0.0);vec4 au=layers_of(d,f,g,h);mat3x3 av=mat3x3(c,l,i);vec2 aw=shadow_stretch(x,y,z,aa,ab,ac);vec4 ax=sun_axis(q,s,t,u);vec2 ay=multi_scattering_span(b);mat3x3 az=mat3x3(e*n,e*p,e*r);float ba=(ai-ah)/float(v);float bb=u_to_distance(ae,ah);bool bc=true;while(true){if(!bc){ap=ap+1u;}bc=false;if(ap<v){}else{break;}{float bd=ah+ba*float(ap);float be=u_to_distance(ae,bd+ba);float bf=be-bb;float bg=u_to_distance(ae,bd+0.5*ba);float bh=altitude_after(af,ag,bg-ae,j);vec3 bi=densities(au,bh);vec3 bj=extinction(av,bi)*bf;vec3 bk=an*mean_transmittance(bj);vec3 bl=dark_part(aw,bb,be);if(bl.z<bf){aq=bg;if(bl.z>0.0){aq=lit_middle(bl,ae,bb,be);}float bm=aq-ae;float bn=max(af+bm*(2.0*ag+bm),0.0);float bo=altitude_of(bn,j);vec3 bp=densities(au,bo);ar=(aj*bp.x+ak*bp.y)*exp(-extinction(av,optical_path_to_top(a,j,k,bn,bo,x+y*aq)));ar=ar*sun_visibility(ad,w+aq);am=am+bk*ar*(bf-bl.z);}if(MULTI_SCATTERING){float bq=j+bh;float br=clamp((ag+bg-ae)/bq,-1.0,1.0);float bs=clamp((x+y*bg)/bq,-1.0,1.0);vec2 bt=vec2(mu_sun_to_u(ax,bs),altitude_to_v(m,o,bh,k))*ay;multi_scattering_source(b,bt,c,az,br,bs,y,as,at);vec3 bu=as;vec3 bv=at;vec3 bw=sun_visibility_around(ad,w+bg);am=am+bk*(bf*al)*(bu*bw*bi.x+bv*bw*bi.y);}an=an*exp(-bj);ao=ao+bi*bf;bb=be;}}}\n",
+    "void gather(highp sampler2D a,highp sampler2D b,vec3 c,float d,vec3 e,float f,float g,float h,vec3 i,float j,float k,float l,vec3 m,float n,vec3 o,float p,vec3 q,float r,vec3 s,float t,float u,float v,float w,float x,float y,float z,float aa,float ab,float ac,vec3 ad,float ae,float af,float ag,float ah,float ai,uint aj,vec3 ak,vec3 al,float am,inout vec3 an,inout vec3 ao){uint ap=0u;float aq=0.0;vec3 ar=vec3(0.0);vec3 as=vec3(0.0);vec3 at=vec3(0.0);an=vec3(0.0);ao=vec3(1.0);mat2x3 au=layers_of(d,f,g,h,l);mat3x3 av=mat3x3(c,m,i);vec2 aw=shadow_stretch(x,y,z,aa,ab,ac);vec4 ax=sun_axis(r,t,u,v);vec2 ay=multi_scattering_span(b);mat3x3 az=mat3x3(e*o,e*q,e*s);float ba=(ai-ah)/float(aj);float bb=u_to_distance(ae,ah);bool bc=true;while(true){if(!bc){ap=ap+1u;}bc=false;if(ap<aj){}else{break;}{float bd=ah+ba*float(ap);float be=u_to_distance(ae,bd+ba);float bf=be-bb;float bg=u_to_distance(ae,bd+0.5*ba);float bh=altitude_after(af,ag,bg-ae,j);vec3 bi=densities(au,bh);vec3 bj=extinction(av,bi)*bf;vec3 bk=ao*mean_transmittance(bj);vec3 bl=dark_part(aw,bb,be);if(bl.z<bf){aq=bg;if(bl.z>0.0){aq=lit_middle(bl,ae,bb,be);}float bm=aq-ae;float bn=max(af+bm*(2.0*ag+bm),0.0);float bo=altitude_of(bn,j);vec3 bp=densities(au,bo);ar=(ak*bp.x+al*bp.y)*exp(-extinction(av,optical_path_to_top(a,j,k,bn,bo,x+y*aq)));ar=ar*sun_visibility(ad,w+aq);an=an+bk*ar*(bf-bl.z);}if(MULTI_SCATTERING){float bq=j+bh;float br=clamp((ag+bg-ae)/bq,-1.0,1.0);float bs=clamp((x+y*bg)/bq,-1.0,1.0);vec2 bt=vec2(mu_sun_to_u(ax,bs),altitude_to_v(n,p,bh,k))*ay;multi_scattering_source(b,bt,c,az,br,bs,y,as,at);vec3 bu=as;vec3 bv=at;vec3 bw=sun_visibility_around(ad,w+bg);an=an+bk*(bf*am)*(bu*bw*bi.x+bv*bw*bi.y);}ao=ao*exp(-bj);bb=be;}}}\n",
+    "void gather(highp sampler2D a,highp sampler2D b,vec3 c,float d,vec3 e,float f,float g,float h,vec3 i,float j,float k,float l,vec3 m,float n,vec3 o,float p,vec3 q,float r,vec3 s,float t,float u,float v,float w,float x,float y,float z,float aa,float ab,float ac,vec3 ad,float ae,float af,float ag,float ah,float ai,uint aj,vec3 ak,vec3 al,float am,inout vec3 an,inout vec3 ao,inout vec3 ap){uint aq=0u;float ar=0.0;vec3 as=vec3(0.0);vec3 at=vec3(0.0);vec3 au=vec3(0.0);an=vec3(0.0);ao=vec3(1.0);ap=vec3(0.0);mat2x3 av=layers_of(d,f,g,h,l);mat3x3 aw=mat3x3(c,m,i);vec2 ax=shadow_stretch(x,y,z,aa,ab,ac);vec4 ay=sun_axis(r,t,u,v);vec2 az=multi_scattering_span(b);mat3x3 ba=mat3x3(e*o,e*q,e*s);float bb=(ai-ah)/float(aj);float bc=u_to_distance(ae,ah);bool bd=true;while(true){if(!bd){aq=aq+1u;}bd=false;if(aq<aj){}else{break;}{float be=ah+bb*float(aq);float bf=u_to_distance(ae,be+bb);float bg=bf-bc;float bh=u_to_distance(ae,be+0.5*bb);float bi=altitude_after(af,ag,bh-ae,j);vec3 bj=densities(av,bi);vec3 bk=extinction(aw,bj)*bg;vec3 bl=ao*mean_transmittance(bk);vec3 bm=dark_part(ax,bc,bf);if(bm.z<bg){ar=bh;if(bm.z>0.0){ar=lit_middle(bm,ae,bc,bf);}float bn=ar-ae;float bo=max(af+bn*(2.0*ag+bn),0.0);float bp=altitude_of(bo,j);vec3 bq=densities(av,bp);as=(ak*bq.x+al*bq.y)*exp(-extinction(aw,optical_path_to_top(a,j,k,bo,bp,x+y*ar)));as=as*sun_visibility(ad,w+ar);an=an+bl*as*(bg-bm.z);}if(MULTI_SCATTERING){float br=j+bi;float bs=clamp((ag+bh-ae)/br,-1.0,1.0);float bt=clamp((x+y*bh)/br,-1.0,1.0);vec2 bu=vec2(mu_sun_to_u(ay,bt),altitude_to_v(n,p,bi,k))*az;multi_scattering_source(b,bu,c,ba,bs,bt,y,at,au);vec3 bv=at;vec3 bw=au;vec3 bx=sun_visibility_around(ad,w+bh);an=an+bl*(bg*am)*(bv*bx*bj.x+bw*bx*bj.y);}ao=ao*exp(-bk);ap=ap+bj*bg;bc=bf;}}}\n",
     "vec2 gauss8_(int a){switch(a){case 0:{return vec2(0.01985507,0.050614268);}case 1:{return vec2(0.10166676,0.11119052);}case 2:{return vec2(0.23723379,0.15685332);}case 3:{return vec2(0.40828267,0.18134189);}case 4:{return vec2(0.5917173,0.18134189);}case 5:{return vec2(0.7627662,0.15685332);}case 6:{return vec2(0.89833325,0.11119052);}default:{return vec2(0.9801449,0.050614268);}}}\n",
     "void grid_point(uint a,inout vec3 b,inout float c,inout float d,inout float e){uint f=min(max(a%772u,1u)-1u,772u-3u);uint g=a/772u+(f&1u);float h=6.2831855*float(f/2u%SEGMENTS)/384.0;float i=h0.arc_rate*float(g);float j=h0.arc_scale*0.5*(exp(i)-exp(-i));vec3 k=normalize(h0.grid_x*cos(h)+h0.grid_y*sin(h));float l=2.0*j/(1.0+j*j);float m=2.0*j*j/(1.0+j*j);float n=2.0*h0.arc_rate*sqrt(h0.arc_scale*h0.arc_scale+j*j)/(1.0+j*j);b=k;c=l;d=m;e=max(n,l*0.016362462);}\n",
     "vec3 ground_albedo(float a,float b){vec3 c=mix(g0.low_albedo,g0.high_albedo,smoothstep(0.05,0.6,a/g0.amplitude));c=mix(g0.high_albedo,c,smoothstep(0.8,0.95,b));c=mix(c,vec3(0.8),smoothstep(g0.snow_line,g0.snow_line*1.15,a));return mix(c,vec3(0.02,0.04,0.06),g0.sea*(1.0-smoothstep(0.0,0.004,a)));}\n",
     "vec3 ground_irradiance(highp sampler2D a,float b,float c,float d,float e,float f){ivec2 g=ivec2(0);ivec2 h=ivec2(0);vec2 i=vec2(0.0);ivec2 j=ivec2(uvec2(textureSize(a,0).xy));vec2 k=vec2(mu_sun_to_u(sun_axis(b,c,d,e),f)*float(j.x-1),0.0);corner(k,ivec2(j.x,1),g,h,i);return exp2(bilinear(a,g,h,i,ivec2(0,j.y-1)).xyz);}\n",
-    "vec3 ground_light(vec3 a,float b,float c,vec3 d,float e,float f,vec3 g,float h,float i,float j,vec3 k,vec3 l){vec3 m=vec3(0.0);vec3 n=h0.frame.sun;float o=h0.frame.sun_chord;float p=dot(k,n);float q=excess_of(j,h);float r=(h+j)*p;float s=smoothstep(-1.0,1.0,(p+sqrt(q)/(h+j))/o);if(SKY_LIGHT){}else{m=h0.sky_light*clamp((p+0.1)/1.1,0.0,1.0)*(0.5+0.5*dot(l,k));}if(s>0.0){m=m+sun_transmittance(coefficients_of(a,d,g),layers_of(b,c,e,f),h,i,q,r,8u)*(s*max(dot(l,n),0.0));}return m;}\n",
+    "vec3 ground_light(vec3 a,float b,float c,vec3 d,float e,float f,vec3 g,float h,float i,float j,float k,vec3 l,vec3 m){vec3 n=vec3(0.0);vec3 o=h0.frame.sun;float p=h0.frame.sun_chord;float q=dot(l,o);float r=j+k;float s=excess_of(r,h);float t=(h+r)*q;float u=smoothstep(-1.0,1.0,(q+sqrt(s)/(h+r))/p);if(SKY_LIGHT){}else{n=h0.sky_light*clamp((q+0.1)/1.1,0.0,1.0)*(0.5+0.5*dot(m,l));}if(u>0.0){n=n+sun_transmittance(coefficients_of(a,d,g),layers_of(b,c,e,f,j),h,i,s,t,8u)*(u*max(dot(m,o),0.0));}return n;}\n",
     "vec3 ground_radiance(vec3 a,vec3 b,float c,float d,vec3 e,float f,float g,vec3 h,float i,float j,float k){float l=clamp(k/c,-1.0,1.0);vec3 m=ground_irradiance(g2,f,g,i,j,l);if(l>0.0){m=m+l*exp(-extinction(mat3x3(a,e,b),optical_path_to_top(g1,c,d,0.0,0.0,k)));}return m*h*0.31830987;}\n",
     "vec2 half_angle(float a,float b,float c){float d=c-a;return sqrt(max(vec2((d+b)*(c+a-b),(b-d)*(a+b+c)),vec2(0.0)));}\n",
     "float half_chord2_(float a,float b,float c,float d){float e=c+d;if(abs(a)<e){return a*a-b;}return c*(e+d);}\n",
     "float harmonic(int a,float b,float c){switch(a){case 0:{return SH0_;}case 1:{return SH1_*b;}case 2:{return SH1_*c;}case 3:{return SH20_*(3.0*b*b-1.0);}case 4:{return SH21_*b*c;}default:{return SH22_*(2.0*c*c+b*b-1.0);}}}\n",
     "vec4 height_field(vec3 a,float b,float c,float d,float e){vec4 f=vec4(0.0);float g=0.55;int h=0;vec4 i=noise(a*2.3+vec3(11.0))*vec4(vec3(2.3),1.0)*0.6;i=i+noise(a*5.1+vec3(5.0))*vec4(vec3(5.1),1.0)*0.3;i=i+noise(a*13.7+vec3(3.0))*vec4(vec3(13.7),1.0)*0.1;float j=(i.w-mix(0.25,0.48,d))*14.0;if(j<=0.0){return vec4(0.0);}float k=min(j,1.0);vec3 l=j<1.0?i.xyz*14.0:vec3(0.0);vec4 m=noise(a*9.0+vec3(29.0))*vec4(vec3(9.0),1.0);float n=clamp((m.w-0.38)*4.0,0.0,1.0);float o=0.1+0.9*n*n*(3.0-2.0*n);vec3 p=m.xyz*(5.4*n*(1.0-n)*4.0);float q=c;bool r=true;while(true){if(!r){h=h+1;}r=false;if(h<6){}else{break;}{float s=clamp(0.3/(q*e)-0.5,0.0,1.0);if(s>0.0){vec4 t=noise(a*q+vec3(float(h)*17.0))*vec4(vec3(q),1.0);f=f+vec4(t.xyz*(t.w<0.5?2.0:-2.0),1.0-abs(2.0*t.w-1.0))*(g*s);}f.w=f.w+0.6*g*(1.0-s);q=q*2.03;g=g*0.45;}}return vec4(l*o*f.w+k*p*f.w+k*o*f.xyz,k*o*f.w)*b;}\n",
+    "vec4 heights_after(float a,float b,vec4 c,float d){vec4 e=vec4(a)+c*(vec4(2.0*b)+c);return max(e/(vec4(d)+sqrt(max(vec4(d*d)+e,vec4(0.0)))),vec4(0.0));}\n",
     "vec3 henyey_greenstein_phase(float a,float b,vec3 c){vec3 d=vec3(1.0)-abs(c);vec3 e=d*d+2.0*abs(c)*mix(vec3(b),vec3(a),greaterThanEqual(c,vec3(0.0)));return INV_4PI*(vec3(1.0)-c*c)/(e*sqrt(e));}\n",
     "bool hits_planet(vec3 a,float b,float c){bool d=false;line_past(a,b,c,d);return d;}\n",
     "bool hits_planet(vec3 a,float b,float c){float d=0.0;float e=0.0;bool f=false;line_past(a,b,c,d,e,f);return f;}\n",
+    "void inner_ray(vec3 a,float b,float c,float d,vec3 e,bool f,inout float g,inout float h,inout float i,inout float j,inout bool k){float l=0.0;float m=0.0;float n=0.0;float o=0.0;float p=0.0;float q=c+b;float r=excess_of(b,c);float s=q*a.z;float t=q*sqrt(dot(a.xy,a.xy));float u=half_chord2_(s,r,c-t,t);sun_side_inside(a,e,q,r,c,l,m,n,o,p);g=f&&s<0.0?distance_to_ground(r,s,sqrt(max(u,0.0))):distance_to_top(r,s,excess_of(d,c));h=r;i=s;j=-u;k=f;}\n",
     "void inner_ray(vec3 a,float b,float c,float d,vec3 e,bool f,inout float g,inout float h,inout float i,inout float j,inout float k,inout float l,inout float m,inout float n,inout float o,inout float p,inout float q,inout bool r){float s=0.0;float t=0.0;float u=0.0;float v=0.0;float w=0.0;float x=0.0;float y=c+b;float z=excess_of(b,c);float aa=y*a.z;float ab=y*sqrt(dot(a.xy,a.xy));float ac=half_chord2_(aa,z,c-ab,ab);sun_side_inside(a,e,y,z,c,s,t,u,v,w,x);float ad=f&&aa<0.0?distance_to_ground(z,aa,sqrt(max(ac,0.0))):distance_to_top(z,aa,excess_of(d,c));g=0.0;h=ad;i=z;j=aa;k=-ac;l=s;m=t;n=u;o=v;p=w;q=x;r=f;}\n",
     "float lattice(ivec3 a){uint b=uint(a.x)*2376512323u^uint(a.y)*3625334849u^uint(a.z)*3407524639u;b=(b^b>>13u)*1540483477u;b=(b^b>>15u)*739982445u;b=b^b>>14u;return float(b>>8u)*5.9604645e-8;}\n",
-    "vec4 layers_of(float a,float b,float c,float d){return vec4(a,b,c,d);}\n",
+    "float layer_column(float a,float b,float c,float d,vec3 e){float f=1.0/(e.z-e.y);vec3 g=clamp(sqrt(max(e-vec3(c),vec3(0.0))),vec3(a),vec3(max(b,a)));return layer_part(g.x,g.y,c,d,e.y,f)+layer_part(g.y,g.z,c,d,e.y,f);}\n",
+    "float layer_part(float a,float b,float c,float d,float e,float f){vec4 g=vec4(a)+(b-a)*NODES;return(b-a)*dot(WEIGHTS,2.0*(vec4(d)+g*g)/sqrt(vec4(2.0*d)+g*g)*max(vec4(1.0)-abs(vec4(c)+g*g-vec4(e))*f,vec4(0.0)));}\n",
+    "mat2x3 layers_of(float a,float b,float c,float d,float e){return mat2x3(vec3(a,b,d),vec3(e,c,0.0));}\n",
     "vec3 limb_darkening(float a,float b){vec3 c=0.5*limb_exponents()+vec3(1.0);float d=clamp(a-b,0.0,1.0);float e=clamp(a+b,0.0,1.0);float f=(e-d)*(e+d);if(f<0.02){float g=0.5*(d+e);return c*pow(vec3((1.0-g)*(1.0+g)),c-vec3(1.0));}return(pow(vec3((1.0-d)*(1.0+d)),c)-pow(vec3(max((1.0-e)*(1.0+e),0.0)),c))/vec3(f);}\n",
     "vec3 limb_exponents(){return vec3(0.397,0.503,0.652);}\n",
+    "vec3 line_direction(float a,float b,vec3 c,float d){if(a==d*c.z){return c;}float e=length(c.xy);return vec3((e>1e-9?c.xy/vec2(e):vec2(1.0,0.0))*(b/d),a/d);}\n",
     "void line_past(vec3 a,float b,float c,inout bool d){float e=c+b;float f=e*a.z;float g=e*sqrt(dot(a.xy,a.xy));d=f<0.0&&half_chord2_(f,excess_of(b,c),c-g,g)>=0.0;}\n",
     "void line_past(vec3 a,float b,float c,inout float d,inout float e,inout bool f){float g=c+b;float h=g*a.z;float i=g*sqrt(dot(a.xy,a.xy));float j=half_chord2_(h,excess_of(b,c),c-i,i);bool k=h<0.0&&j>=0.0;d=h;e=-j;f=k;}\n",
     "void line_past(vec3 a,float b,float c,inout float d,inout float e,inout float f,inout bool g){float h=c+b;float i=h*a.z;float j=h*sqrt(dot(a.xy,a.xy));float k=half_chord2_(i,excess_of(b,c),c-j,j);bool l=i<0.0&&k>=0.0;d=i;e=j;f=-k;g=l;}\n",
+    "void line_to_scene(float a,float b,float c,bool d,float e,float f,float g,float h,float i,inout float j,inout float k,inout float l,inout bool m){float n=excess_of(e,g);float o=sqrt(n);float p=sqrt(max(-c,0.0));float q=distance_to_ground(n,a,p);float r=f-q;if(!d||r<=0.0||f>o+sqrt(excess_of(h,g))){j=a;k=b;l=c;m=d;return;}float s=snapped(f,i,p/g);float t=q+r*smoothstep(0.5*s,s,r);float u=clamp(t,1e-9,max(o,1e-9));float v=max(p-0.5*(u-q)*(1.0+(q+2.0*p)/u),0.0);j=-(u+v);k=sqrt((g-v)*(g+v));l=-v*v;m=t<o;}\n",
     "float lit_fraction_at(highp sampler2D a,ivec2 b){if(LIT_FRACTION){return clamp(texelFetch(a,b,0).x,0.0,1.0);}else{return 1.0;}}\n",
     "float lit_middle(vec3 a,float b,float c,float d){bool e=a.x-c>d-a.y;return u_to_distance(b,0.5*(distance_to_u(b,e?c:a.y)+distance_to_u(b,e?a.x:d)));}\n",
     "float lommel_seeliger(vec3 a,vec3 b,vec3 c,float d,float e){float f=max(-dot(a,b),0.0001);float g=max(dot(a,c),0.0);return d*(2.0*g/(g+f)+e);}\n",
+    "void lowest_point(float a,float b,float c,bool d,float e,float f,inout float g,inout float h,inout float i){if(b>=0.0){g=0.0;h=a;i=b;return;}if(-b<=e){g=-b;h=c;i=0.0;return;}float j=b+e;if(d){g=e;h=0.0;i=j;return;}bool k=-b*e>f*f;float l=a+e*(2.0*b+e);g=e;h=k?c+j*j:l;i=j;}\n",
     "void main(){ivec2 a=ivec2(gl_FragCoord.xy);a.y=g0.flipped!=0u?int(uvec2(textureSize(g1,0).xy).y)-1-a.y:a.y;vec3 b=srgb_encode(tone_curve(max(texelFetch(g1,a,0).xyz*g0.exposure,vec3(0.0))));if(DITHER){o0=vec4(b+dither(uvec2(a))/vec3(255.0),1.0);return;}else{o0=vec4(b,1.0);return;}}\n",
     "void main(){o0=texelFetch(g1,ivec2(gl_FragCoord.xy),0);return;}\n",
     "void main(){uint a=uint(gl_VertexID);gl_Position=vec4((a&1u)!=0u?h0.rectangle.z:h0.rectangle.x,(a&2u)!=0u?h0.rectangle.w:h0.rectangle.y,0.0,1.0);gl_Position.yz=vec2(-gl_Position.y,gl_Position.z*2.0-gl_Position.w);return;}\n",
     "void main(){uint a=uint(gl_VertexID);gl_Position=vec4(vec2(float(a<<1u&2u),float(a&2u))*2.0-vec2(1.0),0.0,1.0);gl_Position.yz=vec2(-gl_Position.y,gl_Position.z*2.0-gl_Position.w);return;}\n",
-    "void main(){uint a=uint(gl_VertexID);vec3 b=vec3(0.0);float c=0.0;float d=0.0;float e=0.0;vec3 f=h0.frame.medium.rayleigh;float g=h0.frame.medium.rayleigh_inv_height;float h=h0.frame.medium.mie_inv_height;vec3 i=h0.frame.medium.mie_extinction;float j=h0.frame.medium.ozone_center;float k=h0.frame.medium.ozone_inv_half_width;vec3 l=h0.frame.medium.ozone;float m=h0.frame.medium.radius;float n=h0.frame.medium.thickness;vec3 o=h0.frame.sun;float p=h0.frame.camera_altitude;if(SKY_LIGHT){i=h0.luts.mie_extinction;}vec3 q=vec3(0.0,0.0,1.0);grid_point(a,b,c,d,e);vec3 r=b*c+q*(1.0-d);vec4 s=height_field(vec3(dot(h0.planet_x,r),dot(h0.planet_y,r),dot(h0.planet_z,r)),h0.amplitude,h0.mountain_rate,h0.sea,e);float t=s.w;float u=m+t;vec3 v=b*(u*c)+q*(t-p-u*d);vec3 w=h0.planet_x*s.x+h0.planet_y*s.y+h0.planet_z*s.z;vec3 x=normalize(r-(w-r*dot(w,r))/vec3(m));vec4 y=clip_position(v);vec3 z=ground_light(f,g,h,i,j,k,l,m,n,t,r,x);vec3 aa=vec3(t,dot(x,r),dot(r,o));gl_Position=y;v0=v;v1=z;v2=aa;gl_Position.yz=vec2(-gl_Position.y,gl_Position.z*2.0-gl_Position.w);return;}\n",
-    "void main(){vec4 a=gl_FragCoord;float b=0.0;bool c=false;float d=0.0;float e=0.0;float f=0.0;bool g=false;float h=g0.frame.medium.radius;vec3 i=g0.frame.ray_forward;float j=g0.frame.altitude;vec3 k=g0.frame.ray_right;vec3 l=g0.frame.ray_up;vec2 m=g0.frame.size;float n=g0.frame.depth.scale;float o=g0.frame.depth.bias;float p=g0.frame.depth.log_;float q=g0.frame.depth.background;vec3 r=pixel_ray(a.xy,m,i,k,l);float s=length(r);line_past(r/vec3(s),j,h,d,e,f,g);vec3 t=vec3(g0.bottom,g0.middle,g0.top);float u=altitude_of(f,h);float v=abs(d)/sqrt(h+j+e);if(BEFORE){if(d<0.0){float w=depth_distance(n,o,p,q,texelFetch(g1,ivec2(a.xy),0).x,s);c=w<0.0||w>rise_to_distance(v,e)-rise_to_distance(sqrt(max(g0.middle-u,0.0)),e);if(c){b=tent_column(0.0,v,u,e,t);}}}else{if(!g){b=tent_column(d>0.0?v:0.0,1000000000.0,u,e,t);}}o0=vec4(g0.zenith*(b/(g0.top-g0.middle)),0.0);return;}\n",
-    "void main(){vec4 a=gl_FragCoord;float b=0.0;float c=0.0;bool d=false;float e=0.0;float f=0.0;float g=0.0;float h=0.0;float i=0.0;float j=0.0;float k=0.0;float l=0.0;float m=0.0;float n=0.0;float o=0.0;bool p=false;float q=0.0;float r=0.0;float s=0.0;vec3 t=vec3(0.0);vec3 u=vec3(0.0);vec3 v=g0.medium.rayleigh;float w=g0.medium.rayleigh_inv_height;vec3 x=g0.medium.mie_scattering;float y=g0.medium.mie_inv_height;float z=g0.medium.ozone_center;float aa=g0.medium.ozone_inv_half_width;vec3 ab=g0.medium.ozone;float ac=g0.medium.radius;float ad=g0.medium.thickness;vec3 ae=g0.luts.mie_extinction;float af=g0.luts.altitude_steepness;vec3 ag=g0.luts.mie_moment0_;float ah=g0.luts.altitude_growth;vec3 ai=g0.luts.mie_moment1_;float aj=g0.luts.sun_middle;vec3 ak=g0.luts.mie_moment2_;float al=g0.luts.sun_width;vec3 am=g0.luts.mie_asymmetry;vec3 an=g0.luts.albedo;float ao=g0.luts.sun_first;float ap=g0.luts.sun_span;uint aq=g0.luts.steps;ivec2 ar=ivec2(a.xy);vec2 as=vec2(ivec2(ar.x/AZIMUTHS,ar.y/ZENITHS))/multi_scattering_span(g2);float at=u_to_mu_sun(aj,al,ao,ap,as.x);float au=v_to_altitude(af,ah,as.y,ad);vec3 av=vec3(sqrt(max((1.0-at)*(1.0+at),0.0)),0.0,at);node_direction(ar.y%ZENITHS,ar.x%AZIMUTHS,au,ac,b,c,d);float aw=sqrt(max((1.0-b)*(1.0+b),0.0));vec3 ax=vec3(aw*cos(c),aw*sin(c),b);inner_ray(ax,au,ac,ad,av,!d,e,f,g,h,i,j,k,l,m,n,o,p);vec3 ay=v*rayleigh_phase(k);vec3 az=x*ag*henyey_greenstein_phase(1.0-k,1.0+k,am);perigee_of(f,g,h,i,p,f,ac,q,r,s);float ba=distance_to_u(q,0.0);float bb=distance_to_u(q,f);gather(g1,g2,v,w,x,y,z,aa,ab,ac,ad,ae,af,ag,ah,ai,aj,ak,al,ao,ap,aq,e,j,k,l,m,n,o,ax,q,r,s,ba,bb,ay,az,1.0,t,u);if(p){t=t+u*ground_radiance(v,ab,ac,ad,ae,aj,al,an,ao,ap,j+k*f);}o0=vec4(t,0.0);return;}\n",
-    "void main(){vec4 a=gl_FragCoord;float b=0.0;float c=0.0;bool d=false;vec3 e=g0.frame.medium.rayleigh;float f=g0.frame.medium.rayleigh_inv_height;float g=g0.frame.medium.mie_inv_height;vec3 h=g0.frame.medium.mie_extinction;float i=g0.frame.medium.ozone_center;float j=g0.frame.medium.ozone_inv_half_width;vec3 k=g0.frame.medium.ozone;float l=g0.frame.medium.radius;vec3 m=g0.frame.medium.irradiance;float n=g0.frame.medium.thickness;vec3 o=g0.frame.ray_forward;float p=g0.frame.altitude;vec3 q=g0.frame.ray_right;vec3 r=g0.frame.ray_up;vec3 s=g0.frame.sun;float t=g0.frame.sun_chord;vec2 u=g0.frame.size;float v=g0.frame.sun_disk;float w=g0.frame.pixel_angle;vec3 x=normalize(pixel_ray(a.xy,u,o,q,r));line_past(x,p,l,b,c,d);float y=disk_coverage(x-s,t,w);if(d||y<=0.0){discard;}vec3 z=m*(v*y);if(LIMB_DARKENING){z=z*limb_darkening(length(x-s)/t,0.5*w/t);}if(MOON){z=z*mix(g0.sun_visibility,1.0-disk_coverage(x-g0.moon_direction,g0.moon_chord,w),resolved(t,w));}o0=disk_color(z,b,c,d,p,e,f,g,h,i,j,k,l,n);return;}\n",
-    "void main(){vec4 a=gl_FragCoord;float b=0.0;float c=0.0;bool d=false;vec3 e=g0.frame.medium.rayleigh;float f=g0.frame.medium.rayleigh_inv_height;float g=g0.frame.medium.mie_inv_height;vec3 h=g0.frame.medium.mie_extinction;float i=g0.frame.medium.ozone_center;float j=g0.frame.medium.ozone_inv_half_width;vec3 k=g0.frame.medium.ozone;float l=g0.frame.medium.radius;vec3 m=g0.frame.medium.irradiance;float n=g0.frame.medium.thickness;vec3 o=g0.frame.ray_forward;float p=g0.frame.altitude;vec3 q=g0.frame.ray_right;vec3 r=g0.frame.ray_up;vec3 s=g0.frame.sun;vec2 t=g0.frame.size;float u=g0.frame.pixel_angle;vec3 v=normalize(pixel_ray(a.xy,t,o,q,r));line_past(v,p,l,b,c,d);vec3 w=v-g0.moon_direction;float x=disk_coverage(w,g0.moon_chord,u);if(d||x<=0.0){discard;}if(BODY){o0=vec4(0.0,0.0,0.0,x);return;}else{o0=disk_color(m*(x*lommel_seeliger(moon_normal(v,w,g0.moon_sine),v,s,g0.albedo_over_pi,g0.earthshine)),b,c,d,p,e,f,g,h,i,j,k,l,n);return;}}\n",
-    "void main(){vec4 a=gl_FragCoord;float b=0.0;float c=0.0;float d=0.0;bool e=false;vec3 f=g0.frame.medium.mie_asymmetry;float g=g0.frame.medium.radius;vec3 h=g0.frame.medium.irradiance;float i=g0.frame.medium.thickness;vec3 j=g0.frame.ray_forward;float k=g0.frame.altitude;vec3 l=g0.frame.ray_right;float m=g0.frame.sky_weight;vec3 n=g0.frame.ray_up;vec3 o=g0.frame.sun;vec2 p=g0.frame.size;uint q=g0.frame.flags;vec4 r=g0.frame.sky_view_mapping;vec3 s=normalize(pixel_ray(a.xy,p,j,l,n));line_past(s,k,g,b,c,d,e);if(e){if(BLEND){if((q&REDUCED)==0u){discard;}o0=vec4(0.0,0.0,0.0,-1.0);return;}else{o0=vec4(0.0,0.0,0.0,1.0);return;}}vec2 t=vec2(uvec2(textureSize(g1,0).xy));vec2 u=sky_view_uv(azimuth_to_u(s),v_to_row(zenith_to_v(b,c,d,e,s.z,k,g,i,r),false,t.y,g0.luts.ground_rows),t);vec4 v=textureLod(g1,vec2(u),0.0);vec3 w=decode_light(v.xyz);if(MIE_SINGLE){w=w+decode_light(textureLod(g2,vec2(u),0.0).xyz)*mie_phase_between(s,o,f);}w=min(w*m*h,vec3(32000.0));if(BLEND){o0=vec4(w,1.0-v.w);return;}else{o0=vec4(w,1.0);return;}}\n",
-    "void main(){vec4 a=gl_FragCoord;float b=0.0;float c=0.0;float d=0.0;float e=0.0;float f=0.0;float g=0.0;float h=0.0;float i=0.0;float j=0.0;float k=0.0;float l=0.0;bool m=false;vec3 n=vec3(0.0);vec3 o=vec3(0.0);vec3 p=g0.frame.medium.rayleigh;float q=g0.frame.medium.rayleigh_inv_height;vec3 r=g0.frame.medium.mie_scattering;float s=g0.frame.medium.mie_inv_height;vec3 t=g0.frame.medium.mie_extinction;float u=g0.frame.medium.ozone_center;vec3 v=g0.frame.medium.mie_asymmetry;float w=g0.frame.medium.ozone_inv_half_width;vec3 x=g0.frame.medium.ozone;float y=g0.frame.medium.radius;vec3 z=g0.frame.medium.irradiance;float aa=g0.frame.medium.thickness;vec3 ab=g0.frame.ray_forward;float ac=g0.frame.altitude;vec3 ad=g0.frame.ray_right;float ae=g0.frame.sky_weight;vec3 af=g0.frame.ray_up;vec3 ag=g0.frame.sun;vec2 ah=g0.frame.size;uint ai=g0.frame.view_samples;uint aj=g0.frame.light_samples;uint ak=g0.frame.flags;vec3 al=normalize(pixel_ray(a.xy,ah,ab,ad,af));if(hits_planet(al,ac,y)){if((ak&REDUCED)==0u){discard;}o0=vec4(0.0,0.0,0.0,-1.0);return;}air_ray(al,ac,y,aa,ag,b,c,d,e,f,g,h,i,j,k,l,m);if(c<=0.0){o0=vec4(0.0);return;}vec3 am=g0.luts.mie_extinction;float an=g0.luts.altitude_steepness;vec3 ao=g0.luts.mie_moment0_;float ap=g0.luts.altitude_growth;vec3 aq=g0.luts.mie_moment1_;float ar=g0.luts.sun_middle;vec3 as=g0.luts.mie_moment2_;float at=g0.luts.sun_width;float au=g0.luts.sun_first;float av=g0.luts.sun_span;uint aw=g0.luts.steps;eclipsed_light(g2,g3,p,q,r,s,t,u,v,w,x,y,aa,am,an,ao,ap,aq,ar,as,at,au,av,aw,b,c,d,e,f,g,h,i,j,k,l,m,al,ag,c,ai,aj,n,o);o0=veil(n*ae*z,o);return;}\n",
-    "void main(){vec4 a=gl_FragCoord;float b=0.0;float c=0.0;float d=0.0;float e=0.0;float f=0.0;float g=0.0;float h=0.0;float i=0.0;float j=0.0;float k=0.0;float l=0.0;bool m=false;vec3 n=vec3(0.0);vec3 o=vec3(0.0);vec3 p=g0.medium.rayleigh;float q=g0.medium.rayleigh_inv_height;vec3 r=g0.medium.mie_scattering;float s=g0.medium.mie_inv_height;vec3 t=g0.medium.mie_extinction;float u=g0.medium.ozone_center;vec3 v=g0.medium.mie_asymmetry;float w=g0.medium.ozone_inv_half_width;vec3 x=g0.medium.ozone;float y=g0.medium.radius;vec3 z=g0.medium.irradiance;float aa=g0.medium.thickness;vec3 ab=normalize(pixel_ray(a.xy,g0.size,g0.ray_forward,g0.ray_right,g0.ray_up));if(hits_planet(ab,g0.altitude,y)){if((g0.flags&REDUCED)==0u){discard;}o0=vec4(0.0,0.0,0.0,-1.0);return;}float ac=g0.altitude;vec3 ad=g0.sun;air_ray(ab,ac,y,aa,ad,b,c,d,e,f,g,h,i,j,k,l,m);if(c<=0.0){o0=vec4(0.0);return;}vec3 ae=ab-g0.sun;uint af=g0.view_samples;uint ag=g0.light_samples;single_scattering(p,q,r,s,t,u,v,w,x,y,aa,b,c,d,e,f,g,h,i,j,k,l,m,ab,c,0.5*dot(ae,ae),af,ag,n,o);o0=veil(n*g0.sky_weight*z,o);return;}\n",
+    "void main(){uint a=uint(gl_VertexID);vec3 b=vec3(0.0);float c=0.0;float d=0.0;float e=0.0;vec3 f=h0.frame.medium.rayleigh;float g=h0.frame.medium.rayleigh_inv_height;float h=h0.frame.medium.mie_inv_height;vec3 i=h0.frame.medium.mie_extinction;float j=h0.frame.medium.ozone_center;float k=h0.frame.medium.ozone_inv_half_width;vec3 l=h0.frame.medium.ozone;float m=h0.frame.medium.radius;float n=h0.frame.medium.thickness;float o=h0.frame.medium.datum;vec3 p=h0.frame.sun;float q=h0.frame.camera_altitude;if(SKY_LIGHT){i=h0.luts.mie_extinction;}vec3 r=vec3(0.0,0.0,1.0);grid_point(a,b,c,d,e);vec3 s=b*c+r*(1.0-d);vec4 t=height_field(vec3(dot(h0.planet_x,s),dot(h0.planet_y,s),dot(h0.planet_z,s)),h0.amplitude,h0.mountain_rate,h0.sea,e);float u=t.w;float v=m+o+u;vec3 w=b*(v*c)+r*(u-q-v*d);vec3 x=h0.planet_x*t.x+h0.planet_y*t.y+h0.planet_z*t.z;vec3 y=normalize(s-(x-s*dot(x,s))/vec3(m));vec4 z=clip_position(w);vec3 aa=ground_light(f,g,h,i,j,k,l,m,n,o,u,s,y);vec3 ab=vec3(u,dot(y,s),dot(s,p));gl_Position=z;v0=w;v1=aa;v2=ab;gl_Position.yz=vec2(-gl_Position.y,gl_Position.z*2.0-gl_Position.w);return;}\n",
+    "void main(){vec4 a=gl_FragCoord;float b=0.0;bool c=false;bool d=false;float e=0.0;float f=0.0;float g=0.0;bool h=false;float i=0.0;float j=0.0;float k=0.0;vec3 l=g0.frame.medium.rayleigh;float m=g0.frame.medium.rayleigh_inv_height;float n=g0.frame.medium.mie_inv_height;vec3 o=g0.frame.medium.mie_extinction;float p=g0.frame.medium.ozone_center;float q=g0.frame.medium.ozone_inv_half_width;vec3 r=g0.frame.medium.ozone;float s=g0.frame.medium.radius;float t=g0.frame.medium.thickness;float u=g0.frame.medium.datum;vec3 v=g0.frame.ray_forward;float w=g0.frame.altitude;vec3 x=g0.frame.ray_right;vec3 y=g0.frame.ray_up;vec2 z=g0.frame.size;float aa=g0.frame.depth.scale;float ab=g0.frame.depth.bias;float ac=g0.frame.depth.log_;float ad=g0.frame.depth.background;vec3 ae=pixel_ray(a.xy,z,v,x,y);float af=length(ae);line_past(ae/vec3(af),w,s,e,f,g,h);vec3 ag=vec3(g0.bottom,g0.middle,g0.top);float ah=altitude_of(g,s);float ai=abs(e)/sqrt(s+w+f);if(BEFORE){if(e<0.0){float aj=depth_distance(aa,ab,ac,ad,texelFetch(g1,ivec2(a.xy),0).x,af);c=aj<0.0||aj>rise_to_distance(ai,f)-rise_to_distance(sqrt(max(g0.middle-ah,0.0)),f);if(c){b=layer_column(0.0,ai,ah,f,ag);}}}else{if(!h){b=layer_column(e>0.0?ai:0.0,1000000000.0,ah,f,ag);}}vec3 ak=g0.zenith*(b/(g0.top-g0.middle));if(THROUGH_AIR){air_path(e,g,h,w,s,t,i,j,k);d=b>0.0&&i>0.0;if(d){ak=ak*exp(-extinction(coefficients_of(l,o,r),path_columns(layers_of(m,n,p,q,u),g,h,j,k,i,true,s)));}}o0=vec4(ak,0.0);return;}\n",
+    "void main(){vec4 a=gl_FragCoord;float b=0.0;float c=0.0;bool d=false;float e=0.0;float f=0.0;float g=0.0;float h=0.0;float i=0.0;float j=0.0;float k=0.0;float l=0.0;float m=0.0;float n=0.0;float o=0.0;bool p=false;float q=0.0;float r=0.0;float s=0.0;vec3 t=vec3(0.0);vec3 u=vec3(0.0);vec3 v=g0.medium.rayleigh;float w=g0.medium.rayleigh_inv_height;vec3 x=g0.medium.mie_scattering;float y=g0.medium.mie_inv_height;float z=g0.medium.ozone_center;float aa=g0.medium.ozone_inv_half_width;vec3 ab=g0.medium.ozone;float ac=g0.medium.radius;float ad=g0.medium.thickness;float ae=g0.medium.datum;vec3 af=g0.luts.mie_extinction;float ag=g0.luts.altitude_steepness;vec3 ah=g0.luts.mie_moment0_;float ai=g0.luts.altitude_growth;vec3 aj=g0.luts.mie_moment1_;float ak=g0.luts.sun_middle;vec3 al=g0.luts.mie_moment2_;float am=g0.luts.sun_width;vec3 an=g0.luts.mie_asymmetry;vec3 ao=g0.luts.albedo;float ap=g0.luts.sun_first;float aq=g0.luts.sun_span;uint ar=g0.luts.steps;ivec2 as=ivec2(a.xy);vec2 at=vec2(ivec2(as.x/AZIMUTHS,as.y/ZENITHS))/multi_scattering_span(g2);float au=u_to_mu_sun(ak,am,ap,aq,at.x);float av=v_to_altitude(ag,ai,at.y,ad);vec3 aw=vec3(sqrt(max((1.0-au)*(1.0+au),0.0)),0.0,au);node_direction(as.y%ZENITHS,as.x%AZIMUTHS,av,ac,b,c,d);float ax=sqrt(max((1.0-b)*(1.0+b),0.0));vec3 ay=vec3(ax*cos(c),ax*sin(c),b);inner_ray(ay,av,ac,ad,aw,!d,e,f,g,h,i,j,k,l,m,n,o,p);vec3 az=v*rayleigh_phase(k);vec3 ba=x*ah*henyey_greenstein_phase(1.0-k,1.0+k,an);perigee_of(f,g,h,i,p,f,ac,q,r,s);float bb=distance_to_u(q,0.0);float bc=distance_to_u(q,f);gather(g1,g2,v,w,x,y,z,aa,ab,ac,ad,ae,af,ag,ah,ai,aj,ak,al,am,ap,aq,e,j,k,l,m,n,o,ay,q,r,s,bb,bc,ar,az,ba,1.0,t,u);if(p){t=t+u*ground_radiance(v,ab,ac,ad,af,ak,am,ao,ap,aq,j+k*f);}o0=vec4(t,0.0);return;}\n",
+    "void main(){vec4 a=gl_FragCoord;float b=0.0;float c=0.0;bool d=false;float e=0.0;float f=0.0;float g=0.0;vec3 h=g0.medium.rayleigh;float i=g0.medium.rayleigh_inv_height;float j=g0.medium.mie_inv_height;vec3 k=g0.medium.mie_extinction;float l=g0.medium.ozone_center;float m=g0.medium.ozone_inv_half_width;vec3 n=g0.medium.ozone;float o=g0.medium.radius;float p=g0.medium.thickness;float q=g0.medium.datum;vec3 r=normalize(pixel_ray(a.xy,g0.size,g0.ray_forward,g0.ray_right,g0.ray_up));float s=g0.altitude;line_past(r,s,o,b,c,d);float t=g0.altitude;air_path(b,c,d,t,o,p,e,f,g);if(d||e<=0.0){discard;}o0=vec4(exp(-extinction(coefficients_of(h,k,n),path_columns(layers_of(i,j,l,m,q),c,d,f,g,e,true,o))),1.0);return;}\n",
+    "void main(){vec4 a=gl_FragCoord;float b=0.0;float c=0.0;bool d=false;vec3 e=g0.frame.medium.rayleigh;float f=g0.frame.medium.rayleigh_inv_height;float g=g0.frame.medium.mie_inv_height;vec3 h=g0.frame.medium.mie_extinction;float i=g0.frame.medium.ozone_center;float j=g0.frame.medium.ozone_inv_half_width;vec3 k=g0.frame.medium.ozone;float l=g0.frame.medium.radius;vec3 m=g0.frame.medium.irradiance;float n=g0.frame.medium.thickness;float o=g0.frame.medium.datum;vec3 p=g0.frame.ray_forward;float q=g0.frame.altitude;vec3 r=g0.frame.ray_right;vec3 s=g0.frame.ray_up;vec3 t=g0.frame.sun;float u=g0.frame.sun_chord;vec2 v=g0.frame.size;float w=g0.frame.sun_disk;float x=g0.frame.pixel_angle;uint y=g0.frame.flags;vec3 z=normalize(pixel_ray(a.xy,v,p,r,s));line_past(z,q,l,b,c,d);float aa=disk_coverage(z-t,u,x);if(d||aa<=0.0){discard;}vec3 ab=m*(w*aa);if(LIMB_DARKENING){ab=ab*limb_darkening(length(z-t)/u,0.5*x/u);}if(MOON){ab=ab*mix(g0.sun_visibility,1.0-disk_coverage(z-g0.moon_direction,g0.moon_chord,x),resolved(u,x));}o0=disk_color(ab,b,c,d,q,e,f,g,h,i,j,k,l,n,o,most_light(y));return;}\n",
+    "void main(){vec4 a=gl_FragCoord;float b=0.0;float c=0.0;bool d=false;vec3 e=g0.frame.medium.rayleigh;float f=g0.frame.medium.rayleigh_inv_height;float g=g0.frame.medium.mie_inv_height;vec3 h=g0.frame.medium.mie_extinction;float i=g0.frame.medium.ozone_center;float j=g0.frame.medium.ozone_inv_half_width;vec3 k=g0.frame.medium.ozone;float l=g0.frame.medium.radius;vec3 m=g0.frame.medium.irradiance;float n=g0.frame.medium.thickness;float o=g0.frame.medium.datum;vec3 p=g0.frame.ray_forward;float q=g0.frame.altitude;vec3 r=g0.frame.ray_right;vec3 s=g0.frame.ray_up;vec3 t=g0.frame.sun;vec2 u=g0.frame.size;float v=g0.frame.pixel_angle;uint w=g0.frame.flags;vec3 x=normalize(pixel_ray(a.xy,u,p,r,s));line_past(x,q,l,b,c,d);vec3 y=x-g0.moon_direction;float z=disk_coverage(y,g0.moon_chord,v);if(d||z<=0.0){discard;}if(BODY){o0=vec4(0.0,0.0,0.0,z);return;}else{o0=disk_color(m*(z*lommel_seeliger(moon_normal(x,y,g0.moon_sine),x,t,g0.albedo_over_pi,g0.earthshine)),b,c,d,q,e,f,g,h,i,j,k,l,n,o,most_light(w));return;}}\n",
+    "void main(){vec4 a=gl_FragCoord;float b=0.0;float c=0.0;float d=0.0;bool e=false;vec3 f=g0.frame.medium.mie_asymmetry;float g=g0.frame.medium.radius;vec3 h=g0.frame.medium.irradiance;float i=g0.frame.medium.thickness;vec3 j=g0.frame.ray_forward;float k=g0.frame.altitude;vec3 l=g0.frame.ray_right;float m=g0.frame.sky_weight;vec3 n=g0.frame.ray_up;vec3 o=g0.frame.sun;vec2 p=g0.frame.size;uint q=g0.frame.flags;vec4 r=g0.frame.sky_view_mapping;vec3 s=normalize(pixel_ray(a.xy,p,j,l,n));line_past(s,k,g,b,c,d,e);if(e){if(BLEND){if((q&REDUCED)==0u){discard;}o0=vec4(0.0,0.0,0.0,-1.0);return;}else{o0=vec4(0.0,0.0,0.0,1.0);return;}}vec2 t=vec2(uvec2(textureSize(g1,0).xy));vec2 u=sky_view_uv(azimuth_to_u(s),v_to_row(zenith_to_v(b,c,d,e,s.z,k,g,i,r),false,t.y,g0.luts.ground_rows),t);vec4 v=textureLod(g1,vec2(u),0.0);vec3 w=decode_light(v.xyz);if(MIE_SINGLE){w=w+decode_light(textureLod(g2,vec2(u),0.0).xyz)*mie_phase_between(s,o,f);}w=min(w*m*h,vec3(most_light(q)));if(BLEND){o0=vec4(w,behind_alpha(v.w));return;}else{o0=vec4(w,1.0);return;}}\n",
+    "void main(){vec4 a=gl_FragCoord;float b=0.0;float c=0.0;float d=0.0;float e=0.0;float f=0.0;float g=0.0;float h=0.0;float i=0.0;float j=0.0;float k=0.0;float l=0.0;bool m=false;vec3 n=vec3(0.0);vec3 o=vec3(0.0);vec3 p=g0.frame.medium.rayleigh;float q=g0.frame.medium.rayleigh_inv_height;vec3 r=g0.frame.medium.mie_scattering;float s=g0.frame.medium.mie_inv_height;vec3 t=g0.frame.medium.mie_extinction;float u=g0.frame.medium.ozone_center;vec3 v=g0.frame.medium.mie_asymmetry;float w=g0.frame.medium.ozone_inv_half_width;vec3 x=g0.frame.medium.ozone;float y=g0.frame.medium.radius;vec3 z=g0.frame.medium.irradiance;float aa=g0.frame.medium.thickness;float ab=g0.frame.medium.datum;vec3 ac=g0.frame.ray_forward;float ad=g0.frame.altitude;vec3 ae=g0.frame.ray_right;float af=g0.frame.sky_weight;vec3 ag=g0.frame.ray_up;vec3 ah=g0.frame.sun;vec2 ai=g0.frame.size;uint aj=g0.frame.view_samples;uint ak=g0.frame.light_samples;uint al=g0.frame.flags;vec3 am=normalize(pixel_ray(a.xy,ai,ac,ae,ag));if(hits_planet(am,ad,y)){if((al&REDUCED)==0u){discard;}o0=vec4(0.0,0.0,0.0,-1.0);return;}air_ray(am,ad,y,aa,ah,b,c,d,e,f,g,h,i,j,k,l,m);if(c<=0.0){o0=vec4(0.0);return;}vec3 an=g0.luts.mie_extinction;float ao=g0.luts.altitude_steepness;vec3 ap=g0.luts.mie_moment0_;float aq=g0.luts.altitude_growth;vec3 ar=g0.luts.mie_moment1_;float as=g0.luts.sun_middle;vec3 at=g0.luts.mie_moment2_;float au=g0.luts.sun_width;float av=g0.luts.sun_first;float aw=g0.luts.sun_span;uint ax=g0.luts.steps;eclipsed_light(g2,g3,p,q,r,s,t,u,v,w,x,y,aa,ab,an,ao,ap,aq,ar,as,at,au,av,aw,ax,b,c,d,e,f,g,h,i,j,k,l,m,am,ah,c,aj,ak,n,o);o0=vec4(min(n*af*z,vec3(most_light(al))),behind_alpha(dot(o,vec3(0.33333334))));return;}\n",
+    "void main(){vec4 a=gl_FragCoord;float b=0.0;float c=0.0;float d=0.0;float e=0.0;float f=0.0;float g=0.0;float h=0.0;float i=0.0;float j=0.0;float k=0.0;float l=0.0;bool m=false;vec3 n=vec3(0.0);vec3 o=vec3(0.0);vec3 p=g0.medium.rayleigh;float q=g0.medium.rayleigh_inv_height;vec3 r=g0.medium.mie_scattering;float s=g0.medium.mie_inv_height;vec3 t=g0.medium.mie_extinction;float u=g0.medium.ozone_center;vec3 v=g0.medium.mie_asymmetry;float w=g0.medium.ozone_inv_half_width;vec3 x=g0.medium.ozone;float y=g0.medium.radius;vec3 z=g0.medium.irradiance;float aa=g0.medium.thickness;float ab=g0.medium.datum;vec3 ac=normalize(pixel_ray(a.xy,g0.size,g0.ray_forward,g0.ray_right,g0.ray_up));if(hits_planet(ac,g0.altitude,y)){if((g0.flags&REDUCED)==0u){discard;}o0=vec4(0.0,0.0,0.0,-1.0);return;}float ad=g0.altitude;vec3 ae=g0.sun;air_ray(ac,ad,y,aa,ae,b,c,d,e,f,g,h,i,j,k,l,m);if(c<=0.0){o0=vec4(0.0);return;}vec3 af=ac-g0.sun;uint ag=g0.view_samples;uint ah=g0.light_samples;single_scattering(p,q,r,s,t,u,v,w,x,y,aa,ab,b,c,d,e,f,g,h,i,j,k,l,m,ac,c,0.5*dot(af,af),ag,ah,n,o);o0=vec4(min(n*g0.sky_weight*z,vec3(most_light(g0.flags))),behind_alpha(dot(o,vec3(0.33333334))));return;}\n",
     "void main(){vec4 a=gl_FragCoord;float b=g0.medium.radius;float c=g0.medium.thickness;ivec2 d=ivec2(a.xy);int e=ivec2(uvec2(textureSize(g1,0).xy)).y/ZENITHS;bool f=d.y==e*MOMENTS;ivec2 g=ivec2(d.x,f?0:d.y/MOMENTS);float h=v_to_altitude(g0.luts.altitude_steepness,g0.luts.altitude_growth,float(g.y)/float(e-1),c);vec3 i=vec3(7.888609e-31);if(f){o0=vec4(log2(max(moment(g,h,b,MOMENTS),i)),0.0);return;}vec3 j=max(moment(g,h,b,0),i);int k=d.y%MOMENTS;if(k==0){o0=vec4(log2(j),0.0);return;}o0=vec4(moment(g,h,b,k)/j,0.0);return;}\n",
-    "void main(){vec4 a=gl_FragCoord;float b=g0.medium.rayleigh_inv_height;float c=g0.medium.mie_inv_height;float d=g0.medium.ozone_center;float e=g0.medium.ozone_inv_half_width;float f=g0.medium.radius;vec3 g=transmittance_texel_ray(floor(a.xy),vec2(g0.luts.size),f,g0.medium.thickness);o0=vec4(max(log2(max(path_densities(layers_of(b,c,d,e),f,g.x,g.y,g.z,g0.luts.steps),vec3(1e-37))),vec3(-100.0)),0.0);return;}\n",
-    "void main(){vec4 a=gl_FragCoord;int b=0;int c=0;int d=0;int e=0;int f=0;int g=0;uvec2 h=g0.luts.size;uint i=g0.luts.shift;uint j=g0.luts.slices;aerial_texel(a.xy,h,j,b,c,d,e,f,g);vec4 k=aerial_load(g1,c,d,f,g,b,e);if(FINISH){if(b>=AIR_BEAM){o0=k;return;}vec3 l=aerial_load(g1,c,d,f,g,b,int(j)-1).xyz;o0=vec4(mix(vec3(float(e+1)/float(j)),k.xyz/max(l,vec3(1e-37)),greaterThan(l,vec3(1e-30))),k.w);return;}else{int m=e-int(i);if(m<0){o0=k;return;}vec3 n=aerial_load(g1,c,d,f,g,b,m).xyz;if(b>=AIR_BEAM){o0=vec4(n*k.xyz,k.w);return;}o0=vec4(n+aerial_load(g1,c,d,f,g,AIR_BEAM,m).xyz*k.xyz,k.w);return;}}\n",
-    "void main(){vec4 a=gl_FragCoord;vec3 b=v0;vec3 c=v1;vec3 d=v2;vec3 e=vec3(0.0);vec3 f=g0.frame.medium.irradiance;vec3 g=g0.frame.sun;float h=g0.frame.depth.scale;float i=g0.frame.depth.bias;float j=g0.frame.depth.log_;if(MOON){c=c*moon_shadow_visibility(g1,g0.moon_shadow.across,g0.moon_shadow.along,g0.moon_shadow.radius,g0.moon_shadow.tan_sun_radius,g0.moon_shadow.min_visibility,b,g);}if(SKY_LIGHT){e=ground_irradiance(g2,g0.luts.sun_middle,g0.luts.sun_width,g0.luts.sun_first,g0.luts.sun_span,d.z);e=e*(0.5+0.5*d.y);if(MOON){e=e*moon_shadow_visibility_around(g1,g0.moon_shadow.across,g0.moon_shadow.min_visibility,g0.moon_shadow.inv_extent,b,g);}c=c+e;}vec3 k=ground_albedo(d.x,d.y)*c*f*0.31830987;float l=depth_of(h,i,j,max(dot(b,g0.axis),1e-9));o0=vec4(min(k,vec3(32000.0)),1.0);gl_FragDepth=clamp(l,0.0,1.0);return;}\n",
-    "void main(){vec4 a=gl_FragCoord;vec3 b=vec3(0.0);vec3 c=vec3(0.0);int d=0;int e=0;int f=0;int g=0;int h=0;int i=0;vec3 j=vec3(0.0);float k=0.0;float l=0.0;float m=0.0;float n=0.0;float o=0.0;float p=0.0;float q=0.0;float r=0.0;float s=0.0;float t=0.0;float u=0.0;bool v=false;float w=0.0;float x=0.0;float y=0.0;vec3 z=vec3(0.0);vec3 aa=vec3(0.0);vec3 ab=vec3(0.0);vec3 ac=g0.frame.medium.rayleigh;float ad=g0.frame.medium.rayleigh_inv_height;vec3 ae=g0.frame.medium.mie_scattering;float af=g0.frame.medium.mie_inv_height;vec3 ag=g0.frame.medium.mie_extinction;float ah=g0.frame.medium.ozone_center;float ai=g0.frame.medium.ozone_inv_half_width;vec3 aj=g0.frame.medium.ozone;float ak=g0.frame.medium.radius;float al=g0.frame.medium.thickness;float am=g0.frame.altitude;vec3 an=g0.frame.sun;vec4 ao=g0.frame.sky_view_mapping;vec3 ap=g0.luts.mie_extinction;float aq=g0.luts.altitude_steepness;vec3 ar=g0.luts.mie_moment0_;float as=g0.luts.altitude_growth;vec3 at=g0.luts.mie_moment1_;float au=g0.luts.sun_middle;vec3 av=g0.luts.mie_moment2_;float aw=g0.luts.sun_width;float ax=g0.luts.sun_first;float ay=g0.luts.sun_span;float az=g0.luts.ground_rows;uvec2 ba=g0.luts.size;uint bb=g0.luts.steps;uint bc=g0.luts.slices;aerial_texel(a.xy,ba,bc,d,e,f,g,h,i);float bd=float(f)/float(i-1);vec2 be=row_to_v(e,h,int(az));sky_view_ray(bd,be.x,be.y>0.5,am,ak,al,ao,an,j,k,l,m,n,o,p,q,r,s,t,u,v);if(l<=0.0){o0=vec4(vec3(d>=AIR_BEAM?1.0:0.0),float(g+1)/float(bc));return;}perigee_of(l,m,n,o,v,l,ak,w,x,y);float bf=distance_to_u(w,0.0);float bg=(distance_to_u(w,l)-bf)/float(bc);float bh=bf+bg*float(g);float bi=u_to_distance(w,bh+bg)/l;if(d==AIR_SMOOTH){b=ac*rayleigh_phase(q);}else{c=ae;}float bj=d==AIR_SMOOTH?1.0:0.0;gather(g1,g2,ac,ad,ae,af,ah,ai,aj,ak,al,ap,aq,ar,as,at,au,av,aw,ax,ay,bb,k,p,q,r,s,t,u,j,w,x,y,bh,bh+bg,b,c,bj,z,aa,ab);switch(d){case 2:{o0=vec4(aa,bi);return;}case 3:{o0=vec4(exp(-extinction(coefficients_of(ac,ag,aj),ab)),bi);return;}default:{o0=vec4(max(z,vec3(0.0)),bi);return;}}}\n",
-    "void main(){vec4 a=gl_FragCoord;vec3 b=vec3(0.0);vec3 c=vec3(0.0);vec3 d=vec3(0.0);float e=0.0;float f=0.0;float g=0.0;float h=0.0;float i=0.0;float j=0.0;float k=0.0;float l=0.0;float m=0.0;float n=0.0;float o=0.0;bool p=false;float q=0.0;float r=0.0;float s=0.0;vec3 t=vec3(0.0);vec3 u=vec3(0.0);vec3 v=vec3(0.0);vec3 w=g0.frame.medium.rayleigh;float x=g0.frame.medium.rayleigh_inv_height;vec3 y=g0.frame.medium.mie_scattering;float z=g0.frame.medium.mie_inv_height;vec3 aa=g0.frame.medium.mie_extinction;float ab=g0.frame.medium.ozone_center;float ac=g0.frame.medium.ozone_inv_half_width;vec3 ad=g0.frame.medium.ozone;float ae=g0.frame.medium.radius;float af=g0.frame.medium.thickness;float ag=g0.frame.altitude;vec3 ah=g0.frame.sun;vec4 ai=g0.frame.sky_view_mapping;vec3 aj=g0.luts.mie_extinction;float ak=g0.luts.altitude_steepness;vec3 al=g0.luts.mie_moment0_;float am=g0.luts.altitude_growth;vec3 an=g0.luts.mie_moment1_;float ao=g0.luts.sun_middle;vec3 ap=g0.luts.mie_moment2_;float aq=g0.luts.sun_width;float ar=g0.luts.sun_first;float as=g0.luts.sun_span;float at=g0.luts.ground_rows;uvec2 au=g0.luts.size;uint av=g0.luts.steps;ivec2 aw=ivec2(a.xy);ivec2 ax=ivec2(au);float ay=float(aw.x)/float(ax.x-1);vec2 az=row_to_v(aw.y,ax.y,int(at));bool ba=az.y>0.5;sky_view_ray(ay,az.x,ba,ag,ae,af,ai,ah,d,e,f,g,h,i,j,k,l,m,n,o,p);if(f<=0.0){o0=vec4(0.0,0.0,0.0,1.0);return;}perigee_of(f,g,h,i,p,f,ae,q,r,s);float bb=distance_to_u(q,0.0);float bc=distance_to_u(q,f);if(MIE_SINGLE){c=y;}else{b=w*rayleigh_phase(k);}gather(g1,g2,w,x,y,z,ab,ac,ad,ae,af,aj,ak,al,am,an,ao,ap,aq,ar,as,av,e,j,k,l,m,n,o,d,q,r,s,bb,bc,b,c,1.0,t,u,v);o0=vec4(encode_light(max(t,vec3(0.0))*(ba?1.0/f:1.0)),dot(exp(-extinction(coefficients_of(w,aa,ad),v)),vec3(0.33333334)));return;}\n",
-    "void main(){vec4 a=gl_FragCoord;vec4 b=vec4(0.0);float c=0.0;float d=0.0;float e=0.0;bool f=false;float g=0.0;float h=0.0;float i=0.0;float j=0.0;float k=0.0;float l=0.0;bool m=false;vec3 n=vec3(0.0);vec3 o=vec3(0.0);vec2 p=vec2(0.0);vec2 q=vec2(0.0);float r=0.0;vec3 s=g0.frame.medium.rayleigh;float t=g0.frame.medium.rayleigh_inv_height;float u=g0.frame.medium.mie_inv_height;vec3 v=g0.frame.medium.mie_extinction;vec3 w=g0.frame.medium.mie_asymmetry;vec3 x=g0.frame.medium.ozone;float y=g0.frame.medium.radius;vec3 z=g0.frame.medium.irradiance;float aa=g0.frame.medium.thickness;vec3 ab=g0.frame.ray_forward;float ac=g0.frame.altitude;vec3 ad=g0.frame.ray_right;vec3 ae=g0.frame.ray_up;float af=g0.frame.shell_weight;vec3 ag=g0.frame.sun;vec2 ah=g0.frame.size;float ai=g0.frame.pixel_angle;float aj=g0.frame.depth.scale;float ak=g0.frame.depth.bias;float al=g0.frame.depth.log_;float am=g0.frame.depth.background;uint an=g0.frame.flags;vec4 ao=g0.frame.sky_view_mapping;float ap=g0.luts.ground_rows;uint aq=g0.luts.slices;float ar=g0.luts.aerial_ground_rows;ivec2 as=ivec2(a.xy);if(BLEND){}else{b=texelFetch(g1,as,0);}vec3 at=pixel_ray(a.xy,ah,ab,ad,ae);float au=length(at);float av=depth_distance(aj,ak,al,am,texelFetch(g2,as,0).x,au);vec3 aw=at/vec3(au);line_past(aw,ac,y,c,d,e,f);air_path(c,e,f,ac,y,aa,g,h,i,j);bool ax=f&&h>=0.0;ray_end(g,h,j,ax,av,y,ai,af,an,k,l,m);if(k<=0.0||l<=0.0){o0=b;return;}float ay=azimuth_to_u(aw);float az=zenith_to_v(c,d,e,f,aw.z,ac,y,aa,ao);vec2 ba=vec2(uvec2(textureSize(g3,0).xy));vec2 bb=sky_view_uv(ay,v_to_row(az,ax,ba.y,ap),ba);vec3 bc=mie_phase_between(aw,ag,w);path_light(g3,g6,bb,ax,h,bc,n,o);vec3 bd=vec3(1.0);vec3 be=n+o;if(!ax&&k>=h){if(m){bd=whole_transmittance(g5,s,v,x,y,aa,i,j);}}else{aerial_column(g4,aq,ar,ay,az,ax,p,q,r);air_before(g4,t,u,y,h,i,j,p,q,r,k,n,o,bd,be);}o0=compose(b,bd,be*z*(l*lit_fraction_at(g7,as)));return;}\n",
-    "void main(){vec4 a=gl_FragCoord;vec4 b=vec4(0.0);float c=0.0;float d=0.0;float e=0.0;float f=0.0;float g=0.0;float h=0.0;float i=0.0;float j=0.0;float k=0.0;float l=0.0;float m=0.0;bool n=false;float o=0.0;float p=0.0;bool q=false;vec3 r=vec3(0.0);vec3 s=vec3(0.0);vec3 t=g0.frame.medium.rayleigh;float u=g0.frame.medium.rayleigh_inv_height;vec3 v=g0.frame.medium.mie_scattering;float w=g0.frame.medium.mie_inv_height;vec3 x=g0.frame.medium.mie_extinction;float y=g0.frame.medium.ozone_center;vec3 z=g0.frame.medium.mie_asymmetry;float aa=g0.frame.medium.ozone_inv_half_width;vec3 ab=g0.frame.medium.ozone;float ac=g0.frame.medium.radius;vec3 ad=g0.frame.medium.irradiance;float ae=g0.frame.medium.thickness;vec3 af=g0.frame.ray_forward;float ag=g0.frame.altitude;vec3 ah=g0.frame.ray_right;vec3 ai=g0.frame.ray_up;float aj=g0.frame.shell_weight;vec3 ak=g0.frame.sun;vec2 al=g0.frame.size;float am=g0.frame.pixel_angle;float an=g0.frame.depth.scale;float ao=g0.frame.depth.bias;float ap=g0.frame.depth.log_;float aq=g0.frame.depth.background;uint ar=g0.frame.view_samples;uint as=g0.frame.light_samples;uint at=g0.frame.flags;ivec2 au=ivec2(a.xy);if(BLEND){}else{b=texelFetch(g1,au,0);}vec3 av=pixel_ray(a.xy,al,af,ah,ai);float aw=length(av);float ax=depth_distance(an,ao,ap,aq,texelFetch(g2,au,0).x,aw);vec3 ay=av/vec3(aw);air_ray(ay,ag,ac,ae,ak,c,d,e,f,g,h,i,j,k,l,m,n);ray_end(c,d,f,n,ax,ac,am,aj,at,o,p,q);if(o<=0.0||p<=0.0){o0=b;return;}vec3 az=g0.luts.mie_extinction;float ba=g0.luts.altitude_steepness;vec3 bb=g0.luts.mie_moment0_;float bc=g0.luts.altitude_growth;vec3 bd=g0.luts.mie_moment1_;float be=g0.luts.sun_middle;vec3 bf=g0.luts.mie_moment2_;float bg=g0.luts.sun_width;float bh=g0.luts.sun_first;float bi=g0.luts.sun_span;uint bj=g0.luts.steps;eclipsed_light(g4,g5,t,u,v,w,x,y,z,aa,ab,ac,ae,az,ba,bb,bc,bd,be,bf,bg,bh,bi,bj,c,d,e,f,g,h,i,j,k,l,m,n,ay,ak,o,ar,as,r,s);o0=compose(b,q?s:vec3(1.0),r*ad*(p*lit_fraction_at(g6,au)));return;}\n",
-    "void main(){vec4 a=gl_FragCoord;vec4 b=vec4(0.0);float c=0.0;float d=0.0;float e=0.0;float f=0.0;float g=0.0;float h=0.0;float i=0.0;float j=0.0;float k=0.0;float l=0.0;float m=0.0;bool n=false;float o=0.0;float p=0.0;bool q=false;vec3 r=vec3(0.0);vec3 s=vec3(0.0);vec3 t=g0.medium.rayleigh;float u=g0.medium.rayleigh_inv_height;vec3 v=g0.medium.mie_scattering;float w=g0.medium.mie_inv_height;vec3 x=g0.medium.mie_extinction;float y=g0.medium.ozone_center;vec3 z=g0.medium.mie_asymmetry;float aa=g0.medium.ozone_inv_half_width;vec3 ab=g0.medium.ozone;float ac=g0.medium.radius;vec3 ad=g0.medium.irradiance;float ae=g0.medium.thickness;ivec2 af=ivec2(a.xy);if(BLEND){}else{b=texelFetch(g1,af,0);}vec3 ag=pixel_ray(a.xy,g0.size,g0.ray_forward,g0.ray_right,g0.ray_up);float ah=length(ag);float ai=depth_distance(g0.depth.scale,g0.depth.bias,g0.depth.log_,g0.depth.background,texelFetch(g2,af,0).x,ah);vec3 aj=ag/vec3(ah);float ak=g0.altitude;vec3 al=g0.sun;air_ray(aj,ak,ac,ae,al,c,d,e,f,g,h,i,j,k,l,m,n);float am=g0.pixel_angle;float an=g0.shell_weight;uint ao=g0.flags;ray_end(c,d,f,n,ai,ac,am,an,ao,o,p,q);if(o<=0.0||p<=0.0){o0=b;return;}vec3 ap=aj-g0.sun;uint aq=g0.view_samples;uint ar=g0.light_samples;single_scattering(t,u,v,w,x,y,z,aa,ab,ac,ae,c,d,e,f,g,h,i,j,k,l,m,n,aj,o,0.5*dot(ap,ap),aq,ar,r,s);o0=compose(b,q?s:vec3(1.0),r*ad*(p*lit_fraction_at(g3,af)));return;}\n",
+    "void main(){vec4 a=gl_FragCoord;float b=g0.medium.rayleigh_inv_height;float c=g0.medium.mie_inv_height;float d=g0.medium.ozone_center;float e=g0.medium.ozone_inv_half_width;float f=g0.medium.radius;float g=g0.medium.thickness;float h=g0.medium.datum;vec3 i=transmittance_texel_ray(floor(a.xy),vec2(g0.luts.size),f,g);o0=vec4(max(log2(max(path_densities(layers_of(b,c,d,e,h),f,i.x,i.y,i.z,g0.luts.steps),vec3(1e-37))),vec3(-100.0)),0.0);return;}\n",
+    "void main(){vec4 a=gl_FragCoord;vec3 b=v0;vec3 c=v1;vec3 d=v2;vec3 e=vec3(0.0);vec3 f=g0.frame.medium.irradiance;vec3 g=g0.frame.sun;float h=g0.frame.depth.scale;float i=g0.frame.depth.bias;float j=g0.frame.depth.log_;uint k=g0.frame.flags;if(MOON){c=c*moon_shadow_visibility(g1,g0.moon_shadow.across,g0.moon_shadow.along,g0.moon_shadow.radius,g0.moon_shadow.tan_sun_radius,g0.moon_shadow.min_visibility,b,g);}if(SKY_LIGHT){e=ground_irradiance(g2,g0.luts.sun_middle,g0.luts.sun_width,g0.luts.sun_first,g0.luts.sun_span,d.z);e=e*(0.5+0.5*d.y);if(MOON){e=e*moon_shadow_visibility_around(g1,g0.moon_shadow.across,g0.moon_shadow.min_visibility,g0.moon_shadow.inv_extent,b,g);}c=c+e;}vec3 l=ground_albedo(d.x,d.y)*c*f*0.31830987;float m=depth_of(h,i,j,max(dot(b,g0.axis),1e-9));o0=vec4(min(l,vec3(most_light(k))),1.0);gl_FragDepth=clamp(m,0.0,1.0);return;}\n",
+    "void main(){vec4 a=gl_FragCoord;vec3 b=vec3(0.0);vec3 c=vec3(0.0);int d=0;int e=0;int f=0;int g=0;int h=0;int i=0;vec3 j=vec3(0.0);float k=0.0;float l=0.0;float m=0.0;float n=0.0;float o=0.0;float p=0.0;float q=0.0;float r=0.0;float s=0.0;float t=0.0;float u=0.0;bool v=false;float w=0.0;float x=0.0;float y=0.0;vec3 z=vec3(0.0);vec3 aa=vec3(0.0);vec3 ab=vec3(0.0);vec3 ac=g0.frame.medium.rayleigh;float ad=g0.frame.medium.rayleigh_inv_height;vec3 ae=g0.frame.medium.mie_scattering;float af=g0.frame.medium.mie_inv_height;float ag=g0.frame.medium.ozone_center;float ah=g0.frame.medium.ozone_inv_half_width;vec3 ai=g0.frame.medium.ozone;float aj=g0.frame.medium.radius;float ak=g0.frame.medium.thickness;float al=g0.frame.medium.datum;float am=g0.frame.altitude;vec3 an=g0.frame.sun;vec4 ao=g0.frame.sky_view_mapping;vec3 ap=g0.luts.mie_extinction;float aq=g0.luts.altitude_steepness;vec3 ar=g0.luts.mie_moment0_;float as=g0.luts.altitude_growth;vec3 at=g0.luts.mie_moment1_;float au=g0.luts.sun_middle;vec3 av=g0.luts.mie_moment2_;float aw=g0.luts.sun_width;float ax=g0.luts.sun_first;float ay=g0.luts.sun_span;float az=g0.luts.ground_rows;uvec2 ba=g0.luts.size;uint bb=g0.luts.steps;uint bc=g0.luts.slices;aerial_texel(a.xy,ba,bc,AIR_SUMMANDS,d,e,f,g,h,i);float bd=float(f)/float(i-1);vec2 be=row_to_v(e,h,int(az));sky_view_ray(bd,be.x,be.y>0.5,am,aj,ak,ao,an,j,k,l,m,n,o,p,q,r,s,t,u,v);if(l<=0.0){o0=vec4(0.0);return;}perigee_of(l,m,n,o,v,l,aj,w,x,y);float bf=distance_to_u(w,0.0);float bg=(distance_to_u(w,l)-bf)/float(bc-1u);vec2 bh=g==0?vec2(0.0,0.01):vec2(ivec2(g-1,g));float bi=g==1?FIRST_SLICE:bh.x;if(d==AIR_SMOOTH){b=ac*rayleigh_phase(q);}else{c=ae;}float bj=d==AIR_SMOOTH?1.0:0.0;gather(g1,g2,ac,ad,ae,af,ag,ah,ai,aj,ak,al,ap,aq,ar,as,at,au,av,aw,ax,ay,k,p,q,r,s,t,u,j,w,x,y,bf+bg*bi,bf+bg*bh.y,bb,b,c,bj,z,aa,ab);o0=vec4(d==AIR_PATH?ab:max(z,vec3(0.0)),0.0);return;}\n",
+    "void main(){vec4 a=gl_FragCoord;vec3 b=vec3(0.0);vec3 c=vec3(0.0);vec3 d=vec3(0.0);float e=0.0;float f=0.0;float g=0.0;float h=0.0;float i=0.0;float j=0.0;float k=0.0;float l=0.0;float m=0.0;float n=0.0;float o=0.0;bool p=false;float q=0.0;float r=0.0;float s=0.0;vec3 t=vec3(0.0);vec3 u=vec3(0.0);vec3 v=vec3(0.0);vec3 w=g0.frame.medium.rayleigh;float x=g0.frame.medium.rayleigh_inv_height;vec3 y=g0.frame.medium.mie_scattering;float z=g0.frame.medium.mie_inv_height;vec3 aa=g0.frame.medium.mie_extinction;float ab=g0.frame.medium.ozone_center;float ac=g0.frame.medium.ozone_inv_half_width;vec3 ad=g0.frame.medium.ozone;float ae=g0.frame.medium.radius;float af=g0.frame.medium.thickness;float ag=g0.frame.medium.datum;float ah=g0.frame.altitude;vec3 ai=g0.frame.sun;vec4 aj=g0.frame.sky_view_mapping;vec3 ak=g0.luts.mie_extinction;float al=g0.luts.altitude_steepness;vec3 am=g0.luts.mie_moment0_;float an=g0.luts.altitude_growth;vec3 ao=g0.luts.mie_moment1_;float ap=g0.luts.sun_middle;vec3 aq=g0.luts.mie_moment2_;float ar=g0.luts.sun_width;float as=g0.luts.sun_first;float at=g0.luts.sun_span;float au=g0.luts.ground_rows;uvec2 av=g0.luts.size;uint aw=g0.luts.steps;ivec2 ax=ivec2(a.xy);ivec2 ay=ivec2(av);float az=float(ax.x)/float(ay.x-1);vec2 ba=row_to_v(ax.y,ay.y,int(au));bool bb=ba.y>0.5;sky_view_ray(az,ba.x,bb,ah,ae,af,aj,ai,d,e,f,g,h,i,j,k,l,m,n,o,p);if(f<=0.0){o0=vec4(0.0,0.0,0.0,1.0);return;}perigee_of(f,g,h,i,p,f,ae,q,r,s);float bc=distance_to_u(q,0.0);float bd=distance_to_u(q,f);if(MIE_SINGLE){c=y;}else{b=w*rayleigh_phase(k);}gather(g1,g2,w,x,y,z,ab,ac,ad,ae,af,ag,ak,al,am,an,ao,ap,aq,ar,as,at,e,j,k,l,m,n,o,d,q,r,s,bc,bd,aw,b,c,1.0,t,u,v);o0=vec4(encode_light(max(t,vec3(0.0))*(bb?1.0/f:1.0)),dot(exp(-extinction(coefficients_of(w,aa,ad),v)),vec3(0.33333334)));return;}\n",
+    "void main(){vec4 a=gl_FragCoord;vec3 b=vec3(0.0);vec3 c=vec3(0.0);vec3 d=vec3(0.0);vec3 e=vec3(0.0);int f=0;int g=0;int h=0;int i=0;int j=0;int k=0;int l=0;float m=0.0;float n=0.0;float o=0.0;float p=0.0;bool q=false;float r=0.0;float s=0.0;float t=0.0;vec3 u=g0.frame.medium.rayleigh;float v=g0.frame.medium.rayleigh_inv_height;float w=g0.frame.medium.mie_inv_height;float x=g0.frame.medium.ozone_center;float y=g0.frame.medium.ozone_inv_half_width;vec3 z=g0.frame.medium.ozone;float aa=g0.frame.medium.radius;float ab=g0.frame.medium.thickness;float ac=g0.frame.medium.datum;float ad=g0.frame.altitude;vec3 ae=g0.frame.sun;vec4 af=g0.frame.sky_view_mapping;vec3 ag=g0.luts.mie_extinction;float ah=g0.luts.ground_rows;uvec2 ai=g0.luts.size;uint aj=g0.luts.slices;aerial_texel(a.xy,ai,aj,AIR_KINDS,g,h,i,j,k,l);float ak=float(i)/float(l-1);vec2 al=row_to_v(h,k,int(ah));sky_view_ray(ak,al.x,al.y>0.5,ad,aa,ab,af,ae,m,n,o,p,q);if(m<=0.0){o0=vec4(1.0);return;}mat3x3 am=mat3x3(u,ag,z);bool an=true;while(true){if(!an){f=f+1;}an=false;if(f<int(aj)){}else{break;}{ivec2 ao=ivec2(f*l+i,h);b=b+exp(-extinction(am,c))*texelFetch(g1,ao+ivec2(0,g*k),0).xyz;c=c+texelFetch(g1,ao+ivec2(0,AIR_PATH*k),0).xyz;if(f==j){d=b;e=c;}}}mat3x3 ap=taking_coefficients(u,ag);vec3 aq=opacity(extinction(ap,e));vec3 ar=opacity(extinction(ap,c));perigee_of(m,n,o,p,q,m,aa,r,s,t);mat2x3 as=layers_of(v,w,x,y,ac);float at=-r;float au=m-r;o0=vec4(mix(vec3(1.0),d/max(b,vec3(1e-37))*(ar/max(aq,vec3(1e-37)))*(rough_opacity(as,ap,s,t,at,au,aa)/max(opacity(extinction(ap,columns(as,s,t,at,au,aa))),vec3(1e-37))),greaterThan(b*aq,vec3(1e-35))),0.0);return;}\n",
+    "void main(){vec4 a=gl_FragCoord;vec4 b=vec4(0.0);float c=0.0;float d=0.0;float e=0.0;bool f=false;float g=0.0;float h=0.0;float i=0.0;bool j=false;float k=0.0;float l=0.0;float m=0.0;float n=0.0;float o=0.0;float p=0.0;bool q=false;vec3 r=vec3(0.0);vec3 s=vec3(0.0);vec3 t=vec3(0.0);vec3 u=vec3(0.0);vec3 v=g0.frame.medium.rayleigh;float w=g0.frame.medium.rayleigh_inv_height;float x=g0.frame.medium.mie_inv_height;vec3 y=g0.frame.medium.mie_extinction;float z=g0.frame.medium.ozone_center;vec3 aa=g0.frame.medium.mie_asymmetry;float ab=g0.frame.medium.ozone_inv_half_width;vec3 ac=g0.frame.medium.ozone;float ad=g0.frame.medium.radius;vec3 ae=g0.frame.medium.irradiance;float af=g0.frame.medium.thickness;float ag=g0.frame.medium.datum;vec3 ah=g0.frame.ray_forward;float ai=g0.frame.altitude;vec3 aj=g0.frame.ray_right;vec3 ak=g0.frame.ray_up;float al=g0.frame.shell_weight;vec3 am=g0.frame.sun;vec2 an=g0.frame.size;float ao=g0.frame.pixel_angle;float ap=g0.frame.depth.scale;float aq=g0.frame.depth.bias;float ar=g0.frame.depth.log_;float as=g0.frame.depth.background;uint at=g0.frame.flags;vec4 au=g0.frame.sky_view_mapping;vec3 av=g0.luts.mie_extinction;float aw=g0.luts.ground_rows;uint ax=g0.luts.slices;float ay=g0.luts.aerial_ground_rows;ivec2 az=ivec2(a.xy);if(BLEND){}else{b=texelFetch(g1,az,0);}vec3 ba=pixel_ray(a.xy,an,ah,aj,ak);float bb=length(ba);float bc=depth_distance(ap,aq,ar,as,texelFetch(g2,az,0).x,bb);vec3 bd=ba/vec3(bb);line_past(bd,ai,ad,c,d,e,f);line_to_scene(c,d,e,f,ai,bc,ad,af,ao,g,h,i,j);air_path(g,i,j,ai,ad,af,k,l,m,n);bool be=j&&l>=0.0;ray_end(k,l,n,be,bc,ad,ao,al,at,o,p,q);if(o<=0.0||p<=0.0){o0=b;return;}float bf=azimuth_to_u(bd);float bg=zenith_to_v(g,h,i,j,bd.z,ai,ad,af,au);vec2 bh=vec2(uvec2(textureSize(g3,0).xy));vec2 bi=sky_view_uv(bf,v_to_row(bg,be,bh.y,aw),bh);vec3 bj=mie_phase_between(bd,am,aa);path_light(g3,g5,bi,be,l,bj,r,s);air_before(g4,v,w,x,y,z,ab,ac,ad,ag,av,ax,ay,i,j,l,m,n,bf,bg,o,r,s,t,u);o0=compose(b,q?t:vec3(1.0),u*ae*(p*lit_fraction_at(g6,az)),most_light(at));return;}\n",
+    "void main(){vec4 a=gl_FragCoord;vec4 b=vec4(0.0);float c=0.0;float d=0.0;float e=0.0;bool f=false;float g=0.0;float h=0.0;float i=0.0;bool j=false;float k=0.0;float l=0.0;float m=0.0;float n=0.0;float o=0.0;float p=0.0;float q=0.0;float r=0.0;float s=0.0;float t=0.0;float u=0.0;bool v=false;float w=0.0;float x=0.0;bool y=false;vec3 z=vec3(0.0);vec3 aa=vec3(0.0);vec3 ab=g0.frame.medium.rayleigh;float ac=g0.frame.medium.rayleigh_inv_height;vec3 ad=g0.frame.medium.mie_scattering;float ae=g0.frame.medium.mie_inv_height;vec3 af=g0.frame.medium.mie_extinction;float ag=g0.frame.medium.ozone_center;vec3 ah=g0.frame.medium.mie_asymmetry;float ai=g0.frame.medium.ozone_inv_half_width;vec3 aj=g0.frame.medium.ozone;float ak=g0.frame.medium.radius;vec3 al=g0.frame.medium.irradiance;float am=g0.frame.medium.thickness;float an=g0.frame.medium.datum;vec3 ao=g0.frame.ray_forward;float ap=g0.frame.altitude;vec3 aq=g0.frame.ray_right;vec3 ar=g0.frame.ray_up;float as=g0.frame.shell_weight;vec3 at=g0.frame.sun;vec2 au=g0.frame.size;float av=g0.frame.pixel_angle;float aw=g0.frame.depth.scale;float ax=g0.frame.depth.bias;float ay=g0.frame.depth.log_;float az=g0.frame.depth.background;uint ba=g0.frame.view_samples;uint bb=g0.frame.light_samples;uint bc=g0.frame.flags;ivec2 bd=ivec2(a.xy);if(BLEND){}else{b=texelFetch(g1,bd,0);}vec3 be=pixel_ray(a.xy,au,ao,aq,ar);float bf=length(be);float bg=depth_distance(aw,ax,ay,az,texelFetch(g2,bd,0).x,bf);vec3 bh=be/vec3(bf);line_past(bh,ap,ak,c,d,e,f);line_to_scene(c,d,e,f,ap,bg,ak,am,av,g,h,i,j);vec3 bi=line_direction(g,h,bh,ak+ap);air_ray_of(g,i,j,bi,ap,ak,am,at,k,l,m,n,o,p,q,r,s,t,u,v);ray_end(k,l,n,v,bg,ak,av,as,bc,w,x,y);if(w<=0.0||x<=0.0){o0=b;return;}vec3 bj=g0.luts.mie_extinction;float bk=g0.luts.altitude_steepness;vec3 bl=g0.luts.mie_moment0_;float bm=g0.luts.altitude_growth;vec3 bn=g0.luts.mie_moment1_;float bo=g0.luts.sun_middle;vec3 bp=g0.luts.mie_moment2_;float bq=g0.luts.sun_width;float br=g0.luts.sun_first;float bs=g0.luts.sun_span;uint bt=g0.luts.steps;eclipsed_light(g4,g5,ab,ac,ad,ae,af,ag,ah,ai,aj,ak,am,an,bj,bk,bl,bm,bn,bo,bp,bq,br,bs,bt,k,l,m,n,o,p,q,r,s,t,u,v,bi,at,w,ba,bb,z,aa);o0=compose(b,y?aa:vec3(1.0),z*al*(x*lit_fraction_at(g6,bd)),most_light(bc));return;}\n",
+    "void main(){vec4 a=gl_FragCoord;vec4 b=vec4(0.0);float c=0.0;float d=0.0;float e=0.0;bool f=false;float g=0.0;float h=0.0;float i=0.0;bool j=false;float k=0.0;float l=0.0;float m=0.0;float n=0.0;float o=0.0;float p=0.0;float q=0.0;float r=0.0;float s=0.0;float t=0.0;float u=0.0;bool v=false;float w=0.0;float x=0.0;bool y=false;vec3 z=vec3(0.0);vec3 aa=vec3(0.0);vec3 ab=g0.medium.rayleigh;float ac=g0.medium.rayleigh_inv_height;vec3 ad=g0.medium.mie_scattering;float ae=g0.medium.mie_inv_height;vec3 af=g0.medium.mie_extinction;float ag=g0.medium.ozone_center;vec3 ah=g0.medium.mie_asymmetry;float ai=g0.medium.ozone_inv_half_width;vec3 aj=g0.medium.ozone;float ak=g0.medium.radius;vec3 al=g0.medium.irradiance;float am=g0.medium.thickness;float an=g0.medium.datum;ivec2 ao=ivec2(a.xy);if(BLEND){}else{b=texelFetch(g1,ao,0);}vec3 ap=pixel_ray(a.xy,g0.size,g0.ray_forward,g0.ray_right,g0.ray_up);float aq=length(ap);float ar=depth_distance(g0.depth.scale,g0.depth.bias,g0.depth.log_,g0.depth.background,texelFetch(g2,ao,0).x,aq);vec3 as=ap/vec3(aq);float at=g0.altitude;line_past(as,at,ak,c,d,e,f);float au=g0.altitude;float av=g0.pixel_angle;line_to_scene(c,d,e,f,au,ar,ak,am,av,g,h,i,j);vec3 aw=line_direction(g,h,as,ak+g0.altitude);float ax=g0.altitude;vec3 ay=g0.sun;air_ray_of(g,i,j,aw,ax,ak,am,ay,k,l,m,n,o,p,q,r,s,t,u,v);float az=g0.pixel_angle;float ba=g0.shell_weight;uint bb=g0.flags;ray_end(k,l,n,v,ar,ak,az,ba,bb,w,x,y);if(w<=0.0||x<=0.0){o0=b;return;}vec3 bc=aw-g0.sun;uint bd=g0.view_samples;uint be=g0.light_samples;single_scattering(ab,ac,ad,ae,af,ag,ah,ai,aj,ak,am,an,k,l,m,n,o,p,q,r,s,t,u,v,aw,w,0.5*dot(bc,bc),bd,be,z,aa);o0=compose(b,y?aa:vec3(1.0),z*al*(x*lit_fraction_at(g3,ao)),most_light(g0.flags));return;}\n",
     "void main(){vec4 a=gl_FragCoord;vec4 b=vec4(0.0);float c=0.0;int d=-1;int e=0;if(hits_planet(normalize(pixel_ray(a.xy,g0.size,g0.ray_forward,g0.ray_right,g0.ray_up)),g0.altitude,g0.medium.radius)){discard;}ivec2 f=ivec2(uvec2(textureSize(g1,0).xy));vec2 g=a.xy/g0.size*vec2(f)-vec2(0.5);ivec2 h=ivec2(floor(g));vec2 i=g-floor(g);bool j=true;while(true){if(!j){d=d+1;}j=false;if(d<=2){}else{break;}{e=-1;bool k=true;while(true){if(!k){e=e+1;}k=false;if(e<=2){}else{break;}{vec4 l=texelFetch(g1,min(max(h+ivec2(e,d),ivec2(0)),f-ivec2(1)),0);vec2 m=max(vec2(1.0)-abs(vec2(float(e),float(d))-i),vec2(0.0001));if(l.w>=0.0){b=b+l*m.x*m.y;c=c+m.x*m.y;}}}}}o0=b/vec4(max(c,1e-12));return;}\n",
     "vec3 mean_transmittance(vec3 a){return mix((vec3(1.0)-exp(-a))/a,vec3(1.0)-a*(vec3(0.5)-a*0.16666667),lessThan(a,vec3(0.01)));}\n",
     "vec3 mie_phase(float a,float b,vec3 c){if(CORNETTE_SHANKS){return cornette_shanks_phase(a,b,c);}else{return henyey_greenstein_phase(a,b,c);}}\n",
@@ -203,6 +216,7 @@ static PARTS: &[&str] = &[
     "vec3 moon_shadow_lut_row(highp sampler2D a,float b,int c){int d=int(uvec2(textureSize(a,0).xy).x)-1;float e=clamp(b,0.0,1.0)*float(d);int f=min(int(e),d);return mix(texelFetch(a,ivec2(f,c),0).xyz,texelFetch(a,ivec2(min(f+1,d),c),0).xyz,e-float(f));}\n",
     "vec3 moon_shadow_visibility(highp sampler2D a,vec3 b,float c,float d,float e,float f,vec3 g,vec3 h){float i=dot(g,h);vec2 j=moon_before_sun(length(b-(g-h*i)),c-i,d,e);vec3 k=vec3(visible_fraction(j.x,j.y));if(k.x>0.0&&k.x<1.0){k=k*moon_shadow_lut_row(a,moon_distance_to_u(j.x,j.y),1);}return max(k,vec3(f));}\n",
     "vec3 moon_shadow_visibility_around(highp sampler2D a,vec3 b,float c,float d,vec3 e,vec3 f){return max(moon_shadow_lut_row(a,length(b-(e-f*dot(e,f)))*d,0),vec3(c));}\n",
+    "float most_light(uint a){return(a&WIDE)!=0u?FLOAT_MAX:HALF_MAX;}\n",
     "float mu_sun_to_u(vec4 a,float b){float c=(b-a.x)/a.y;return(sign(c)*log(abs(c)+sqrt(c*c+1.0))-a.z)/a.w;}\n",
     "void multi_scattering_source(highp sampler2D a,vec2 b,vec3 c,mat3x3 d,float e,float f,float g,inout vec3 h,inout vec3 i){ivec2 j=ivec2(0);ivec2 k=ivec2(0);vec2 l=vec2(0.0);h=vec3(0.0);i=vec3(0.0);ivec2 m=ivec2(uvec2(textureSize(a,0).xy));corner(b,ivec2(m.x,(m.y-1)/MOMENTS),j,k,l);j.y=j.y*MOMENTS;k.y=k.y*MOMENTS;vec3 n=exp2(bilinear(a,j,k,l,ivec2(0)).xyz);float o=sqrt(max((1.0-f)*(1.0+f),1e-12));float p=sqrt(max((1.0-e)*(1.0+e),0.0));float q=clamp((g-e*f)/o,-p,p);vec3 r=bilinear(a,j,k,l,ivec2(0,3)).xyz*harmonic(3,e,q)+bilinear(a,j,k,l,ivec2(0,4)).xyz*harmonic(4,e,q)+bilinear(a,j,k,l,ivec2(0,5)).xyz*harmonic(5,e,q);if(RAYLEIGH){h=c*(vec3(0.2820948)+0.1*r)*n;}if(MIE){i=(SH0_*d[0]+(bilinear(a,j,k,l,ivec2(0,1)).xyz*harmonic(1,e,q)+bilinear(a,j,k,l,ivec2(0,2)).xyz*harmonic(2,e,q))*d[1]+r*d[2])*n;}}\n",
     "vec2 multi_scattering_span(highp sampler2D a){ivec2 b=ivec2(uvec2(textureSize(a,0).xy));return vec2(float(b.x),float((b.y-1)/MOMENTS))-vec2(1.0);}\n",
@@ -210,40 +224,46 @@ static PARTS: &[&str] = &[
     "void node_direction(int a,int b,float c,float d,inout float e,inout float f,inout bool g){bool h=a<8;vec2 i=gauss8_(h?a:a-8);float j=-sqrt(excess_of(c,d))/(d+c);e=clamp(j+(h?1.0-j:-1.0-j)*i.x*i.x,-1.0,1.0);f=(float(b)+0.5)*0.3926991;g=h;}\n",
     "void node_direction(int a,int b,float c,float d,inout float e,inout float f,inout float g){bool h=a<8;vec2 i=gauss8_(h?a:a-8);float j=-sqrt(excess_of(c,d))/(d+c);float k=h?1.0-j:-1.0-j;e=clamp(j+k*i.x*i.x,-1.0,1.0);f=(float(b)+0.5)*0.3926991;g=abs(k)*2.0*i.x*i.y*2.0*0.3926991;}\n",
     "vec4 noise(vec3 a){vec3 b=floor(a);ivec3 c=ivec3(b);vec3 d=a-b;vec3 e=d*d*d*(d*(d*6.0-vec3(15.0))+vec3(10.0));vec3 f=30.0*d*d*(d*(d-vec3(2.0))+vec3(1.0));float g=lattice(c);float h=lattice(c+ivec3(1,0,0));float i=lattice(c+ivec3(0,1,0));float j=lattice(c+ivec3(1,1,0));float k=lattice(c+ivec3(0,0,1));float l=lattice(c+ivec3(1,0,1));float m=lattice(c+ivec3(0,1,1));float n=lattice(c+ivec3(1,1,1));float o=mix(g,h,e.x);float p=mix(i,j,e.x);float q=mix(k,l,e.x);float r=mix(m,n,e.x);float s=mix(o,p,e.y);float t=mix(q,r,e.y);return vec4(vec3(mix(mix(h-g,j-i,e.y),mix(l-k,n-m,e.y),e.z),mix(p-o,r-q,e.z),t-s)*f,mix(s,t,e.z));}\n",
+    "vec3 opacity(vec3 a){return a*mean_transmittance(a);}\n",
     "vec3 optical_path_to_top(highp sampler2D a,float b,float c,float d,float e,float f){ivec2 g=ivec2(0);ivec2 h=ivec2(0);vec2 i=vec2(0.0);ivec2 j=ivec2(uvec2(textureSize(a,0).xy));vec2 k=transmittance_uv(d,e,f,b,c)*vec2(j-ivec2(1));corner(k,j,g,h,i);return exp2(bilinear(a,g,h,i,ivec2(0)).xyz);}\n",
-    "vec3 path_densities(vec4 a,float b,float c,float d,float e,uint f){vec3 g=vec3(0.0);float h=0.0;uint i=0u;float j=clamp(-d,0.0,e);float k=-sqrt(j);float l=(sqrt(e-j)-k)/float(f);bool m=true;while(true){if(!m){i=i+1u;}m=false;if(i<f){}else{break;}{float n=k+l*float(i);float o=u_to_distance(j,n+0.5*l);float p=u_to_distance(j,n+l);g=g+densities(a,altitude_after(c,d,o,b))*(p-h);h=p;}}return g;}\n",
+    "vec3 path_columns(mat2x3 a,float b,bool c,float d,float e,float f,bool g,float h){float i=0.0;float j=0.0;float k=0.0;bool l=c&&g;lowest_point(d,e,b,l,f,h,i,j,k);return columns(a,j,k,-i,f-i,h);}\n",
+    "vec3 path_densities(mat2x3 a,float b,float c,float d,float e,uint f){vec3 g=vec3(0.0);float h=0.0;uint i=0u;float j=clamp(-d,0.0,e);float k=-sqrt(j);float l=(sqrt(e-j)-k)/float(f);bool m=true;while(true){if(!m){i=i+1u;}m=false;if(i<f){}else{break;}{float n=k+l*float(i);float o=u_to_distance(j,n+0.5*l);float p=u_to_distance(j,n+l);g=g+densities(a,altitude_after(c,d,o,b))*(p-h);h=p;}}return g;}\n",
     "void path_light(highp sampler2D a,highp sampler2D b,vec2 c,bool d,float e,vec3 f,inout vec3 g,inout vec3 h){vec3 i=vec3(0.0);float j=d?e:1.0;vec3 k=decode_light(textureLod(a,vec2(c),0.0).xyz)*j;if(MIE_SINGLE){i=decode_light(textureLod(b,vec2(c),0.0).xyz)*j*f;}g=k;h=i;}\n",
-    "void perigee_of(float a,float b,float c,float d,bool e,float f,float g,inout float h,inout float i,inout float j){if(c>=0.0){h=0.0;i=b;j=c;return;}if(-c<=f){h=-c;i=d;j=0.0;return;}float k=c+f;if(e&&f>=a){h=f;i=0.0;j=k;return;}bool l=-c*f>g*g;float m=b+f*(2.0*c+f);h=f;i=l?d+k*k:m;j=k;}\n",
+    "void perigee_of(float a,float b,float c,float d,bool e,float f,float g,inout float h,inout float i,inout float j){bool k=e&&f>=a;lowest_point(b,c,d,k,f,g,h,i,j);}\n",
     "vec3 pixel_ray(vec2 a,vec2 b,vec3 c,vec3 d,vec3 e){vec2 f=a/b*vec2(2.0,-2.0)+vec2(-1.0,1.0);return c+d*f.x+e*f.y;}\n",
     "float quarter_atan(float a,float b){float c=min(b,a)/max(max(b,a),1e-30);float d=c*c;float e=1.0+d*(-0.33333147+d*(0.19993551+d*(-0.142089+d*(0.10656264+d*(-0.07528964+d*(0.042909615+d*(-0.016165737+d*0.0028662258)))))));return a>b?1.5707964-c*e:c*e;}\n",
     "void ray_end(float a,float b,float c,bool d,float e,float f,float g,float h,uint i,inout float j,inout float k,inout bool l){if(e>=0.0){j=scene_reach(a,b,c,d,e,f,g);k=1.0;l=true;return;}if(d){j=b;k=1.0;l=true;return;}j=b;k=h;l=(i&SHELL_DIMS)!=0u;}\n",
     "float rayleigh_phase(float a){return 0.0596831*(1.0+a*a);}\n",
     "float resolved(float a,float b){return smoothstep(1.0,4.0,a/b);}\n",
     "float rise_to_distance(float a,float b){return a*sqrt(a*a+2.0*b);}\n",
+    "float rough_column(float a,float b,float c,float d,float e,float f,float g){float h=distance_at_height(a,b,max(altitude_of(a,e),g)+ROUGH_HEIGHTS/f,e);float i=max(c,-h-b);float j=0.5*max(min(d,h-b)-i,0.0);vec2 k=j*ROUGH_NODES;vec4 l=exp(-max(heights_after(a,b,vec4(i+j)+vec4(-k,k),e)-vec4(g),vec4(0.0))*f);return j*dot(ROUGH_WEIGHTS,l.xy+l.zw);}\n",
+    "vec3 rough_opacity(mat2x3 a,mat3x3 b,float c,float d,float e,float f,float g){vec3 h=vec3(0.0);if(RAYLEIGH){h.x=rough_column(c,d,e,f,g,a[0].x,a[1].x);}if(MIE){h.y=rough_column(c,d,e,f,g,a[0].y,a[1].x);}return opacity(extinction(b,h));}\n",
     "vec2 row_to_v(int a,int b,int c){bool d=a<c;return vec2(float(a-(d?0:c))/float((d?c:b-c)-1),d?1.0:0.0);}\n",
-    "float scene_reach(float a,float b,float c,bool d,float e,float f,float g){float h=min(b,e-a);if(!d){return h;}float i=SUBPIXEL*g*e/max(abs(c+b)/f,0.05);float j=smoothstep(0.5*i,i,b-h);return b*(1.0-j)+h*j;}\n",
+    "float scene_reach(float a,float b,float c,bool d,float e,float f,float g){float h=min(b,e-a);if(!d){return h;}float i=snapped(e,g,abs(c+b)/f);float j=smoothstep(0.5*i,i,b-h);return b*(1.0-j)+h*j;}\n",
     "float segment(vec2 a){float b=2.0*quarter_atan(a.x,a.y);if(b<0.5){float c=4.0*b*b;return b*c*0.16666667*(1.0-c*0.05*(1.0-c*0.023809524*(1.0-c*0.013888889)));}float d=dot(a,a);return b-2.0*a.x*a.y*(a.y*a.y-a.x*a.x)/(d*d);}\n",
     "float shadow_half2_(float a,float b,float c,float d,float e,float f){float g=max(sqrt(a),1e-18);float h=e*abs(d)/g;return half_chord2_(b/g,c,f-h,h);}\n",
     "vec2 shadow_stretch(float a,float b,float c,float d,float e,float f){vec2 g=vec2(1.0,0.0);vec2 h=vec2(-1e30,1e30);if(c>1e-30){if(f<=0.0){return g;}float i=-(d+(d>=0.0?1.0:-1.0)*sqrt(c*f));float j=i/c;float k=i!=0.0?e/i:j;h=vec2(min(j,k),max(j,k));}else{if(e>=0.0){return g;}}if(abs(b)<1e-12){if(a>=0.0){return g;}}else{float l=-a/b;if(b>0.0){h.y=min(h.y,l);}else{h.x=max(h.x,l);}}return h;}\n",
-    "void single_scattering(vec3 a,float b,vec3 c,float d,vec3 e,float f,vec3 g,float h,vec3 i,float j,float k,float l,float m,float n,float o,float p,float q,float r,float s,float t,float u,float v,bool w,vec3 x,float y,float z,uint aa,uint ab,inout vec3 ac,inout vec3 ad){vec3 ae=vec3(0.0);vec3 af=vec3(0.0);vec2 ag=vec2(0.0);float ah=0.0;uint ai=0u;float aj=0.0;vec3 ak=vec3(0.0);float al=0.0;float am=0.0;float an=0.0;ac=vec3(0.0);ad=vec3(1.0);if(SUNLIGHT){ag=shadow_stretch(q,r,s,t,u,v);if(RAYLEIGH){ae=a*rayleigh_phase(1.0-z);}if(MIE){af=c*mie_phase(z,z>1.0?s/max(z,1.0):2.0-z,g);}}vec4 ao=layers_of(b,d,f,h);mat3x3 ap=coefficients_of(a,e,i);perigee_of(m,n,o,p,w,y,j,al,am,an);float aq=-sqrt(al);float ar=(sqrt(y-al)-aq)/float(aa);bool as=true;while(true){if(!as){ai=ai+1u;}as=false;if(ai<aa){}else{break;}{float at=aq+ar*float(ai);float au=u_to_distance(al,at+ar);float av=u_to_distance(al,at+0.5*ar);float aw=altitude_after(am,an,av-al,j);float ax=au-ah;vec3 ay=extinction(ap,densities(ao,aw))*ax;if(SUNLIGHT){vec3 az=dark_part(ag,ah,au);if(az.z<ax){aj=av;if(az.z>0.0){aj=lit_middle(az,al,ah,au);}float ba=aj-al;float bb=am+ba*(2.0*an+ba);vec3 bc=densities(ao,max(altitude_of(bb,j),0.0));ak=vec3(0.0);if(RAYLEIGH){ak=ak+ae*bc.x;}if(MIE){ak=ak+af*bc.y;}ak=ak*sun_transmittance(ap,ao,j,k,bb,q+r*aj,ab);ak=ak*sun_visibility(x,l+aj);ac=ac+ad*mean_transmittance(ay)*ak*(ax-az.z);}}ad=ad*exp(-ay);ah=au;}}}\n",
+    "void single_scattering(vec3 a,float b,vec3 c,float d,vec3 e,float f,vec3 g,float h,vec3 i,float j,float k,float l,float m,float n,float o,float p,float q,float r,float s,float t,float u,float v,float w,bool x,vec3 y,float z,float aa,uint ab,uint ac,inout vec3 ad,inout vec3 ae){vec3 af=vec3(0.0);vec3 ag=vec3(0.0);vec2 ah=vec2(0.0);float ai=0.0;uint aj=0u;float ak=0.0;vec3 al=vec3(0.0);float am=0.0;float an=0.0;float ao=0.0;ad=vec3(0.0);ae=vec3(1.0);if(SUNLIGHT){ah=shadow_stretch(r,s,t,u,v,w);if(RAYLEIGH){af=a*rayleigh_phase(1.0-aa);}if(MIE){ag=c*mie_phase(aa,aa>1.0?t/max(aa,1.0):2.0-aa,g);}}mat2x3 ap=layers_of(b,d,f,h,l);mat3x3 aq=coefficients_of(a,e,i);perigee_of(n,o,p,q,x,z,j,am,an,ao);float ar=-sqrt(am);float as=(sqrt(z-am)-ar)/float(ab);bool at=true;while(true){if(!at){aj=aj+1u;}at=false;if(aj<ab){}else{break;}{float au=ar+as*float(aj);float av=u_to_distance(am,au+as);float aw=u_to_distance(am,au+0.5*as);float ax=altitude_after(an,ao,aw-am,j);float ay=av-ai;vec3 az=extinction(aq,densities(ap,ax))*ay;if(SUNLIGHT){vec3 ba=dark_part(ah,ai,av);if(ba.z<ay){ak=aw;if(ba.z>0.0){ak=lit_middle(ba,am,ai,av);}float bb=ak-am;float bc=an+bb*(2.0*ao+bb);vec3 bd=densities(ap,max(altitude_of(bc,j),0.0));al=vec3(0.0);if(RAYLEIGH){al=al+af*bd.x;}if(MIE){al=al+ag*bd.y;}al=al*sun_transmittance(aq,ap,j,k,bc,r+s*ak,ac);al=al*sun_visibility(y,m+ak);ad=ad+ae*mean_transmittance(az)*al*(ay-ba.z);}}ae=ae*exp(-az);ai=av;}}}\n",
+    "void sky_view_ray(float a,float b,bool c,float d,float e,float f,vec4 g,vec3 h,inout float i,inout float j,inout float k,inout float l,inout bool m){float n=0.0;float o=0.0;float p=0.0;float q=0.0;float r=0.0;float s=0.0;float t=0.0;float u=0.0;float v=0.0;float w=0.0;vec2 x=u_to_azimuth(a);if(!c&&b>g.x){upward_ray(x,b,d,e,f,g,h,i,j,k,l,m);return;}float y=e+d;float z=excess_of(d,e);float aa=excess_of(f,e);bool ab=d>f;float ac=ab?aa:z;if(c){float ad=(1.0-b)*(1.0+b);float ae=SQRT_HALF*ad;q=b*b*(1.0+ad);n=-e*e*q*q;o=e*(2.0*ae*sqrt(1.0-ae*ae));p=ac-n;}else{float af=min(d,f);float ag=min(b/max(g.x,1e-20),1.0);float ah=(1.0-ag)*(1.0+ag);float ai=1.0-g.y;float aj=2.0*ah/max(ai+sqrt(ai*ai+4.0*g.y*ah),1e-20);float ak=af*min(ag*ag*(1.0+aj)/(1.0+g.y*aj),1.0);n=excess_of(ak,e);o=e+ak;p=af*aj*aj*(2.0*e+af+ak);}float al=(d-f)*(2.0*e+f+d);float am=-sqrt(max(p,0.0));float an=(ab?-sqrt(max(al+p,0.0)):am)/y;vec3 ao=vec3(x*min(o/y,1.0),an);if(ab){w=al/(-am-y*an);sun_side_outside(ao,h,y,w,-am,aa,e,r,s,t,u,v);}else{sun_side_inside(ao,h,y,z,e,r,s,t,u,v);}i=c?ac/max(e*q-am,1e-20):distance_to_top(ac,am,aa);j=ac;k=am;l=n;m=c;}\n",
     "void sky_view_ray(float a,float b,bool c,float d,float e,float f,vec4 g,vec3 h,inout vec3 i,inout float j,inout float k,inout float l,inout float m,inout float n,inout float o,inout float p,inout float q,inout float r,inout float s,inout float t,inout bool u){float v=0.0;float w=0.0;float x=0.0;float y=0.0;float z=0.0;float aa=0.0;float ab=0.0;float ac=0.0;float ad=0.0;float ae=0.0;float af=0.0;vec2 ag=u_to_azimuth(a);if(!c&&b>g.x){upward_ray(ag,b,d,e,f,g,h,i,j,k,l,m,n,o,p,q,r,s,t,u);return;}float ah=e+d;float ai=excess_of(d,e);float aj=excess_of(f,e);bool ak=d>f;float al=ak?aj:ai;if(c){float am=(1.0-b)*(1.0+b);float an=SQRT_HALF*am;y=b*b*(1.0+am);v=-e*e*y*y;w=e*(2.0*an*sqrt(1.0-an*an));x=al-v;}else{float ao=min(d,f);float ap=min(b/max(g.x,1e-20),1.0);float aq=(1.0-ap)*(1.0+ap);float ar=1.0-g.y;float as=2.0*aq/max(ar+sqrt(ar*ar+4.0*g.y*aq),1e-20);float at=ao*min(ap*ap*(1.0+as)/(1.0+g.y*as),1.0);v=excess_of(at,e);w=e+at;x=ao*as*as*(2.0*e+ao+at);}float au=(d-f)*(2.0*e+f+d);float av=-sqrt(max(x,0.0));float aw=(ak?-sqrt(max(au+x,0.0)):av)/ah;vec3 ax=vec3(ag*min(w/ah,1.0),aw);if(ak){af=au/(-av-ah*aw);float ay=af;sun_side_outside(ax,h,ah,ay,-av,aj,e,z,aa,ab,ac,ad,ae);}else{sun_side_inside(ax,h,ah,ai,e,z,aa,ab,ac,ad,ae);}float az=c?al/max(e*y-av,1e-20):distance_to_top(al,av,aj);i=ax;j=af;k=az;l=al;m=av;n=v;o=z;p=aa;q=ab;r=ac;s=ad;t=ae;u=c;}\n",
     "vec2 sky_view_uv(float a,float b,vec2 c){return(vec2(a*(c.x-1.0),b)+vec2(0.5))/c;}\n",
-    "vec3 slice_depth(vec4 a,vec4 b){return-log(clamp(b.xyz/max(a.xyz,vec3(1e-30)),vec3(1e-30),vec3(1.0)));}\n",
-    "vec3 slice_fraction(vec3 a,float b,float c,float d,float e){vec3 f=a*(c-b);vec3 g=a*(d-b);return clamp(e*(mean_transmittance(abs(f))/mean_transmittance(abs(g)))*exp(max(-f,vec3(0.0))-max(-g,vec3(0.0))),vec3(0.0),vec3(1.0));}\n",
-    "vec3 slice_passed(vec4 a,vec4 b,float c,float d,float e,float f,float g,float h,float i){return slice_fraction(vec3(g,h,0.0),altitude_after(d,e,a.w*c,i),altitude_after(d,e,f,i),altitude_after(d,e,b.w*c,i),clamp((min(f/c,1.0)-a.w)/max(b.w-a.w,1e-9),0.0,1.0));}\n",
+    "float slope_column(float a,float b,float c,float d,float e,float f,float g,float h){float i=max(d-c,0.0);vec3 j=vec3(c)+i*TENT_NODES;return i*dot(TENT_WEIGHTS,max(vec3(1.0)-abs(max(vec3(altitude_after(a,b,j.x,e),altitude_after(a,b,j.y,e),altitude_after(a,b,j.z,e))-vec3(h),vec3(0.0))-vec3(g))*f,vec3(0.0)));}\n",
+    "float snapped(float a,float b,float c){return SUBPIXEL*b*a/max(c,0.05);}\n",
     "vec3 srgb_encode(vec3 a){vec3 b=clamp(a,vec3(0.0),vec3(1.0));vec3 c=sqrt(b);vec3 d=sqrt(c);return mix(min(0.642361*c+0.7121163*d-0.3368725*sqrt(d)-0.01756167*b,vec3(1.0)),b*12.92,lessThanEqual(b,vec3(0.0031308)));}\n",
     "vec4 sun_axis(float a,float b,float c,float d){return vec4(a,b,c,d);}\n",
+    "void sun_side_inside(vec3 a,vec3 b,float c,float d,float e,inout float f,inout float g,inout float h,inout float i,inout float j){f=0.0;g=0.0;h=0.0;i=0.0;j=0.0;g=dot(a,b);vec3 k=cross(a-(g>=0.0?1.0:-1.0)*b,b);h=dot(k,k);f=c*b.z;i=c*(b.x*k.y-b.y*k.x);float l=c*length(b.xy);j=-half_chord2_(f,d,e-l,l);float m=shadow_half2_(h,i,j,k.z,c,e);}\n",
     "void sun_side_inside(vec3 a,vec3 b,float c,float d,float e,inout float f,inout float g,inout float h,inout float i,inout float j,inout float k){f=0.0;g=0.0;h=0.0;i=0.0;j=0.0;k=0.0;g=dot(a,b);vec3 l=cross(a-(g>=0.0?1.0:-1.0)*b,b);h=dot(l,l);f=c*b.z;i=c*(b.x*l.y-b.y*l.x);float m=c*length(b.xy);j=-half_chord2_(f,d,e-m,m);k=shadow_half2_(h,i,j,l.z,c,e);}\n",
+    "void sun_side_outside(vec3 a,vec3 b,float c,float d,float e,float f,float g,inout float h,inout float i,inout float j,inout float k,inout float l){h=0.0;i=0.0;j=0.0;k=0.0;l=0.0;i=dot(a,b);float m=i>=0.0?1.0:-1.0;vec3 n=a-m*b;vec3 o=cross(n,b);j=dot(o,o);vec3 p=vec3(-a.z*a.xy,dot(a.xy,a.xy))*c;float q=-m*dot(p,n);float r=c*b.z;h=abs(r)+d*abs(i)<abs(q)+e*abs(i)?r+d*i:q-e*i;vec3 s=cross(p,b);k=dot(s,o)-e*j;float t=length(s-e*o);l=-half_chord2_(h,f,g-t,t);float u=shadow_half2_(j,k,l,o.z,c,g);}\n",
     "void sun_side_outside(vec3 a,vec3 b,float c,float d,float e,float f,float g,inout float h,inout float i,inout float j,inout float k,inout float l,inout float m){h=0.0;i=0.0;j=0.0;k=0.0;l=0.0;m=0.0;i=dot(a,b);float n=i>=0.0?1.0:-1.0;vec3 o=a-n*b;vec3 p=cross(o,b);j=dot(p,p);vec3 q=vec3(-a.z*a.xy,dot(a.xy,a.xy))*c;float r=-n*dot(q,o);float s=c*b.z;h=abs(s)+d*abs(i)<abs(r)+e*abs(i)?s+d*i:r-e*i;vec3 t=cross(q,b);k=dot(t,p)-e*j;float u=length(t-e*p);l=-half_chord2_(h,f,g-u,u);m=shadow_half2_(j,k,l,p.z,c,g);}\n",
-    "vec3 sun_transmittance(mat3x3 a,vec4 b,float c,float d,float e,float f,uint g){return exp(-extinction(a,path_densities(b,c,e,f,distance_to_top(e,f,excess_of(d,c)),g)));}\n",
+    "vec3 sun_transmittance(mat3x3 a,mat2x3 b,float c,float d,float e,float f,uint g){return exp(-extinction(a,path_densities(b,c,e,f,distance_to_top(e,f,excess_of(d,c)),g)));}\n",
     "vec3 sun_visibility(vec3 a,float b){return moon_shadow_visibility(g1,g0.moon_shadow.across,g0.moon_shadow.along,g0.moon_shadow.radius,g0.moon_shadow.tan_sun_radius,g0.moon_shadow.min_visibility,a*b,g0.frame.sun);}\n",
     "vec3 sun_visibility(vec3 a,float b){return moon_shadow_visibility(g3,g0.moon_shadow.across,g0.moon_shadow.along,g0.moon_shadow.radius,g0.moon_shadow.tan_sun_radius,g0.moon_shadow.min_visibility,a*b,g0.frame.sun);}\n",
     "vec3 sun_visibility(vec3 a,float b){return vec3(1.0);}\n",
     "vec3 sun_visibility_around(vec3 a,float b){return moon_shadow_visibility_around(g1,g0.moon_shadow.across,g0.moon_shadow.min_visibility,g0.moon_shadow.inv_extent,a*b,g0.frame.sun);}\n",
     "vec3 sun_visibility_around(vec3 a,float b){return moon_shadow_visibility_around(g3,g0.moon_shadow.across,g0.moon_shadow.min_visibility,g0.moon_shadow.inv_extent,a*b,g0.frame.sun);}\n",
     "vec3 sun_visibility_around(vec3 a,float b){return vec3(1.0);}\n",
-    "float tent_column(float a,float b,float c,float d,vec3 e){float f=1.0/(e.z-e.y);vec3 g=clamp(sqrt(max(e-vec3(c),vec3(0.0))),vec3(a),vec3(max(b,a)));return tent_part(g.x,g.y,c,d,e.y,f)+tent_part(g.y,g.z,c,d,e.y,f);}\n",
-    "float tent_part(float a,float b,float c,float d,float e,float f){vec4 g=vec4(a)+(b-a)*NODES;return(b-a)*dot(WEIGHTS,2.0*(vec4(d)+g*g)/sqrt(vec4(2.0*d)+g*g)*max(vec4(1.0)-abs(vec4(c)+g*g-vec4(e))*f,vec4(0.0)));}\n",
+    "mat3x3 taking_coefficients(vec3 a,vec3 b){return mat3x3(a,b,vec3(0.0));}\n",
+    "float tent_column(float a,float b,float c,float d,float e,float f,float g){float h=1.0/e;float i=f<=h?0.0:distance_at_height(a,b,g+f-h,d)-b;if(i>=c){return 0.0;}vec3 j=clamp(vec3(i,distance_at_height(a,b,g+f,d)-b,distance_at_height(a,b,g+f+h,d)-b),vec3(0.0),vec3(c));return slope_column(a,b,j.x,j.y,d,e,f,g)+slope_column(a,b,j.y,j.z,d,e,f,g);}\n",
     "vec3 tone_curve(vec3 a){if(ACES){return aces(a);}if(AGX){return agx(a);}return neutral(a);}\n",
     "float top_half_chord2_(float a,float b,float c,float d,float e){float f=a*a;float g=excess_of(e,d);return f<g?f-(c-e)*(2.0*d+e+c):g-b;}\n",
     "vec3 transmittance_texel_ray(vec2 a,vec2 b,float c,float d){vec2 e=a/(b-vec2(1.0));float f=sqrt(excess_of(d,c));float g=e.y*f;float h=min(altitude_of(g*g,c),d);float i=d-h;float j=i+e.x*(g+f-i);return vec3(g*g,max(j>0.0?((f-g)*(f+g)/j-j)*0.5:c+h,-g),j);}\n",
@@ -251,58 +271,61 @@ static PARTS: &[&str] = &[
     "vec2 u_to_azimuth(float a){float b=1.0-a;return vec2((b-a)*(b+a),2.0*a*b)*(1.0/(a*a+b*b));}\n",
     "float u_to_distance(float a,float b){return a+b*abs(b);}\n",
     "float u_to_mu_sun(float a,float b,float c,float d,float e){return clamp(a+b*sinh(c+e*d),-1.0,1.0);}\n",
+    "void upward_ray(vec2 a,float b,float c,float d,float e,vec4 f,vec3 g,inout float h,inout float i,inout float j,inout float k,inout bool l){float m=0.0;float n=0.0;float o=0.0;float p=0.0;bool q=false;float r=min(f.z+(b-f.x)/(1.0-f.x)*(1.0-f.z),1.0);float s=(1.0-r)*(1.0+r);float t=0.5+0.5*f.w;float u=sqrt(t)*s;vec3 v=vec3(a*(2.0*u*sqrt(1.0-u*u)),max(2.0*t*r*r*(1.0+s)-f.w,0.0));inner_ray(v,c,d,e,g,false,m,n,o,p,q);h=m;i=n;j=o;k=p;l=q;}\n",
     "void upward_ray(vec2 a,float b,float c,float d,float e,vec4 f,vec3 g,inout vec3 h,inout float i,inout float j,inout float k,inout float l,inout float m,inout float n,inout float o,inout float p,inout float q,inout float r,inout float s,inout bool t){float u=0.0;float v=0.0;float w=0.0;float x=0.0;float y=0.0;float z=0.0;float aa=0.0;float ab=0.0;float ac=0.0;float ad=0.0;float ae=0.0;bool af=false;float ag=min(f.z+(b-f.x)/(1.0-f.x)*(1.0-f.z),1.0);float ah=(1.0-ag)*(1.0+ag);float ai=0.5+0.5*f.w;float aj=sqrt(ai)*ah;vec3 ak=vec3(a*(2.0*aj*sqrt(1.0-aj*aj)),max(2.0*ai*ag*ag*(1.0+ah)-f.w,0.0));inner_ray(ak,c,d,e,g,false,u,v,w,x,y,z,aa,ab,ac,ad,ae,af);h=ak;i=u;j=v;k=w;l=x;m=y;n=z;o=aa;p=ab;q=ac;r=ad;s=ae;t=af;}\n",
     "float v_to_altitude(float a,float b,float c,float d){float e=a*c*c;return d*min((e<0.05?e*(1.0+e*(0.5+e*(0.16666667+e*0.041666668))):exp(e)-1.0)/b,1.0);}\n",
     "float v_to_row(float a,bool b,float c,float d){return b?a*(d-1.0):d+a*(c-d-1.0);}\n",
-    "vec4 veil(vec3 a,vec3 b){return vec4(min(a,vec3(32000.0)),1.0-dot(b,vec3(0.33333334)));}\n",
+    "vec4 veil(vec3 a,vec3 b,float c){return vec4(min(a,vec3(c)),1.0-dot(b,vec3(0.33333334)));}\n",
     "float visible_fraction(float a,float b){if(b>=1.0+a){return 1.0;}if(b<=a-1.0){return 0.0;}if(b<=1.0-a){return(1.0-a)*(1.0+a);}vec2 c=half_angle(1.0,b,a);float d=a*a*segment(half_angle(a,b,1.0));if(c.y<c.x){return clamp((segment(c.yx)-d)/PI,0.0,1.0);}return clamp(1.0-(segment(c)+d)/PI,0.0,1.0);}\n",
-    "vec3 whole_transmittance(highp sampler2D a,vec3 b,vec3 c,vec3 d,float e,float f,float g,float h){return exp(-extinction(coefficients_of(b,c,d),optical_path_to_top(a,e,f,g,altitude_of(g,e),h)));}\n",
     "float zenith_to_v(float a,float b,float c,bool d,float e,float f,float g,float h,vec4 i){if(d){float j=min(sqrt(max(-c,0.0))/g,1.0);return crowded(0.5*j,b/g/sqrt(2.0+2.0*j),SQRT_HALF);}if(e>=0.0){return i.x+(1.0-i.x)*max(crowded(0.5*(e+i.w),b/(g+f)/sqrt(2.0+2.0*e),sqrt(0.5+0.5*i.w))-i.z,0.0)/(1.0-i.z);}float k=max(min(f,h),1e-20);float l=max(c,0.0)/(g+b);float m=min(l/k,1.0);float n=sqrt(clamp((f>h?top_half_chord2_(a,c,f,g,h):a*a)/(k*(2.0*g+k+l)),0.0,1.0));return i.x*sqrt(m*(1.0+i.y*n)/(1.0+n));}\n",
 ];
 
-/// One step of adding up the aerial LUT's slices along rays: each takes in the one `shift` nearer to the
-/// camera (Hillis & Steele 1986, "Data Parallel Algorithms"). After shifts of 1, 2, 4, ... a slice holds
-/// everything up to its end.
-pub mod aerial_lut_scan {
+/// Fills the aerial LUT from the slices' own light and densities: along each ray to a slice, and to its end.
+pub mod aerial_lut {
     use super::*;
 
-    /// The last step: radiance becomes a part of the whole ray's; off: a sum.
-    pub const FINISH: u32 = 1 << 0;
+    /// The air holds gas that scatters light like Rayleigh's molecules.
+    pub const RAYLEIGH: u32 = 1 << 0;
+    /// The air holds an aerosol.
+    pub const MIE: u32 = 1 << 1;
+    /// The air holds an absorber.
+    pub const OZONE: u32 = 1 << 2;
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
         pub const REDUCED: u32 = 1;
         pub const SHELL_DIMS: u32 = 2;
+        pub const WIDE: u32 = 4;
         pub const AIR_SMOOTH: u32 = 0;
         pub const AIR_MIE: u32 = 1;
-        pub const AIR_BEAM: u32 = 2;
-        pub const AIR_TRANSMITTANCE: u32 = 3;
-        pub const AIR_KINDS: u32 = 4;
+        pub const AIR_KINDS: u32 = 2;
+        pub const AIR_PATH: u32 = 2;
+        pub const AIR_SUMMANDS: u32 = 3;
     }
 
     /// The row of the table.
     pub static INFO: ProgramInfo = ProgramInfo {
-        name: "aerial_lut_scan",
-        uniform_size: 352,
-        textures: &[TextureSlot { name: "aerial_lut", binding: 1, filtered: false }],
-        constants: &["FINISH"],
+        name: "aerial_lut",
+        uniform_size: 368,
+        textures: &[TextureSlot { name: "summands", binding: 1, filtered: false }],
+        constants: &["RAYLEIGH", "MIE", "OZONE"],
         vertices: Vertices::Triangle,
         #[cfg(any(feature = "wgpu", feature = "translate"))]
-        wgsl: &[text::LIB_FULLSCREEN, text::LIB_LUTS, text::LIB_CONSTANTS, text::LIB_FRAME, text::LIB_GEOMETRY, text::LIB_SKY_VIEW_LUT, text::LIB_MEDIUM, text::LIB_PATH, text::LIB_AERIAL_LUT, text::PASS_AERIAL_LUT_SCAN],
+        wgsl: &[text::LIB_FULLSCREEN, text::LIB_LUTS, text::LIB_CONSTANTS, text::LIB_FRAME, text::LIB_GEOMETRY, text::LIB_SKY_VIEW_LUT, text::LIB_MEDIUM, text::LIB_PATH, text::LIB_AERIAL_LUT, text::LIB_COLUMNS, text::PASS_AERIAL_LUT],
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 27, 117],
-            fragment: &[0, 27, 32, 33, 30, 31, 38, 2, 25, 42, 20, 55, 53, 128],
+            vertex: &[0, 28, 126],
+            fragment: &[0, 28, 33, 34, 31, 32, 39, 2, 26, 43, 21, 61, 87, 60, 82, 99, 181, 191, 193, 81, 106, 122, 169, 208, 211, 184, 178, 111, 89, 146, 164, 52, 202, 102, 80, 88, 187, 203, 68, 176, 177, 141],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["g1"],
         },
     };
 }
 
-/// Fills the aerial LUT's slices, each on its own: what it scatters and what it lets through.
-/// `aerial_lut_scan` adds them up along the rays.
-pub mod aerial_lut_slices {
+/// What `aerial_lut` sums up: for each slice of a ray its own light and densities. The first is next to the
+/// camera, each other reaches from the one before to its own place, the last to the ray's end.
+pub mod aerial_lut_summands {
     use super::*;
 
     /// The air holds gas that scatters light like Rayleigh's molecules.
@@ -318,28 +341,29 @@ pub mod aerial_lut_slices {
     pub mod numbers {
         pub const REDUCED: u32 = 1;
         pub const SHELL_DIMS: u32 = 2;
+        pub const WIDE: u32 = 4;
         pub const MOMENTS: u32 = 6;
         pub const AIR_SMOOTH: u32 = 0;
         pub const AIR_MIE: u32 = 1;
-        pub const AIR_BEAM: u32 = 2;
-        pub const AIR_TRANSMITTANCE: u32 = 3;
-        pub const AIR_KINDS: u32 = 4;
+        pub const AIR_KINDS: u32 = 2;
+        pub const AIR_PATH: u32 = 2;
+        pub const AIR_SUMMANDS: u32 = 3;
     }
 
     /// The row of the table.
     pub static INFO: ProgramInfo = ProgramInfo {
-        name: "aerial_lut_slices",
-        uniform_size: 352,
+        name: "aerial_lut_summands",
+        uniform_size: 368,
         textures: &[TextureSlot { name: "transmittance_lut", binding: 1, filtered: false }, TextureSlot { name: "multi_scattering_lut", binding: 2, filtered: false }],
         constants: &["RAYLEIGH", "MIE", "OZONE", "MULTI_SCATTERING"],
         vertices: Vertices::Triangle,
         #[cfg(any(feature = "wgpu", feature = "translate"))]
-        wgsl: &[text::LIB_FULLSCREEN, text::LIB_GEOMETRY, text::LIB_FRAME, text::LIB_MEDIUM, text::LIB_PATH, text::LIB_LUTS, text::LIB_TRANSMITTANCE_LUT, text::LIB_MULTI_SCATTERING_LUT, text::LIB_GATHER, text::LIB_OPEN_SUN, text::LIB_CONSTANTS, text::LIB_SKY_VIEW_LUT, text::LIB_AERIAL_LUT, text::LIB_PHASE, text::PASS_AERIAL_LUT_SLICES],
+        wgsl: &[text::LIB_FULLSCREEN, text::LIB_GEOMETRY, text::LIB_FRAME, text::LIB_MEDIUM, text::LIB_PATH, text::LIB_LUTS, text::LIB_TRANSMITTANCE_LUT, text::LIB_MULTI_SCATTERING_LUT, text::LIB_GATHER, text::LIB_OPEN_SUN, text::LIB_CONSTANTS, text::LIB_SKY_VIEW_LUT, text::LIB_AERIAL_LUT, text::LIB_PHASE, text::PASS_AERIAL_LUT_SUMMANDS],
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 27, 117],
-            fragment: &[0, 27, 33, 30, 31, 32, 38, 5, 25, 42, 43, 20, 63, 86, 62, 81, 97, 166, 176, 177, 80, 103, 156, 167, 105, 68, 75, 87, 192, 82, 136, 73, 112, 70, 66, 190, 153, 64, 175, 146, 148, 98, 147, 181, 184, 89, 191, 194, 169, 163, 55, 160, 130],
+            vertex: &[0, 28, 126],
+            fragment: &[0, 28, 34, 31, 32, 33, 39, 5, 26, 43, 44, 21, 61, 87, 60, 82, 99, 181, 192, 194, 81, 107, 122, 169, 182, 111, 75, 89, 209, 83, 146, 73, 120, 70, 65, 207, 165, 62, 190, 157, 159, 100, 158, 198, 201, 91, 208, 212, 185, 178, 52, 173, 139],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["g1", "g2"],
         },
@@ -370,12 +394,13 @@ pub mod aerial_march {
     pub mod numbers {
         pub const REDUCED: u32 = 1;
         pub const SHELL_DIMS: u32 = 2;
+        pub const WIDE: u32 = 4;
     }
 
     /// The row of the table.
     pub static INFO: ProgramInfo = ProgramInfo {
         name: "aerial_march",
-        uniform_size: 224,
+        uniform_size: 240,
         textures: &[TextureSlot { name: "scene_color", binding: 1, filtered: false }, TextureSlot { name: "scene_depth", binding: 2, filtered: false }, TextureSlot { name: "lit_fraction", binding: 3, filtered: false }],
         constants: &["BLEND", "LIT_FRACTION", "RAYLEIGH", "MIE", "OZONE", "CORNETTE_SHANKS", "SUNLIGHT"],
         vertices: Vertices::Triangle,
@@ -384,8 +409,8 @@ pub mod aerial_march {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 27, 117],
-            fragment: &[0, 27, 33, 30, 31, 9, 21, 42, 43, 44, 20, 157, 76, 197, 164, 159, 111, 69, 63, 86, 62, 81, 97, 166, 176, 177, 109, 188, 80, 59, 60, 156, 167, 105, 68, 75, 87, 192, 82, 154, 136, 73, 112, 160, 100, 71, 137, 178, 181, 168, 134],
+            vertex: &[0, 28, 126],
+            fragment: &[0, 28, 34, 31, 32, 8, 22, 43, 44, 45, 21, 156, 170, 76, 215, 188, 87, 81, 118, 179, 172, 119, 69, 61, 60, 82, 99, 181, 192, 194, 117, 114, 205, 56, 58, 122, 169, 182, 111, 67, 75, 89, 209, 83, 167, 146, 73, 120, 173, 103, 71, 147, 195, 198, 183, 144],
             blocks: ["", "Frame_block_0Fragment"],
             samplers: &["g1", "g2", "g3"],
         },
@@ -418,13 +443,14 @@ pub mod aerial_march_eclipse {
     pub mod numbers {
         pub const REDUCED: u32 = 1;
         pub const SHELL_DIMS: u32 = 2;
+        pub const WIDE: u32 = 4;
         pub const MOMENTS: u32 = 6;
     }
 
     /// The row of the table.
     pub static INFO: ProgramInfo = ProgramInfo {
         name: "aerial_march_eclipse",
-        uniform_size: 384,
+        uniform_size: 400,
         textures: &[TextureSlot { name: "scene_color", binding: 1, filtered: false }, TextureSlot { name: "scene_depth", binding: 2, filtered: false }, TextureSlot { name: "moon_shadow_lut", binding: 3, filtered: false }, TextureSlot { name: "transmittance_lut", binding: 4, filtered: false }, TextureSlot { name: "multi_scattering_lut", binding: 5, filtered: false }, TextureSlot { name: "lit_fraction", binding: 6, filtered: false }],
         constants: &["BLEND", "LIT_FRACTION", "RAYLEIGH", "MIE", "OZONE", "MULTI_SCATTERING", "CORNETTE_SHANKS", "SUNLIGHT"],
         vertices: Vertices::Triangle,
@@ -433,8 +459,8 @@ pub mod aerial_march_eclipse {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 27, 117],
-            fragment: &[0, 27, 33, 30, 31, 32, 34, 37, 10, 44, 25, 42, 43, 45, 46, 47, 20, 157, 76, 197, 164, 159, 111, 69, 63, 86, 62, 81, 97, 166, 176, 177, 109, 188, 80, 59, 60, 156, 167, 105, 68, 75, 87, 192, 82, 154, 136, 73, 112, 70, 66, 190, 153, 64, 175, 146, 148, 98, 147, 140, 96, 158, 165, 198, 143, 141, 144, 180, 145, 183, 89, 160, 100, 71, 137, 138, 178, 168, 61, 84, 133],
+            vertex: &[0, 28, 126],
+            fragment: &[0, 28, 34, 31, 32, 33, 35, 38, 9, 45, 26, 43, 44, 46, 47, 48, 21, 156, 170, 76, 215, 188, 87, 81, 118, 179, 172, 119, 69, 61, 60, 82, 99, 181, 192, 194, 117, 114, 205, 56, 58, 122, 169, 182, 111, 67, 75, 89, 209, 83, 167, 146, 73, 120, 70, 65, 207, 165, 62, 190, 157, 159, 100, 158, 150, 98, 171, 180, 216, 153, 151, 154, 197, 155, 200, 91, 173, 103, 71, 147, 148, 195, 183, 59, 85, 143],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["g1", "g2", "g3", "g4", "g5", "g6"],
         },
@@ -466,29 +492,30 @@ pub mod aerial_perspective {
     pub mod numbers {
         pub const REDUCED: u32 = 1;
         pub const SHELL_DIMS: u32 = 2;
+        pub const WIDE: u32 = 4;
         pub const AIR_SMOOTH: u32 = 0;
         pub const AIR_MIE: u32 = 1;
-        pub const AIR_BEAM: u32 = 2;
-        pub const AIR_TRANSMITTANCE: u32 = 3;
-        pub const AIR_KINDS: u32 = 4;
+        pub const AIR_KINDS: u32 = 2;
+        pub const AIR_PATH: u32 = 2;
+        pub const AIR_SUMMANDS: u32 = 3;
     }
 
     /// The row of the table.
     pub static INFO: ProgramInfo = ProgramInfo {
         name: "aerial_perspective",
-        uniform_size: 352,
-        textures: &[TextureSlot { name: "scene_color", binding: 1, filtered: false }, TextureSlot { name: "scene_depth", binding: 2, filtered: false }, TextureSlot { name: "sky_view_lut", binding: 3, filtered: true }, TextureSlot { name: "aerial_lut", binding: 4, filtered: true }, TextureSlot { name: "transmittance_lut", binding: 5, filtered: false }, TextureSlot { name: "mie_single_lut", binding: 6, filtered: true }, TextureSlot { name: "lit_fraction", binding: 7, filtered: false }],
+        uniform_size: 368,
+        textures: &[TextureSlot { name: "scene_color", binding: 1, filtered: false }, TextureSlot { name: "scene_depth", binding: 2, filtered: false }, TextureSlot { name: "sky_view_lut", binding: 3, filtered: true }, TextureSlot { name: "aerial_lut", binding: 4, filtered: true }, TextureSlot { name: "mie_single_lut", binding: 5, filtered: true }, TextureSlot { name: "lit_fraction", binding: 6, filtered: false }],
         constants: &["BLEND", "LIT_FRACTION", "RAYLEIGH", "MIE", "OZONE", "MIE_SINGLE", "CORNETTE_SHANKS"],
         vertices: Vertices::Triangle,
         #[cfg(any(feature = "wgpu", feature = "translate"))]
-        wgsl: &[text::LIB_FULLSCREEN, text::LIB_FRAME, text::LIB_VIEW, text::LIB_AERIAL, text::LIB_LUTS, text::LIB_CONSTANTS, text::LIB_GEOMETRY, text::LIB_SKY_VIEW_LUT, text::LIB_MEDIUM, text::LIB_PATH, text::LIB_AERIAL_LUT, text::LIB_TRANSMITTANCE_LUT, text::LIB_LUT_AIR, text::LIB_PHASE, text::PASS_AERIAL_PERSPECTIVE],
+        wgsl: &[text::LIB_FULLSCREEN, text::LIB_FRAME, text::LIB_VIEW, text::LIB_AERIAL, text::LIB_LUTS, text::LIB_CONSTANTS, text::LIB_GEOMETRY, text::LIB_SKY_VIEW_LUT, text::LIB_MEDIUM, text::LIB_PATH, text::LIB_AERIAL_LUT, text::LIB_COLUMNS, text::LIB_LUT_AIR, text::LIB_PHASE, text::PASS_AERIAL_PERSPECTIVE],
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 27, 117],
-            fragment: &[0, 27, 33, 30, 31, 32, 38, 11, 25, 42, 43, 44, 45, 46, 47, 48, 20, 157, 76, 197, 164, 159, 111, 69, 70, 66, 63, 86, 62, 81, 97, 110, 188, 80, 59, 72, 65, 200, 196, 170, 74, 68, 87, 82, 136, 51, 50, 54, 172, 173, 171, 52, 190, 153, 57, 199, 155, 100, 71, 137, 138, 132],
+            vertex: &[0, 28, 126],
+            fragment: &[0, 28, 34, 31, 32, 33, 39, 10, 26, 43, 44, 45, 46, 47, 48, 21, 156, 170, 76, 215, 188, 87, 81, 118, 179, 172, 119, 69, 61, 60, 82, 99, 117, 205, 56, 122, 72, 63, 217, 214, 186, 74, 111, 67, 89, 83, 146, 164, 202, 51, 50, 102, 80, 88, 187, 203, 68, 176, 177, 166, 54, 168, 103, 71, 147, 148, 142],
             blocks: ["", "Uniforms_block_0Fragment"],
-            samplers: &["g1", "g2", "g3", "g4", "g5", "g6", "g7"],
+            samplers: &["g1", "g2", "g3", "g4", "g5", "g6"],
         },
     };
 }
@@ -500,31 +527,79 @@ pub mod aerial_perspective {
 pub mod airglow {
     use super::*;
 
+    /// The air holds gas that scatters light like Rayleigh's molecules.
+    pub const RAYLEIGH: u32 = 1 << 0;
+    /// The air holds an aerosol.
+    pub const MIE: u32 = 1 << 1;
+    /// The air holds an absorber.
+    pub const OZONE: u32 = 1 << 2;
     /// What a ray enters before the air; off: what it leaves last, behind the air.
-    pub const BEFORE: u32 = 1 << 0;
+    pub const BEFORE: u32 = 1 << 3;
+    /// Of the latter what the air lets through; off: another pass dims it.
+    pub const THROUGH_AIR: u32 = 1 << 4;
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
         pub const REDUCED: u32 = 1;
         pub const SHELL_DIMS: u32 = 2;
+        pub const WIDE: u32 = 4;
     }
 
     /// The row of the table.
     pub static INFO: ProgramInfo = ProgramInfo {
         name: "airglow",
-        uniform_size: 256,
+        uniform_size: 272,
         textures: &[TextureSlot { name: "scene_depth", binding: 1, filtered: false }],
-        constants: &["BEFORE"],
+        constants: &["RAYLEIGH", "MIE", "OZONE", "BEFORE", "THROUGH_AIR"],
         vertices: Vertices::Triangle,
         #[cfg(any(feature = "wgpu", feature = "translate"))]
-        wgsl: &[text::LIB_FULLSCREEN, text::LIB_FRAME, text::LIB_VIEW, text::LIB_GEOMETRY, text::PASS_AIRGLOW],
+        wgsl: &[text::LIB_FULLSCREEN, text::LIB_FRAME, text::LIB_VIEW, text::LIB_GEOMETRY, text::LIB_MEDIUM, text::LIB_PATH, text::LIB_COLUMNS, text::PASS_AIRGLOW],
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 27, 117],
-            fragment: &[0, 27, 33, 30, 31, 39, 8, 25, 42, 20, 157, 76, 63, 86, 97, 110, 162, 186, 185, 119],
+            vertex: &[0, 28, 126],
+            fragment: &[0, 28, 34, 31, 32, 40, 19, 26, 43, 21, 170, 76, 61, 87, 60, 82, 99, 117, 205, 81, 55, 122, 111, 67, 89, 102, 80, 88, 187, 203, 68, 166, 175, 110, 109, 128],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["g1"],
+        },
+    };
+}
+
+/// What lies behind the air, stars and disks, through it: the target's colours times the transmittance of each
+/// channel, where the ray meets no ground. Drawn before the sky, whose light is then added.
+pub mod behind_air {
+    use super::*;
+
+    /// The air holds gas that scatters light like Rayleigh's molecules.
+    pub const RAYLEIGH: u32 = 1 << 0;
+    /// The air holds an aerosol.
+    pub const MIE: u32 = 1 << 1;
+    /// The air holds an absorber.
+    pub const OZONE: u32 = 1 << 2;
+    /// Whole numbers that the shader calls by these names.
+    #[allow(missing_docs)]
+    pub mod numbers {
+        pub const REDUCED: u32 = 1;
+        pub const SHELL_DIMS: u32 = 2;
+        pub const WIDE: u32 = 4;
+    }
+
+    /// The row of the table.
+    pub static INFO: ProgramInfo = ProgramInfo {
+        name: "behind_air",
+        uniform_size: 240,
+        textures: &[],
+        constants: &["RAYLEIGH", "MIE", "OZONE"],
+        vertices: Vertices::Triangle,
+        #[cfg(any(feature = "wgpu", feature = "translate"))]
+        wgsl: &[text::LIB_FULLSCREEN, text::LIB_FRAME, text::LIB_VIEW, text::LIB_GEOMETRY, text::LIB_MEDIUM, text::LIB_PATH, text::LIB_COLUMNS, text::PASS_BEHIND_AIR],
+        #[cfg(feature = "webgl")]
+        glsl: crate::gpu::Glsl {
+            parts: PARTS,
+            vertex: &[0, 28, 126],
+            fragment: &[0, 28, 34, 31, 32, 18, 22, 21, 170, 61, 87, 60, 82, 99, 116, 205, 81, 55, 122, 111, 67, 89, 102, 80, 88, 187, 203, 68, 166, 130],
+            blocks: ["", "Frame_block_0Fragment"],
+            samplers: &[],
         },
     };
 }
@@ -545,8 +620,8 @@ pub mod copy {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 27, 117],
-            fragment: &[0, 27, 42, 20, 115],
+            vertex: &[0, 28, 126],
+            fragment: &[0, 28, 43, 21, 124],
             blocks: ["", ""],
             samplers: &["g1"],
         },
@@ -573,6 +648,7 @@ pub mod moon_disk {
     pub mod numbers {
         pub const REDUCED: u32 = 1;
         pub const SHELL_DIMS: u32 = 2;
+        pub const WIDE: u32 = 4;
         pub const DISK_STEPS: u32 = 128;
         pub const VERTICES: u32 = 4;
     }
@@ -580,7 +656,7 @@ pub mod moon_disk {
     /// The row of the table.
     pub static INFO: ProgramInfo = ProgramInfo {
         name: "moon_disk",
-        uniform_size: 272,
+        uniform_size: 288,
         textures: &[],
         constants: &["RAYLEIGH", "MIE", "OZONE", "AIR", "BODY"],
         vertices: Vertices::Strip(4),
@@ -589,8 +665,8 @@ pub mod moon_disk {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 27, 33, 30, 31, 40, 12, 26, 116],
-            fragment: &[0, 27, 33, 30, 31, 40, 13, 25, 20, 157, 63, 86, 62, 81, 97, 109, 188, 80, 58, 105, 68, 75, 87, 192, 154, 79, 78, 113, 142, 122],
+            vertex: &[0, 28, 34, 31, 32, 41, 14, 27, 125],
+            fragment: &[0, 28, 34, 31, 32, 41, 15, 26, 21, 156, 170, 61, 87, 60, 82, 99, 116, 205, 81, 55, 111, 67, 75, 89, 209, 167, 79, 78, 121, 152, 132],
             blocks: ["Uniforms_block_0Vertex", "Uniforms_block_0Fragment"],
             samplers: &[],
         },
@@ -616,6 +692,7 @@ pub mod multi_scattering_gather {
     pub mod numbers {
         pub const REDUCED: u32 = 1;
         pub const SHELL_DIMS: u32 = 2;
+        pub const WIDE: u32 = 4;
         pub const MOMENTS: u32 = 6;
         pub const ZENITHS: u32 = 16;
         pub const AZIMUTHS: u32 = 8;
@@ -624,7 +701,7 @@ pub mod multi_scattering_gather {
     /// The row of the table.
     pub static INFO: ProgramInfo = ProgramInfo {
         name: "multi_scattering_gather",
-        uniform_size: 224,
+        uniform_size: 240,
         textures: &[TextureSlot { name: "transmittance_lut", binding: 1, filtered: false }, TextureSlot { name: "multi_scattering_lut", binding: 2, filtered: false }],
         constants: &["RAYLEIGH", "MIE", "OZONE", "MULTI_SCATTERING"],
         vertices: Vertices::Triangle,
@@ -633,8 +710,8 @@ pub mod multi_scattering_gather {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 27, 117],
-            fragment: &[0, 27, 33, 32, 41, 3, 25, 42, 43, 20, 63, 86, 62, 81, 97, 166, 176, 80, 103, 156, 167, 105, 75, 87, 192, 82, 136, 73, 112, 70, 66, 190, 153, 64, 195, 175, 146, 193, 148, 98, 147, 93, 181, 184, 88, 160, 100, 90, 150, 95, 120],
+            vertex: &[0, 28, 126],
+            fragment: &[0, 28, 34, 33, 42, 3, 26, 43, 44, 21, 61, 87, 60, 82, 99, 181, 192, 81, 107, 122, 169, 182, 111, 75, 89, 209, 83, 146, 73, 120, 70, 65, 207, 165, 62, 213, 190, 157, 210, 159, 100, 158, 95, 198, 201, 90, 173, 103, 92, 161, 97, 129],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["g1", "g2"],
         },
@@ -651,6 +728,7 @@ pub mod multi_scattering_lut {
     pub mod numbers {
         pub const REDUCED: u32 = 1;
         pub const SHELL_DIMS: u32 = 2;
+        pub const WIDE: u32 = 4;
         pub const MOMENTS: u32 = 6;
         pub const ZENITHS: u32 = 16;
         pub const AZIMUTHS: u32 = 8;
@@ -659,7 +737,7 @@ pub mod multi_scattering_lut {
     /// The row of the table.
     pub static INFO: ProgramInfo = ProgramInfo {
         name: "multi_scattering_lut",
-        uniform_size: 224,
+        uniform_size: 240,
         textures: &[TextureSlot { name: "gathered", binding: 1, filtered: false }],
         constants: &[],
         vertices: Vertices::Triangle,
@@ -668,8 +746,8 @@ pub mod multi_scattering_lut {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 27, 117],
-            fragment: &[0, 27, 33, 32, 41, 6, 25, 42, 20, 195, 98, 86, 90, 151, 139, 126],
+            vertex: &[0, 28, 126],
+            fragment: &[0, 28, 34, 33, 42, 6, 26, 43, 21, 213, 100, 87, 92, 162, 149, 136],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["g1"],
         },
@@ -681,37 +759,40 @@ pub mod multi_scattering_lut {
 pub mod sky_march {
     use super::*;
 
+    /// Dimmed by a grey mean, as a blend has one alpha; off: `behind_air` has dimmed it.
+    pub const DIMS: u32 = 1 << 0;
     /// The air holds gas that scatters light like Rayleigh's molecules.
-    pub const RAYLEIGH: u32 = 1 << 0;
+    pub const RAYLEIGH: u32 = 1 << 1;
     /// The air holds an aerosol.
-    pub const MIE: u32 = 1 << 1;
+    pub const MIE: u32 = 1 << 2;
     /// The air holds an absorber.
-    pub const OZONE: u32 = 1 << 2;
+    pub const OZONE: u32 = 1 << 3;
     /// The aerosol scatters after Cornette & Shanks; off: Henyey & Greenstein.
-    pub const CORNETTE_SHANKS: u32 = 1 << 3;
+    pub const CORNETTE_SHANKS: u32 = 1 << 4;
     /// Sunlight reaches the air; off: it dims what lies behind and sends no light.
-    pub const SUNLIGHT: u32 = 1 << 4;
+    pub const SUNLIGHT: u32 = 1 << 5;
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
         pub const REDUCED: u32 = 1;
         pub const SHELL_DIMS: u32 = 2;
+        pub const WIDE: u32 = 4;
     }
 
     /// The row of the table.
     pub static INFO: ProgramInfo = ProgramInfo {
         name: "sky_march",
-        uniform_size: 224,
+        uniform_size: 240,
         textures: &[],
-        constants: &["RAYLEIGH", "MIE", "OZONE", "CORNETTE_SHANKS", "SUNLIGHT"],
+        constants: &["DIMS", "RAYLEIGH", "MIE", "OZONE", "CORNETTE_SHANKS", "SUNLIGHT"],
         vertices: Vertices::Triangle,
         #[cfg(any(feature = "wgpu", feature = "translate"))]
-        wgsl: &[text::LIB_FULLSCREEN, text::LIB_FRAME, text::LIB_VIEW, text::LIB_GEOMETRY, text::LIB_MEDIUM, text::LIB_PATH, text::LIB_PHASE, text::LIB_SINGLE_SCATTERING, text::LIB_OPEN_SUN, text::PASS_SKY_MARCH],
+        wgsl: &[text::LIB_FULLSCREEN, text::LIB_FRAME, text::LIB_VIEW, text::LIB_BEHIND, text::LIB_GEOMETRY, text::LIB_MEDIUM, text::LIB_PATH, text::LIB_PHASE, text::LIB_SINGLE_SCATTERING, text::LIB_OPEN_SUN, text::PASS_SKY_MARCH],
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 27, 117],
-            fragment: &[0, 27, 33, 30, 31, 15, 21, 20, 157, 197, 63, 86, 62, 81, 97, 166, 176, 177, 109, 188, 80, 59, 60, 156, 102, 167, 105, 68, 75, 87, 192, 82, 154, 136, 73, 112, 160, 100, 71, 137, 178, 181, 168, 125],
+            vertex: &[0, 28, 126],
+            fragment: &[0, 28, 34, 31, 32, 11, 22, 21, 156, 170, 64, 61, 87, 60, 82, 99, 181, 192, 194, 116, 205, 81, 56, 58, 57, 122, 169, 105, 182, 111, 67, 75, 89, 209, 83, 167, 146, 73, 120, 173, 103, 71, 147, 195, 198, 183, 135],
             blocks: ["", "Frame_block_0Fragment"],
             samplers: &[],
         },
@@ -722,40 +803,43 @@ pub mod sky_march {
 pub mod sky_march_eclipse {
     use super::*;
 
+    /// Dimmed by a grey mean, as a blend has one alpha; off: `behind_air` has dimmed it.
+    pub const DIMS: u32 = 1 << 0;
     /// The air holds gas that scatters light like Rayleigh's molecules.
-    pub const RAYLEIGH: u32 = 1 << 0;
+    pub const RAYLEIGH: u32 = 1 << 1;
     /// The air holds an aerosol.
-    pub const MIE: u32 = 1 << 1;
+    pub const MIE: u32 = 1 << 2;
     /// The air holds an absorber.
-    pub const OZONE: u32 = 1 << 2;
+    pub const OZONE: u32 = 1 << 3;
     /// Light is scattered again; off: sunlight alone.
-    pub const MULTI_SCATTERING: u32 = 1 << 3;
+    pub const MULTI_SCATTERING: u32 = 1 << 4;
     /// The aerosol scatters after Cornette & Shanks; off: Henyey & Greenstein.
-    pub const CORNETTE_SHANKS: u32 = 1 << 4;
+    pub const CORNETTE_SHANKS: u32 = 1 << 5;
     /// Sunlight reaches the air; off: it dims what lies behind and sends no light.
-    pub const SUNLIGHT: u32 = 1 << 5;
+    pub const SUNLIGHT: u32 = 1 << 6;
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
         pub const REDUCED: u32 = 1;
         pub const SHELL_DIMS: u32 = 2;
+        pub const WIDE: u32 = 4;
         pub const MOMENTS: u32 = 6;
     }
 
     /// The row of the table.
     pub static INFO: ProgramInfo = ProgramInfo {
         name: "sky_march_eclipse",
-        uniform_size: 384,
+        uniform_size: 400,
         textures: &[TextureSlot { name: "moon_shadow_lut", binding: 1, filtered: false }, TextureSlot { name: "transmittance_lut", binding: 2, filtered: false }, TextureSlot { name: "multi_scattering_lut", binding: 3, filtered: false }],
-        constants: &["RAYLEIGH", "MIE", "OZONE", "MULTI_SCATTERING", "CORNETTE_SHANKS", "SUNLIGHT"],
+        constants: &["DIMS", "RAYLEIGH", "MIE", "OZONE", "MULTI_SCATTERING", "CORNETTE_SHANKS", "SUNLIGHT"],
         vertices: Vertices::Triangle,
         #[cfg(any(feature = "wgpu", feature = "translate"))]
-        wgsl: &[text::LIB_FULLSCREEN, text::LIB_FRAME, text::LIB_VIEW, text::LIB_GEOMETRY, text::LIB_MEDIUM, text::LIB_PATH, text::LIB_LUTS, text::LIB_TRANSMITTANCE_LUT, text::LIB_MULTI_SCATTERING_LUT, text::LIB_GATHER, text::LIB_PHASE, text::LIB_SINGLE_SCATTERING, text::LIB_ALL_ORDERS, text::LIB_CONSTANTS, text::LIB_DISK_OVERLAP, text::LIB_MOON_SHADOW, text::LIB_ECLIPSED_SUN, text::PASS_SKY_MARCH_ECLIPSE],
+        wgsl: &[text::LIB_FULLSCREEN, text::LIB_FRAME, text::LIB_VIEW, text::LIB_BEHIND, text::LIB_GEOMETRY, text::LIB_MEDIUM, text::LIB_PATH, text::LIB_LUTS, text::LIB_TRANSMITTANCE_LUT, text::LIB_MULTI_SCATTERING_LUT, text::LIB_GATHER, text::LIB_PHASE, text::LIB_SINGLE_SCATTERING, text::LIB_ALL_ORDERS, text::LIB_CONSTANTS, text::LIB_DISK_OVERLAP, text::LIB_MOON_SHADOW, text::LIB_ECLIPSED_SUN, text::PASS_SKY_MARCH_ECLIPSE],
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 27, 117],
-            fragment: &[0, 27, 33, 30, 31, 32, 34, 37, 17, 42, 25, 43, 44, 20, 157, 197, 63, 86, 62, 81, 97, 166, 176, 177, 109, 188, 80, 59, 60, 156, 102, 167, 105, 68, 75, 87, 192, 82, 154, 136, 73, 112, 70, 66, 190, 153, 64, 175, 146, 148, 98, 147, 140, 96, 158, 165, 198, 143, 141, 144, 179, 145, 182, 89, 160, 100, 71, 137, 138, 178, 168, 61, 84, 124],
+            vertex: &[0, 28, 126],
+            fragment: &[0, 28, 34, 31, 32, 33, 35, 38, 12, 43, 26, 44, 45, 21, 156, 170, 64, 61, 87, 60, 82, 99, 181, 192, 194, 116, 205, 81, 56, 58, 57, 122, 169, 105, 182, 111, 67, 75, 89, 209, 83, 167, 146, 73, 120, 70, 65, 207, 165, 62, 190, 157, 159, 100, 158, 150, 98, 171, 180, 216, 153, 151, 154, 196, 155, 199, 91, 173, 103, 71, 147, 148, 195, 183, 59, 85, 134],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["g1", "g2", "g3"],
         },
@@ -767,33 +851,36 @@ pub mod sky_march_eclipse {
 pub mod sky_view {
     use super::*;
 
+    /// Dimmed by a grey mean, as a blend has one alpha; off: `behind_air` has dimmed it.
+    pub const DIMS: u32 = 1 << 0;
     /// The aerosol scatters after Cornette & Shanks; off: Henyey & Greenstein.
-    pub const CORNETTE_SHANKS: u32 = 1 << 0;
+    pub const CORNETTE_SHANKS: u32 = 1 << 1;
     /// With sunlight scattered once by the aerosol, which has a LUT of its own.
-    pub const MIE_SINGLE: u32 = 1 << 1;
+    pub const MIE_SINGLE: u32 = 1 << 2;
     /// Laid over what is in the target; off: the target holds nothing.
-    pub const BLEND: u32 = 1 << 2;
+    pub const BLEND: u32 = 1 << 3;
     /// Whole numbers that the shader calls by these names.
     #[allow(missing_docs)]
     pub mod numbers {
         pub const REDUCED: u32 = 1;
         pub const SHELL_DIMS: u32 = 2;
+        pub const WIDE: u32 = 4;
     }
 
     /// The row of the table.
     pub static INFO: ProgramInfo = ProgramInfo {
         name: "sky_view",
-        uniform_size: 352,
+        uniform_size: 368,
         textures: &[TextureSlot { name: "sky_view_lut", binding: 1, filtered: true }, TextureSlot { name: "mie_single_lut", binding: 2, filtered: true }],
-        constants: &["CORNETTE_SHANKS", "MIE_SINGLE", "BLEND"],
+        constants: &["DIMS", "CORNETTE_SHANKS", "MIE_SINGLE", "BLEND"],
         vertices: Vertices::Triangle,
         #[cfg(any(feature = "wgpu", feature = "translate"))]
-        wgsl: &[text::LIB_FULLSCREEN, text::LIB_FRAME, text::LIB_VIEW, text::LIB_CONSTANTS, text::LIB_GEOMETRY, text::LIB_SKY_VIEW_LUT, text::LIB_LUTS, text::LIB_PHASE, text::PASS_SKY_VIEW],
+        wgsl: &[text::LIB_FULLSCREEN, text::LIB_FRAME, text::LIB_VIEW, text::LIB_BEHIND, text::LIB_CONSTANTS, text::LIB_GEOMETRY, text::LIB_SKY_VIEW_LUT, text::LIB_LUTS, text::LIB_PHASE, text::PASS_SKY_VIEW],
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 27, 117],
-            fragment: &[0, 27, 33, 30, 31, 32, 38, 18, 25, 42, 43, 20, 157, 86, 97, 110, 188, 72, 65, 200, 196, 170, 74, 100, 71, 137, 138, 123],
+            vertex: &[0, 28, 126],
+            fragment: &[0, 28, 34, 31, 32, 33, 39, 13, 26, 43, 44, 21, 156, 170, 64, 87, 99, 117, 205, 72, 63, 217, 214, 186, 74, 103, 71, 147, 148, 133],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["g1", "g2"],
         },
@@ -823,13 +910,14 @@ pub mod sky_view_lut {
     pub mod numbers {
         pub const REDUCED: u32 = 1;
         pub const SHELL_DIMS: u32 = 2;
+        pub const WIDE: u32 = 4;
         pub const MOMENTS: u32 = 6;
     }
 
     /// The row of the table.
     pub static INFO: ProgramInfo = ProgramInfo {
         name: "sky_view_lut",
-        uniform_size: 352,
+        uniform_size: 368,
         textures: &[TextureSlot { name: "transmittance_lut", binding: 1, filtered: false }, TextureSlot { name: "multi_scattering_lut", binding: 2, filtered: false }],
         constants: &["RAYLEIGH", "MIE", "OZONE", "MULTI_SCATTERING", "MIE_SINGLE"],
         vertices: Vertices::Triangle,
@@ -838,8 +926,8 @@ pub mod sky_view_lut {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 27, 117],
-            fragment: &[0, 27, 33, 30, 31, 32, 38, 4, 25, 42, 43, 20, 63, 86, 62, 81, 97, 166, 176, 177, 80, 103, 156, 167, 105, 68, 75, 87, 192, 82, 136, 73, 112, 70, 66, 190, 153, 64, 175, 146, 148, 98, 147, 181, 184, 89, 191, 194, 169, 163, 85, 160, 131],
+            vertex: &[0, 28, 126],
+            fragment: &[0, 28, 34, 31, 32, 33, 39, 4, 26, 43, 44, 21, 61, 87, 60, 82, 99, 181, 192, 194, 81, 107, 122, 169, 182, 111, 67, 75, 89, 209, 83, 146, 73, 120, 70, 65, 207, 165, 62, 190, 157, 159, 100, 158, 198, 201, 91, 208, 212, 185, 178, 86, 173, 140],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["g1", "g2"],
         },
@@ -867,6 +955,7 @@ pub mod sun_disk {
     pub mod numbers {
         pub const REDUCED: u32 = 1;
         pub const SHELL_DIMS: u32 = 2;
+        pub const WIDE: u32 = 4;
         pub const DISK_STEPS: u32 = 128;
         pub const VERTICES: u32 = 4;
     }
@@ -874,7 +963,7 @@ pub mod sun_disk {
     /// The row of the table.
     pub static INFO: ProgramInfo = ProgramInfo {
         name: "sun_disk",
-        uniform_size: 272,
+        uniform_size: 288,
         textures: &[],
         constants: &["RAYLEIGH", "MIE", "OZONE", "AIR", "LIMB_DARKENING", "MOON"],
         vertices: Vertices::Strip(4),
@@ -883,8 +972,8 @@ pub mod sun_disk {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 27, 33, 30, 31, 40, 12, 26, 116],
-            fragment: &[0, 27, 33, 30, 31, 40, 14, 25, 20, 157, 63, 86, 62, 81, 97, 109, 188, 80, 58, 105, 68, 75, 87, 192, 154, 79, 161, 78, 107, 106, 121],
+            vertex: &[0, 28, 34, 31, 32, 41, 14, 27, 125],
+            fragment: &[0, 28, 34, 31, 32, 41, 16, 26, 21, 156, 170, 61, 87, 60, 82, 99, 116, 205, 81, 55, 111, 67, 75, 89, 209, 167, 79, 174, 78, 113, 112, 131],
             blocks: ["Uniforms_block_0Vertex", "Uniforms_block_0Fragment"],
             samplers: &[],
         },
@@ -912,6 +1001,7 @@ pub mod terrain {
     pub mod numbers {
         pub const REDUCED: u32 = 1;
         pub const SHELL_DIMS: u32 = 2;
+        pub const WIDE: u32 = 4;
         pub const MOMENTS: u32 = 6;
         pub const RINGS: u32 = 256;
         pub const SEGMENTS: u32 = 384;
@@ -921,7 +1011,7 @@ pub mod terrain {
     /// The row of the table.
     pub static INFO: ProgramInfo = ProgramInfo {
         name: "terrain",
-        uniform_size: 528,
+        uniform_size: 544,
         textures: &[TextureSlot { name: "moon_shadow_lut", binding: 1, filtered: false }, TextureSlot { name: "multi_scattering_lut", binding: 2, filtered: false }],
         constants: &["RAYLEIGH", "MIE", "OZONE", "SKY_LIGHT", "MOON"],
         vertices: Vertices::Strip(197632),
@@ -930,8 +1020,8 @@ pub mod terrain {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 27, 33, 30, 31, 32, 34, 35, 16, 23, 29, 63, 86, 62, 81, 105, 68, 75, 87, 192, 154, 178, 104, 152, 99, 91, 94, 67, 118],
-            fragment: &[0, 27, 33, 30, 31, 32, 34, 35, 16, 22, 42, 43, 28, 77, 70, 66, 175, 146, 93, 158, 96, 165, 198, 140, 143, 141, 144, 145, 92, 129],
+            vertex: &[0, 28, 34, 31, 32, 33, 35, 36, 17, 24, 30, 61, 87, 60, 82, 111, 67, 75, 89, 209, 167, 195, 108, 163, 101, 93, 96, 66, 127],
+            fragment: &[0, 28, 34, 31, 32, 33, 35, 36, 17, 23, 43, 44, 29, 156, 77, 70, 65, 190, 157, 95, 171, 98, 180, 216, 150, 153, 151, 154, 155, 94, 138],
             blocks: ["Terrain_block_0Vertex", "Terrain_block_0Fragment"],
             samplers: &["g1", "g2"],
         },
@@ -961,8 +1051,8 @@ pub mod tone_map {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 27, 117],
-            fragment: &[0, 27, 36, 1, 24, 42, 20, 49, 56, 149, 187, 174, 83, 114],
+            vertex: &[0, 28, 126],
+            fragment: &[0, 28, 37, 1, 25, 43, 21, 49, 53, 160, 204, 189, 84, 123],
             blocks: ["", "Tone_block_0Fragment"],
             samplers: &["g1"],
         },
@@ -985,12 +1075,13 @@ pub mod transmittance_lut {
     pub mod numbers {
         pub const REDUCED: u32 = 1;
         pub const SHELL_DIMS: u32 = 2;
+        pub const WIDE: u32 = 4;
     }
 
     /// The row of the table.
     pub static INFO: ProgramInfo = ProgramInfo {
         name: "transmittance_lut",
-        uniform_size: 224,
+        uniform_size: 240,
         textures: &[],
         constants: &["RAYLEIGH", "MIE", "OZONE"],
         vertices: Vertices::Triangle,
@@ -999,8 +1090,8 @@ pub mod transmittance_lut {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 27, 117],
-            fragment: &[0, 27, 33, 32, 41, 19, 25, 20, 63, 86, 62, 189, 105, 75, 192, 154, 127],
+            vertex: &[0, 28, 126],
+            fragment: &[0, 28, 34, 33, 42, 20, 26, 21, 61, 87, 60, 206, 111, 75, 209, 167, 137],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &[],
         },
@@ -1017,12 +1108,13 @@ pub mod upsample {
     pub mod numbers {
         pub const REDUCED: u32 = 1;
         pub const SHELL_DIMS: u32 = 2;
+        pub const WIDE: u32 = 4;
     }
 
     /// The row of the table.
     pub static INFO: ProgramInfo = ProgramInfo {
         name: "upsample",
-        uniform_size: 224,
+        uniform_size: 240,
         textures: &[TextureSlot { name: "reduced_sky", binding: 1, filtered: false }],
         constants: &[],
         vertices: Vertices::Triangle,
@@ -1031,8 +1123,8 @@ pub mod upsample {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 27, 117],
-            fragment: &[0, 27, 33, 30, 31, 7, 21, 42, 20, 157, 86, 97, 108, 101, 135],
+            vertex: &[0, 28, 126],
+            fragment: &[0, 28, 34, 31, 32, 7, 22, 43, 21, 170, 87, 99, 115, 104, 145],
             blocks: ["", "Frame_block_0Fragment"],
             samplers: &["g1"],
         },

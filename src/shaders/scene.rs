@@ -145,7 +145,7 @@ mod tests {
         let user = "enable f16;\n// mine\nfn sky() -> vec3f { return welkin_sky(vec3f(1.0)); }\n";
         let text = super::wgsl(3, user);
         assert!(text.starts_with(user));
-        assert!(!text.contains("@group(0)") && text.matches("@group(3)").count() == 6);
+        assert!(!text.contains("@group(0)") && text.matches("@group(3)").count() == 5);
         let module = naga::front::wgsl::parse_str(&text.replace("enable f16;", "")).expect("whole");
         let own = module.functions.iter().filter_map(|(_, f)| f.name.as_deref());
         let own: Vec<_> = own.filter(|name| !name.starts_with("welkin_")).collect();

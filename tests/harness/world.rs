@@ -84,6 +84,7 @@ pub fn changes() -> Vec<Change> {
             w.view.params.planet_radius *= 1.01;
             w.view.params.atmosphere_radius *= 1.01;
         }),
+        change("lowest ground", |w| w.view.params.lowest_ground -= 430.0),
         change("atmosphere radius", |w| w.view.params.atmosphere_radius += 5e3),
         change("rayleigh scale height", |w| w.view.params.rayleigh_scale_height *= 1.1),
         change("mie scale height", |w| w.view.params.mie_scale_height *= 1.5),

@@ -8,6 +8,7 @@ mod accuracy;
 mod continuity;
 mod energy;
 mod hard_media;
+mod near_air;
 mod probe;
 mod quality;
 mod random_frames;

@@ -40,10 +40,11 @@ impl PlanetArgs {
 
 /// The options of which any one asks for a single picture. (A group with a flattened part has no members of
 /// its own accord.)
-const SINGLE: [&str; 12] = [
+const SINGLE: [&str; 13] = [
     "view",
     "planet",
     "altitude",
+    "lowest_ground",
     "pitch",
     "heading",
     "fov",
@@ -70,6 +71,11 @@ pub struct SceneArgs {
     #[arg(long, value_name = "LENGTH", help_heading = VIEW, allow_hyphen_values = true)]
     #[arg(value_parser = values::length)]
     altitude: Option<Length>,
+
+    /// Altitude of the lowest ground, down to which the sky goes on, as in -430m [default: 0m]
+    #[arg(long, value_name = "LENGTH", help_heading = VIEW, allow_hyphen_values = true)]
+    #[arg(value_parser = values::length)]
+    lowest_ground: Option<Length>,
 
     /// Degrees above the horizontal that the camera looks, -90 to 90 [default: 10]
     #[arg(long, value_name = "DEGREES", help_heading = VIEW, allow_hyphen_values = true)]
@@ -170,6 +176,14 @@ impl SceneArgs {
                 }
                 other => UsageError::new(other.to_string()),
             })?;
+        if let Some(lowest) = &self.lowest_ground {
+            scene.atmosphere.lowest_ground = lowest.metres;
+            scene.atmosphere.validate().map_err(|_| {
+                let least = views::length(-0.1 * scene.atmosphere.planet_radius);
+                let allowed = format_args!("from {least} (a tenth of the planet's radius) to 0 m");
+                UsageError::value("--lowest-ground <LENGTH>", &lowest.text, allowed)
+            })?;
+        }
         if let (true, Some((place, time))) = (self.moon, place_and_time) {
             place_moon(&mut scene, place, time)?;
         }
@@ -289,6 +303,7 @@ mod tests {
             ("--view", "noon"),
             ("--planet", "mars"),
             ("--altitude", "2km"),
+            ("--lowest-ground", "-430m"),
             ("--pitch", "1"),
             ("--heading", "1"),
             ("--fov", "1"),

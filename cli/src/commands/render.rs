@@ -143,7 +143,8 @@ fn single(args: &RenderArgs, framed: FramedScene) -> anyhow::Result<()> {
     let (name, size) = (framed.view.name, framed.size);
     let mut gpu = Gpu::open(args.backend.backend)?;
     let choice = QualityChoice::new(args.quality.asked(), args.look.mode(), &mut gpu, size)?;
-    let request = args.request(framed, choice.sky);
+    let radiance = output.radiance();
+    let request = RenderRequest { radiance, ..args.request(framed, choice.sky) };
     let steps = Progress::new(1);
     let picture = draw_one(&mut gpu, &request, &steps, name)?;
     drop(steps);

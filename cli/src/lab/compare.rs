@@ -128,6 +128,7 @@ fn request(
         tone_map: ToneMap::Aces,
         dither,
         terrain: Some(terrain),
+        radiance: Format::Rgba16Float,
     })
 }
 

@@ -15,7 +15,7 @@ fn all_orders(
     let aerosol = m.mie_scattering * mie_phase_between(dir, sun, m.mie_asymmetry);
     let g = gather(
         transmittance_lut, multi_scattering_lut, m, luts, ray, dir,
-        perigee, u_from, u_to, gas, aerosol, 1.0);
+        perigee, u_from, u_to, luts.steps, gas, aerosol, 1.0);
     return Scattered(g.radiance, exp(-extinction(coefficients_of(m), g.optical_path)));
 }
 

@@ -41,9 +41,9 @@ fn resolved(chord: f32, pixel: f32) -> f32 {
 }
 
 // The colour of a disk's pixel: its light (radiance) through the air along the whole ray, exp(-tau). In
-// alpha how far it hides the sky. Not quite a sum, or disk and sky together could exceed a 16-bit float:
-// what is as bright as that hides all of the sky.
-fn disk_color(light: vec3f, line: Line, altitude: f32, m: Medium) -> vec4f {
+// alpha how far it hides the sky. Not quite a sum, or disk and sky together could exceed a 16-bit float: what
+// is as bright as that (`most_light`) hides all of the sky.
+fn disk_color(light: vec3f, line: Line, altitude: f32, m: Medium, most: f32) -> vec4f {
     var seen = light;
     if AIR {
         let path = air_path(line, altitude, m.radius, m.thickness);
@@ -53,6 +53,6 @@ fn disk_color(light: vec3f, line: Line, altitude: f32, m: Medium) -> vec4f {
             seen *= exp(-extinction(coefficients_of(m), sums));
         }
     }
-    seen = min(seen, vec3f(HALF_MAX));
-    return vec4f(seen, max(seen.r, max(seen.g, seen.b)) * (1.0 / HALF_MAX));
+    seen = min(seen, vec3f(most));
+    return vec4f(seen, max(seen.r, max(seen.g, seen.b)) / most);
 }

@@ -14,9 +14,13 @@ struct Medium {
     mie_asymmetry: vec3f,       // g of the aerosol's phase function, per channel
     ozone_inv_half_width: f32,  // 1 / (tip to foot of the tent), 1/km
     ozone: vec3f,               // absorption at the tent's tip, 1/km
-    radius: f32,                // planet, km
+    radius: f32,                // of the lowest ground, km
     irradiance: vec3f,          // sun at the top of the atmosphere, per channel
-    thickness: f32,             // top of the atmosphere above the surface, km
+    thickness: f32,             // top of the atmosphere above the lowest ground, km
+    datum: f32,                 // altitude 0 above the lowest ground, km
+    pad1: f32,
+    pad2: f32,
+    pad3: f32,
 }
 
 // How distances are stored in a depth buffer.
@@ -29,11 +33,12 @@ struct DepthCode {
 
 const REDUCED: u32 = 1u;    // The target is smaller than the picture; planet pixels get alpha -1.
 const SHELL_DIMS: u32 = 2u; // The depth-aware pass dims what lies behind the air; else the background has.
+const WIDE: u32 = 4u;       // The target holds 32-bit floats: nothing is cut.
 
 struct Frame {
     medium: Medium,
     ray_forward: vec3f,         // ray through the middle of the picture, axial part 1
-    altitude: f32,              // camera above the surface, km, never negative
+    altitude: f32,              // camera above the lowest ground, km, never negative
     ray_right: vec3f,           // added from the middle to the right edge
     sky_weight: f32,            // the background pass's part of the sky's light, 0 to 1
     ray_up: vec3f,              // added from the middle to the top edge
@@ -46,7 +51,7 @@ struct Frame {
     depth: DepthCode,
     view_samples: u32,          // steps along the view ray
     light_samples: u32,         // steps towards the sun
-    flags: u32,                 // REDUCED and SHELL_DIMS, added
-    camera_altitude: f32,       // camera above the surface, km, may be negative (terrain only)
+    flags: u32,                 // REDUCED, SHELL_DIMS and WIDE, added
+    camera_altitude: f32,       // camera above altitude 0, km, may be negative (terrain only)
     sky_view_mapping: vec4f,    // of the sky-view LUT's rows, see `zenith_to_v`
 }

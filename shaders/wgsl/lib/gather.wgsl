@@ -21,7 +21,7 @@ struct Gathered {
 fn gather(
     transmittance_lut: texture_2d<f32>, multi_scattering_lut: texture_2d<f32>,
     m: Medium, luts: Luts, ray: AirRay, dir: vec3f,
-    perigee: Perigee, u_from: f32, u_to: f32, gas: vec3f, aerosol: vec3f, multiple: f32,
+    perigee: Perigee, u_from: f32, u_to: f32, steps: u32, gas: vec3f, aerosol: vec3f, multiple: f32,
 ) -> Gathered {
     let layers = layers_of(m);
     let coefficients = mat3x3f(m.rayleigh, luts.mie_extinction, m.ozone);
@@ -34,10 +34,10 @@ fn gather(
         m.mie_scattering * luts.mie_moment2,
     );
     let nearest = perigee.distance;
-    let du = (u_to - u_from) / f32(luts.steps);
+    let du = (u_to - u_from) / f32(steps);
     var out = Gathered(vec3f(0.0), vec3f(1.0), vec3f(0.0));
     var t0 = u_to_distance(nearest, u_from);
-    for (var i = 0u; i < luts.steps; i++) {
+    for (var i = 0u; i < steps; i++) {
         let u = u_from + du * f32(i);
         let t1 = u_to_distance(nearest, u + du);
         let step = t1 - t0;

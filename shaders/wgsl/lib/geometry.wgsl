@@ -148,6 +148,17 @@ fn line_past(dir: vec3f, h: f32, radius: f32) -> Line {
     return Line(r_mu, p, -ground2, r_mu < 0.0 && ground2 >= 0.0);
 }
 
+// The direction of a line with the azimuth of dir, which is its direction unless it was raised; unit, zenith
+// frame. r: the camera's distance from the centre, km.
+fn line_direction(line: Line, dir: vec3f, r: f32) -> vec3f {
+    if line.r_mu == r * dir.z {
+        return dir;
+    }
+    let sine = length(dir.xy);
+    let azimuth = select(vec2f(1.0, 0.0), dir.xy / sine, sine > 1e-9);
+    return vec3f(azimuth * (line.perigee / r), line.r_mu / r);
+}
+
 // Squared half of the chord (km^2) that a line from a camera at altitude h cuts from the top of the air.
 // Not from the rounded radius of the top, in which a thin shell is lost; where r mu is small, from the
 // height above the top.
@@ -198,7 +209,11 @@ fn air_path(line: Line, h: f32, radius: f32, thickness: f32) -> AirPath {
 
 // The part of a ray inside the air. dir, sun: unit, zenith frame; h: the camera's altitude, km, >= 0.
 fn air_ray(dir: vec3f, h: f32, radius: f32, thickness: f32, sun: vec3f) -> AirRay {
-    let line = line_past(dir, h, radius);
+    return air_ray_of(line_past(dir, h, radius), dir, h, radius, thickness, sun);
+}
+
+// The same for a line that is known.
+fn air_ray_of(line: Line, dir: vec3f, h: f32, radius: f32, thickness: f32, sun: vec3f) -> AirRay {
     let path = air_path(line, h, radius, thickness);
     var s: SunSide;
     if h <= thickness {
@@ -240,20 +255,28 @@ struct Perigee {
 }
 
 fn perigee_of(ray: AirRay, length: f32, radius: f32) -> Perigee {
-    if ray.r_mu >= 0.0 {
-        return Perigee(0.0, ray.excess, ray.r_mu);
+    let to_ground = ray.ground && length >= ray.length;
+    return lowest_point(ray.excess, ray.r_mu, ray.perigee_excess, to_ground, length, radius);
+}
+
+// The same by the numbers of its entry and of its line. to_ground: it ends on the ground.
+fn lowest_point(
+    excess: f32, r_mu: f32, perigee_excess: f32, to_ground: bool, length: f32, radius: f32,
+) -> Perigee {
+    if r_mu >= 0.0 {
+        return Perigee(0.0, excess, r_mu);
     }
-    if -ray.r_mu <= length {
-        return Perigee(-ray.r_mu, ray.perigee_excess, 0.0);
+    if -r_mu <= length {
+        return Perigee(-r_mu, perigee_excess, 0.0);
     }
-    let r_mu = ray.r_mu + length;
-    if ray.ground && length >= ray.length {
-        return Perigee(length, 0.0, r_mu);
+    let end = r_mu + length;
+    if to_ground {
+        return Perigee(length, 0.0, end);
     }
     // x + 2 b t + t^2, or from the whole line's perigee where that sum is of large terms.
-    let far = -ray.r_mu * length > radius * radius;
-    let near_excess = ray.excess + length * (2.0 * ray.r_mu + length);
-    return Perigee(length, select(near_excess, ray.perigee_excess + r_mu * r_mu, far), r_mu);
+    let far = -r_mu * length > radius * radius;
+    let near_excess = excess + length * (2.0 * r_mu + length);
+    return Perigee(length, select(near_excess, perigee_excess + end * end, far), end);
 }
 
 // Whether a camera ray meets the planet's surface.

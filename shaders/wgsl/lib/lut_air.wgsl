@@ -1,6 +1,6 @@
 //#include aerial
 //#include aerial_lut
-//#include transmittance_lut
+//#include columns
 // The air up to a point on a ray, from LUTs. The light of the ray's whole length is in the sky-view LUT; the
 // aerial LUT tells which part of it comes from before the point.
 
@@ -12,36 +12,35 @@ struct AirBefore {
     inscatter: vec3f, // 1/sr
 }
 
-// The air before a point at a distance (km) along a path. smooth_light, mie_light: of the whole path.
+// The air before a point at a distance (km) along a path. smooth_light, mie_light: of the whole path; u, v:
+// the ray's in the LUTs.
 fn air_before(
-    aerial_lut: texture_2d<f32>, linear: sampler, m: Medium, path: AirPath, column: AerialColumn,
-    distance: f32, smooth_light: vec3f, mie_light: vec3f,
+    aerial_lut: texture_2d<f32>, linear: sampler, m: Medium, luts: Luts, line: Line, path: AirPath,
+    u: f32, v: f32, distance: f32, smooth_light: vec3f, mie_light: vec3f,
 ) -> AirBefore {
-    let s = aerial_slice(aerial_lut, linear, column, path, distance);
-    let passed = slice_passed(s, path, distance, m);
-    // Optical depth grows with the gas that is passed, and light by what it lets through.
-    let tau = slice_depth(s);
-    let seen = mean_transmittance(tau * passed.x) / mean_transmittance(tau);
+    let layers = layers_of(m);
+    let to_end = distance >= path.length;
+    let near = path_columns(layers, line, path, min(distance, path.length), to_end, m.radius);
     var light = smooth_light;
     var mie = mie_light;
-    if distance < path.length {
-        light *= aerial_light(aerial_lut, linear, column, s.index, AIR_SMOOTH, passed.x * seen);
+    if !to_end {
+        let taking = taking_coefficients(m, luts);
+        let all = lowest_point(
+            path.excess, path.r_mu, line.perigee_excess, line.ground, path.length, m.radius);
+        let rough = rough_opacity(
+            layers, taking, all.excess, all.r_mu, -all.distance, path.length - all.distance, m.radius);
+        // A camera far away enters air so thin that there is none.
+        let part = opacity(extinction(taking, near)) / max(rough, vec3f(1e-30));
+        let point = aerial_point(aerial_lut, luts, u, v, line.ground, path, distance);
+        light *= min(part * aerial_brightness(aerial_lut, linear, point, AIR_SMOOTH), vec3f(1.0));
         if MIE_SINGLE {
-            let mie_passed = min(passed.y * seen, vec3f(1.0));
-            mie *= aerial_light(aerial_lut, linear, column, s.index, AIR_MIE, mie_passed);
+            mie *= min(part * aerial_brightness(aerial_lut, linear, point, AIR_MIE), vec3f(1.0));
         }
     }
     if MIE_SINGLE {
         light += mie;
     }
-    return AirBefore(s.near.xyz * exp(-tau * passed.x), light);
-}
-
-// Transmittance of a whole path to space.
-fn whole_transmittance(transmittance_lut: texture_2d<f32>, m: Medium, path: AirPath) -> vec3f {
-    let h = altitude_of(path.excess, m.radius);
-    let sums = optical_path_to_top(transmittance_lut, m.radius, m.thickness, path.excess, h, path.r_mu);
-    return exp(-extinction(coefficients_of(m), sums));
+    return AirBefore(exp(-extinction(coefficients_of(m), near)), light);
 }
 
 // The light of a whole path: of the sky-view LUT at uv, and of the aerosol's own by its phase function.

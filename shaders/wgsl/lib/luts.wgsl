@@ -5,7 +5,7 @@
 // transmittance_lut:    log2 of the optical path (km) from an altitude to the top: gas, aerosol, absorber.
 // multi_scattering_lut: all light that was scattered before, as angular moments per altitude and sun angle.
 // sky_view_lut, mie_single_lut: the light of every direction around the camera.
-// aerial_lut:           the air up to a distance, in every direction.
+// aerial_lut:           how bright the air is up to a distance, in every direction.
 //
 // Rust twin: `LutsUniform` in src/frame/luts.rs.
 
@@ -26,7 +26,7 @@ struct Luts {
     ground_rows: f32,           // rows for rays to the ground, of the LUT that is filled or the sky view
     size: vec2u,                // of the LUT that is filled, texels
     steps: u32,                 // along a ray, or along a slice's part of it
-    shift: u32,                 // of the scan, slices
+    pad1: u32,
     slices: u32,                // of the aerial LUT
     aerial_ground_rows: f32,    // rows of the aerial LUT for rays that end on the ground
 }

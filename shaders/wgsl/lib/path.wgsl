@@ -16,7 +16,9 @@ fn distance_to_u(perigee: f32, t: f32) -> f32 {
 
 // Densities integrated over a distance (km, relative densities times km) from a point: the optical path of
 // each constituent, Bruneton & Neyret 2008, equation 3, by the midpoint rule in u.
-fn path_densities(layers: vec4f, radius: f32, excess: f32, r_mu: f32, distance: f32, samples: u32) -> vec3f {
+fn path_densities(
+    layers: mat2x3f, radius: f32, excess: f32, r_mu: f32, distance: f32, samples: u32,
+) -> vec3f {
     let perigee = clamp(-r_mu, 0.0, distance);
     let u0 = -sqrt(perigee);
     let du = (sqrt(distance - perigee) - u0) / f32(samples);
@@ -40,6 +42,11 @@ fn path_densities(layers: vec4f, radius: f32, excess: f32, r_mu: f32, distance: 
 fn mean_transmittance(tau: vec3f) -> vec3f {
     let series = 1.0 - tau * (0.5 - tau * (1.0 / 6.0));
     return select((1.0 - exp(-tau)) / tau, series, tau < vec3f(1e-2));
+}
+
+// What an optical depth takes away: 1 - exp(-tau), which keeps its digits in thin air.
+fn opacity(tau: vec3f) -> vec3f {
+    return tau * mean_transmittance(tau);
 }
 
 // The part of a step from t0 to t1 (km) that lies in the planet's shadow: where it begins and ends, and its

@@ -4,7 +4,7 @@
 
 @group(0) @binding(1) var cases: texture_2d<f32>;
 
-const CASE_TEXELS: i32 = 13;
+const CASE_TEXELS: i32 = 14;
 
 struct Case {
     medium: Medium,
@@ -26,14 +26,16 @@ fn case_of(pixel: vec2i, answers: i32) -> Case {
     let d = textureLoad(cases, first + vec2i(3, 0), 0);
     let e = textureLoad(cases, first + vec2i(4, 0), 0);
     let f = textureLoad(cases, first + vec2i(5, 0), 0);
+    let g = textureLoad(cases, first + vec2i(6, 0), 0);
     return Case(
-        Medium(a.xyz, a.w, b.xyz, b.w, c.xyz, c.w, d.xyz, d.w, e.xyz, e.w, f.xyz, f.w),
-        textureLoad(cases, first + vec2i(6, 0), 0),
+        Medium(
+            a.xyz, a.w, b.xyz, b.w, c.xyz, c.w, d.xyz, d.w, e.xyz, e.w, f.xyz, f.w, g.x, g.y, g.z, g.w),
         textureLoad(cases, first + vec2i(7, 0), 0),
         textureLoad(cases, first + vec2i(8, 0), 0),
         textureLoad(cases, first + vec2i(9, 0), 0),
         textureLoad(cases, first + vec2i(10, 0), 0),
         textureLoad(cases, first + vec2i(11, 0), 0),
         textureLoad(cases, first + vec2i(12, 0), 0),
+        textureLoad(cases, first + vec2i(13, 0), 0),
     );
 }

@@ -27,8 +27,7 @@ struct SceneAir {
 @group(0) @binding(0) var<uniform> air_block: SceneAir;
 @group(0) @binding(1) var sky_view_lut: texture_2d<f32>;
 @group(0) @binding(2) var aerial_lut: texture_2d<f32>;
-@group(0) @binding(3) var transmittance_lut: texture_2d<f32>;
-@group(0) @binding(4) var mie_single_lut: texture_2d<f32>;
+@group(0) @binding(3) var mie_single_lut: texture_2d<f32>;
 @group(0) @binding(8) var linear: sampler;
 
 // What the air does to what lies behind it: behind * transmittance + inscatter.
@@ -68,7 +67,9 @@ fn aerial(direction: vec3f, distance: f32) -> Air {
     let luts = air_block.luts;
     let m = f.medium;
     let dir = to_zenith(direction, air_block.zenith_x, air_block.zenith_y, air_block.zenith_z);
-    let line = line_past(dir, f.altitude, m.radius);
+    let line = line_to_scene(
+        line_past(dir, f.altitude, m.radius), f.altitude, distance * 1e-3, m.radius, m.thickness,
+        f.pixel_angle);
     let path = air_path(line, f.altitude, m.radius, m.thickness);
     let ground = line.ground && path.length >= 0.0;
     let end = scene_reach(
@@ -83,14 +84,8 @@ fn aerial(direction: vec3f, distance: f32) -> Air {
     let light = path_light(
         sky_view_lut, mie_single_lut, linear, uv, ground, path.length,
         scene_phase(dir, f.sun, m.mie_asymmetry, air_block.cornette_shanks) * air_block.mie_light);
-    var air = AirBefore(vec3f(1.0), light.smooth_light + light.mie_light);
-    if !ground && end >= path.length {
-        air.transmittance = whole_transmittance(transmittance_lut, m, path);
-    } else {
-        let column = aerial_column(aerial_lut, luts, u, v, ground);
-        air = air_before(
-            aerial_lut, linear, m, path, column, end, light.smooth_light, light.mie_light);
-    }
+    let air = air_before(
+        aerial_lut, linear, m, luts, line, path, u, v, end, light.smooth_light, light.mie_light);
     return Air(air.inscatter * m.irradiance, air.transmittance);
 }
 

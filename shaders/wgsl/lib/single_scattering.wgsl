@@ -16,7 +16,7 @@ struct Scattered {
 // the optical depth to the top of the air (Nishita et al. 1993, equation 4). excess, sun_r_mu: of the point
 // and towards the sun.
 fn sun_transmittance(
-    coefficients: mat3x3f, layers: vec4f, radius: f32, thickness: f32,
+    coefficients: mat3x3f, layers: mat2x3f, radius: f32, thickness: f32,
     excess: f32, sun_r_mu: f32, samples: u32,
 ) -> vec3f {
     let distance = distance_to_top(excess, sun_r_mu, excess_of(thickness, radius));

@@ -1,9 +1,14 @@
 //#include frame
 // From a pixel to a ray and from a stored depth to a distance; and what a target can hold.
 
-// Most that a pass adds: half the largest 16-bit float, 65504, so that two layers are finite. The sun's
-// disk is brighter.
+// Most that a pass adds: to 16-bit floats half of their largest, 65504, so that two layers are finite. The
+// sun's disk is brighter. To 32-bit floats next to their largest, 3.4e38.
 const HALF_MAX: f32 = 32000.0;
+const FLOAT_MAX: f32 = 1e38;
+
+fn most_light(flags: u32) -> f32 {
+    return select(HALF_MAX, FLOAT_MAX, (flags & WIDE) != 0u);
+}
 
 // Ray through a pixel (its centre's coordinates, row 0 on top); its part along the camera's axis is 1.
 fn pixel_ray(pixel: vec2f, size: vec2f, forward: vec3f, right: vec3f, up: vec3f) -> vec3f {
@@ -35,7 +40,7 @@ fn depth_of(c: DepthCode, z: f32) -> f32 {
 }
 
 // Output that is laid over what is in the target: light as it is, and in alpha the grey mean of what the
-// air takes away from behind. A blend has one alpha for three channels.
-fn veil(inscatter: vec3f, transmittance: vec3f) -> vec4f {
-    return vec4f(min(inscatter, vec3f(HALF_MAX)), 1.0 - dot(transmittance, vec3f(1.0 / 3.0)));
+// air takes away from behind. A blend has one alpha for three channels. most: see `most_light`.
+fn veil(inscatter: vec3f, transmittance: vec3f, most: f32) -> vec4f {
+    return vec4f(min(inscatter, vec3f(most)), 1.0 - dot(transmittance, vec3f(1.0 / 3.0)));
 }

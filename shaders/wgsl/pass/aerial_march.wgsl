@@ -21,8 +21,12 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let direction = pixel_ray(position.xy, frame.size, frame.ray_forward, frame.ray_right, frame.ray_up);
     let ray_length = length(direction);
     let distance = depth_distance(frame.depth, textureLoad(scene_depth, pixel, 0).x, ray_length);
-    let dir = direction / ray_length;
-    let ray = air_ray(dir, frame.altitude, m.radius, m.thickness, frame.sun);
+    let seen = direction / ray_length;
+    let line = line_to_scene(
+        line_past(seen, frame.altitude, m.radius), frame.altitude, distance, m.radius, m.thickness,
+        frame.pixel_angle);
+    let dir = line_direction(line, seen, m.radius + frame.altitude);
+    let ray = air_ray_of(line, dir, frame.altitude, m.radius, m.thickness, frame.sun);
     let end = ray_end(
         ray.start, ray.length, ray.r_mu, ray.ground, distance,
         m.radius, frame.pixel_angle, frame.shell_weight, frame.flags);
@@ -34,5 +38,5 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
         m, ray, dir, end.length, 0.5 * dot(offset, offset), frame.view_samples, frame.light_samples);
     let transmittance = select(vec3f(1.0), s.transmittance, end.dims);
     let light = s.radiance * m.irradiance * (end.weight * lit_fraction_at(lit_fraction, pixel));
-    return compose(scene, transmittance, light);
+    return compose(scene, transmittance, light, most_light(frame.flags));
 }

@@ -24,8 +24,11 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let direction = pixel_ray(position.xy, f.size, f.ray_forward, f.ray_right, f.ray_up);
     let ray_length = length(direction);
     let distance = depth_distance(f.depth, textureLoad(scene_depth, pixel, 0).x, ray_length);
-    let dir = direction / ray_length;
-    let ray = air_ray(dir, f.altitude, m.radius, m.thickness, f.sun);
+    let seen = direction / ray_length;
+    let line = line_to_scene(
+        line_past(seen, f.altitude, m.radius), f.altitude, distance, m.radius, m.thickness, f.pixel_angle);
+    let dir = line_direction(line, seen, m.radius + f.altitude);
+    let ray = air_ray_of(line, dir, f.altitude, m.radius, m.thickness, f.sun);
     let end = ray_end(
         ray.start, ray.length, ray.r_mu, ray.ground, distance,
         m.radius, f.pixel_angle, f.shell_weight, f.flags);
@@ -37,5 +40,5 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
         f.view_samples, f.light_samples);
     let transmittance = select(vec3f(1.0), s.transmittance, end.dims);
     let light = s.radiance * m.irradiance * (end.weight * lit_fraction_at(lit_fraction, pixel));
-    return compose(scene, transmittance, light);
+    return compose(scene, transmittance, light, most_light(f.flags));
 }

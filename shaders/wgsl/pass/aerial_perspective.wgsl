@@ -14,9 +14,8 @@ struct Uniforms {
 @group(0) @binding(2) var scene_depth: texture_2d<f32>;
 @group(0) @binding(3) var sky_view_lut: texture_2d<f32>;
 @group(0) @binding(4) var aerial_lut: texture_2d<f32>;
-@group(0) @binding(5) var transmittance_lut: texture_2d<f32>;
-@group(0) @binding(6) var mie_single_lut: texture_2d<f32>;
-@group(0) @binding(7) var lit_fraction: texture_2d<f32>;
+@group(0) @binding(5) var mie_single_lut: texture_2d<f32>;
+@group(0) @binding(6) var lit_fraction: texture_2d<f32>;
 @group(0) @binding(8) var linear: sampler;
 
 @fragment
@@ -34,7 +33,8 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let ray_length = length(direction);
     let distance = depth_distance(f.depth, textureLoad(scene_depth, pixel, 0).x, ray_length);
     let dir = direction / ray_length;
-    let line = line_past(dir, f.altitude, m.radius);
+    let line = line_to_scene(
+        line_past(dir, f.altitude, m.radius), f.altitude, distance, m.radius, m.thickness, f.pixel_angle);
     let path = air_path(line, f.altitude, m.radius, m.thickness);
     let ground = line.ground && path.length >= 0.0;
     let end = ray_end(
@@ -50,16 +50,9 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let whole = path_light(
         sky_view_lut, mie_single_lut, linear, uv, ground, path.length,
         mie_phase_between(dir, f.sun, m.mie_asymmetry));
-    var air = AirBefore(vec3f(1.0), whole.smooth_light + whole.mie_light);
-    if !ground && end.length >= path.length {
-        if end.dims {
-            air.transmittance = whole_transmittance(transmittance_lut, m, path);
-        }
-    } else {
-        let column = aerial_column(aerial_lut, luts, u, v, ground);
-        air = air_before(
-            aerial_lut, linear, m, path, column, end.length, whole.smooth_light, whole.mie_light);
-    }
+    let air = air_before(
+        aerial_lut, linear, m, luts, line, path, u, v, end.length, whole.smooth_light, whole.mie_light);
+    let transmittance = select(vec3f(1.0), air.transmittance, end.dims);
     let light = air.inscatter * m.irradiance * (end.weight * lit_fraction_at(lit_fraction, pixel));
-    return compose(scene, air.transmittance, light);
+    return compose(scene, transmittance, light, most_light(f.flags));
 }

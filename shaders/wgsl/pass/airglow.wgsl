@@ -1,5 +1,5 @@
 //#include view
-//#include geometry
+//#include columns
 // Airglow: a thin layer of air that shines by itself, alike in all directions. A ray sees the emission
 // integrated along its way. For a layer without thickness seen from the ground that is van Rhijn's factor
 // (1921), 1 / sqrt(1 - (R sin z / (R + h))^2); from orbit the limb of the layer is some fifty times as bright
@@ -19,6 +19,7 @@ struct Uniforms {
 @group(0) @binding(1) var scene_depth: texture_2d<f32>;
 
 const BEFORE: bool = true; // What a ray enters before the air; off: what it leaves last, behind the air.
+const THROUGH_AIR: bool = true; // Of the latter what the air lets through; off: another pass dims it.
 
 // Abscissas and weights of Gauss-Legendre's rule with 4 points on 0..1 (Abramowitz & Stegun 1964, table
 // 25.4).
@@ -34,7 +35,7 @@ fn rise_to_distance(v: f32, p: f32) -> f32 {
 // A tent of altitude integrated (km) along one side of a perigee, from v = a to v = b. In v the way is smooth
 // at the perigee, ds/dv = 2 (p + v^2) / sqrt(2 p + v^2), and the tent a parabola. h: altitude of the perigee,
 // p: its distance from the centre, km; rate: 1 / half width of the tent.
-fn tent_part(a: f32, b: f32, h: f32, p: f32, middle: f32, rate: f32) -> f32 {
+fn layer_part(a: f32, b: f32, h: f32, p: f32, middle: f32, rate: f32) -> f32 {
     let v = a + (b - a) * NODES;
     let way = 2.0 * (p + v * v) / sqrt(2.0 * p + v * v);
     let tent = max(1.0 - abs(h + v * v - middle) * rate, vec4f(0.0));
@@ -43,10 +44,10 @@ fn tent_part(a: f32, b: f32, h: f32, p: f32, middle: f32, rate: f32) -> f32 {
 
 // The same from v = first to v = last over the whole tent, whose two sides are integrated by themselves.
 // edges: altitudes of the tent's foot, tip and other foot, km.
-fn tent_column(first: f32, last: f32, h: f32, p: f32, edges: vec3f) -> f32 {
+fn layer_column(first: f32, last: f32, h: f32, p: f32, edges: vec3f) -> f32 {
     let rate = 1.0 / (edges.z - edges.y);
     let v = clamp(sqrt(max(edges - h, vec3f(0.0))), vec3f(first), vec3f(max(last, first)));
-    return tent_part(v.x, v.y, h, p, edges.y, rate) + tent_part(v.y, v.z, h, p, edges.y, rate);
+    return layer_part(v.x, v.y, h, p, edges.y, rate) + layer_part(v.y, v.z, h, p, edges.y, rate);
 }
 
 @fragment
@@ -69,13 +70,21 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
                 - rise_to_distance(sqrt(max(uniforms.middle - h, 0.0)), line.perigee);
             // What stands before the layer hides it.
             if distance < 0.0 || distance > middle {
-                column = tent_column(0.0, camera, h, line.perigee, edges);
+                column = layer_column(0.0, camera, h, line.perigee, edges);
             }
         }
     } else {
         if !line.ground {
-            column = tent_column(select(0.0, camera, line.r_mu > 0.0), 1e9, h, line.perigee, edges);
+            column = layer_column(select(0.0, camera, line.r_mu > 0.0), 1e9, h, line.perigee, edges);
         }
     }
-    return vec4f(uniforms.zenith * (column / (uniforms.top - uniforms.middle)), 0.0);
+    var light = uniforms.zenith * (column / (uniforms.top - uniforms.middle));
+    if THROUGH_AIR {
+        let path = air_path(line, f.altitude, m.radius, m.thickness);
+        if column > 0.0 && path.length > 0.0 {
+            let sums = path_columns(layers_of(m), line, path, path.length, true, m.radius);
+            light *= exp(-extinction(coefficients_of(m), sums));
+        }
+    }
+    return vec4f(light, 0.0);
 }

@@ -37,6 +37,7 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     } else {
         let normal = moon_normal(dir, apart, uniforms.moon_sine);
         let radiance = lommel_seeliger(normal, dir, f.sun, uniforms.albedo_over_pi, uniforms.earthshine);
-        return disk_color(m.irradiance * (coverage * radiance), line, f.altitude, m);
+        let light = m.irradiance * (coverage * radiance);
+        return disk_color(light, line, f.altitude, m, most_light(f.flags));
     }
 }

@@ -51,7 +51,7 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let u_to = distance_to_u(perigee.distance, ray.length);
     let g = gather(
         transmittance_lut, multi_scattering_lut, m, luts, ray, dir,
-        perigee, u_from, u_to, gas, aerosol, 1.0);
+        perigee, u_from, u_to, luts.steps, gas, aerosol, 1.0);
     var radiance = g.radiance;
     if ray.ground {
         radiance += g.transmittance * ground_radiance(m, luts, ray.sun_r_mu + ray.nu * ray.length);

@@ -1,4 +1,5 @@
 //#include view
+//#include behind
 //#include single_scattering
 //#include open_sun
 // The background sky, marched along each ray: what a ray sees that meets no ground, scattered once. Drawn
@@ -24,5 +25,6 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let s = single_scattering(
         m, ray, dir, ray.length, 0.5 * dot(offset, offset), frame.view_samples, frame.light_samples);
     // What lies behind is dimmed in full: while this pass fades, the depth-aware one only adds light.
-    return veil(s.radiance * frame.sky_weight * m.irradiance, s.transmittance);
+    let light = min(s.radiance * frame.sky_weight * m.irradiance, vec3f(most_light(frame.flags)));
+    return vec4f(light, behind_alpha(dot(s.transmittance, vec3f(1.0 / 3.0))));
 }

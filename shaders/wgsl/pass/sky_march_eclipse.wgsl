@@ -1,4 +1,5 @@
 //#include view
+//#include behind
 //#include all_orders
 //#include eclipsed_sun
 // The background sky under a moon's shadow, as `sky_march`: of all orders, or scattered once.
@@ -25,5 +26,6 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let s = eclipsed_light(
         transmittance_lut, multi_scattering_lut, m, uniforms.luts, ray, dir, f.sun, ray.length,
         f.view_samples, f.light_samples);
-    return veil(s.radiance * f.sky_weight * m.irradiance, s.transmittance);
+    let light = min(s.radiance * f.sky_weight * m.irradiance, vec3f(most_light(f.flags)));
+    return vec4f(light, behind_alpha(dot(s.transmittance, vec3f(1.0 / 3.0))));
 }

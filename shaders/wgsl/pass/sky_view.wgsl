@@ -1,4 +1,5 @@
 //#include view
+//#include behind
 //#include sky_view_lut
 //#include luts
 //#include phase
@@ -45,9 +46,9 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
         light += decode_light(textureSampleLevel(mie_single_lut, linear, uv, 0.0).rgb)
             * mie_phase_between(dir, f.sun, m.mie_asymmetry);
     }
-    light = min(light * f.sky_weight * m.irradiance, vec3f(HALF_MAX));
+    light = min(light * f.sky_weight * m.irradiance, vec3f(most_light(f.flags)));
     if BLEND {
-        return vec4f(light, 1.0 - texel.a);
+        return vec4f(light, behind_alpha(texel.a));
     } else {
         return vec4f(light, 1.0);
     }

@@ -46,7 +46,7 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     }
     let g = gather(
         transmittance_lut, multi_scattering_lut, m, luts, ray, view.dir,
-        perigee, u_from, u_to, gas, aerosol, 1.0);
+        perigee, u_from, u_to, luts.steps, gas, aerosol, 1.0);
     let grey = dot(exp(-extinction(coefficients_of(m), g.optical_path)), vec3f(1.0 / 3.0));
     let scale = select(1.0, 1.0 / ray.length, ground);
     return vec4f(encode_light(max(g.radiance, vec3f(0.0)) * scale), grey);

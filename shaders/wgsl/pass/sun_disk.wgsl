@@ -23,5 +23,5 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
         let visible = 1.0 - disk_coverage(dir - uniforms.moon_direction, uniforms.moon_chord, f.pixel_angle);
         light *= mix(uniforms.sun_visibility, visible, resolved(f.sun_chord, f.pixel_angle));
     }
-    return disk_color(light, line, f.altitude, m);
+    return disk_color(light, line, f.altitude, m, most_light(f.flags));
 }

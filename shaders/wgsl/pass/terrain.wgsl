@@ -124,9 +124,10 @@ fn grid_point(index: u32) -> GridPoint {
 fn ground_light(m: Medium, h: f32, n: vec3f, normal: vec3f) -> vec3f {
     let f = terrain.frame;
     let mu_sun = dot(n, f.sun);
-    let excess = excess_of(h, m.radius);
-    let sun_r_mu = (m.radius + h) * mu_sun;
-    let dip = sqrt(excess) / (m.radius + h);
+    let height = m.datum + h;
+    let excess = excess_of(height, m.radius);
+    let sun_r_mu = (m.radius + height) * mu_sun;
+    let dip = sqrt(excess) / (m.radius + height);
     let visible = smoothstep(-1.0, 1.0, (mu_sun + dip) / f.sun_chord);
     var light = vec3f(0.0);
     if SKY_LIGHT {
@@ -166,7 +167,7 @@ fn vertex_main(@builtin(vertex_index) index: u32) -> Varyings {
     let field = height_field(planet_n, terrain.amplitude, terrain.mountain_rate, terrain.sea, p.spacing);
     let h = field.w;
     // (R + h) n - (R + camera altitude) up, without the two radii: n - up = flat sin - up (1 - cos).
-    let r = m.radius + h;
+    let r = m.radius + m.datum + h;
     let position = p.flat * (r * p.sin_arc) + up * (h - f.camera_altitude - r * p.drop);
     // The gradient's tangential part tilts the normal.
     let g = terrain.planet_x * field.x + terrain.planet_y * field.y + terrain.planet_z * field.z;
@@ -214,5 +215,5 @@ fn fragment_main(in: Varyings) -> Shaded {
     let albedo = ground_albedo(in.surface.x, in.surface.y);
     let reflected = albedo * light * f.medium.irradiance * (1.0 / PI); // Lambert
     let depth = depth_of(f.depth, max(dot(in.position, terrain.axis), 1e-9));
-    return Shaded(vec4f(min(reflected, vec3f(HALF_MAX)), 1.0), clamp(depth, 0.0, 1.0));
+    return Shaded(vec4f(min(reflected, vec3f(most_light(f.flags))), 1.0), clamp(depth, 0.0, 1.0));
 }

@@ -54,6 +54,7 @@ fn inputs(params: &AtmosphereParams, settings: &Settings) -> Vec<u8> {
     // Named one by one, so that a new field cannot be forgotten.
     let AtmosphereParams {
         planet_radius,
+        lowest_ground,
         atmosphere_radius,
         rayleigh_scattering,
         rayleigh_scale_height,
@@ -89,6 +90,7 @@ fn inputs(params: &AtmosphereParams, settings: &Settings) -> Vec<u8> {
     let scalars = [
         *tolerance,
         *planet_radius,
+        *lowest_ground,
         *atmosphere_radius,
         *rayleigh_scale_height,
         *mie_scale_height,
@@ -243,8 +245,9 @@ mod tests {
             let got = Orders::from_bytes(&bytes, params, settings).unwrap_err();
             assert_eq!(got, NotRestored::OtherInputs, "{params:?} {settings:?}");
         };
-        let media: [fn(&mut AtmosphereParams); 15] = [
+        let media: [fn(&mut AtmosphereParams); 16] = [
             |p| p.planet_radius += 1.0,
+            |p| p.lowest_ground -= 1.0,
             |p| p.atmosphere_radius += 1.0,
             |p| p.rayleigh_scattering[2] *= 1.0 + 1e-15,
             |p| p.rayleigh_scale_height += 1.0,

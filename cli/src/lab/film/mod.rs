@@ -314,6 +314,7 @@ impl<'a> Film<'a> {
                 tone_map: ToneMap::Aces,
                 dither: !self.args.no_dither,
                 terrain: Some(terrain),
+                radiance: Format::Rgba16Float,
             };
             let mut picture =
                 gpu.draw(&request, &progress).with_context(|| format!("cannot draw {caption}"))?;
