@@ -12,6 +12,7 @@ mod gpu;
 mod lab;
 #[cfg(test)]
 mod layers;
+mod medium;
 mod output;
 mod picture;
 mod progress;

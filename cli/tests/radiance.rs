@@ -287,6 +287,62 @@ fn columns_come_in_any_order_and_others_are_copied() {
     assert_eq!(last(lines[1]), last(lines[2]));
 }
 
+/// Light and transmittance up to a surface, in a medium of a file too, are the same by every method within
+/// what each promises; and where no surface is, the whole ray's.
+#[test]
+fn a_surface_ends_the_ray() {
+    let folder = folder("surface");
+    let earth = AtmosphereParams::earth();
+    let [scattering, absorption] = [earth.mie_scattering, earth.mie_absorption].map(|v| v.map(|v| 400.0 * v));
+    let haze = format!(
+        "mie_scattering = {scattering:?}\nmie_absorption = {absorption:?}\nmie_asymmetry = [0.7, 0.7, 0.7]\n"
+    );
+    std::fs::write(folder.join("haze.toml"), haze).unwrap();
+    let rows = [
+        "earth,0.3,300,60,90,60,20000",
+        "earth,0.3,300,60,90.1,60,20000",
+        "earth,0.3,300,60,30,60,",
+        "earth,0.3,60000,60,97,60,1000000",
+        "haze.toml,0.3,300,60,90,60,1000",
+        "haze.toml,0.3,1000,60,90,60,5000",
+    ];
+    let table: String =
+        [format!("{HEADER},distance_m").as_str()].iter().chain(&rows).map(|l| format!("{l}\n")).collect();
+    std::fs::write(folder.join("in.csv"), table).unwrap();
+    let ask = |args: &[&str]| -> Vec<[f64; 6]> {
+        let out = radiance(&folder, &[&["--cases", "in.csv", "--output", "out.csv"], args].concat());
+        assert!(out.status.success(), "{args:?}: {}", text(&out.stderr));
+        let mut reader = csv::Reader::from_path(folder.join("out.csv")).unwrap();
+        let header: Vec<_> = reader.headers().unwrap().iter().skip(7).map(str::to_owned).collect();
+        assert_eq!(header, ["R", "G", "B", "T_R", "T_G", "T_B"]);
+        reader
+            .records()
+            .map(|row| std::array::from_fn(|i| row.as_ref().unwrap()[7 + i].parse().unwrap()))
+            .collect()
+    };
+    let reference = ask(&["--method", "reference-single"]);
+    // Blue over 20 km of Earth's air; a kilometre of thick haze, and five.
+    for (row, channel, right) in [(0, 5, 0.491), (4, 3, 0.25), (5, 3, 0.02)] {
+        let got = reference[row][channel];
+        assert!((got - right).abs() < 0.01, "{}: {got}", rows[row]);
+    }
+    for backend in ["webgpu", "webgl2"] {
+        for (method, light) in
+            [(&["single", "--samples", "128", "--light-samples", "128"][..], 0.01), (&["lut"], 0.0)]
+        {
+            let got = ask(&[&["--backend", backend, "--method"], method].concat());
+            for (row, (got, want)) in got.iter().zip(&reference).enumerate() {
+                let name = format!("{backend} {method:?} {}: {got:?} {want:?}", rows[row]);
+                for c in 0..3 {
+                    assert!((got[3 + c] - want[3 + c]).abs() < 1e-3, "{name}");
+                    let off = got[c] / want[c] - 1.0;
+                    assert!(if light > 0.0 { off.abs() < light } else { off > -0.01 }, "{name}");
+                }
+            }
+        }
+    }
+}
+
 /// Exit status 2, a message with all of `parts`, and no output.
 #[track_caller]
 fn rejected(name: &str, table: &[u8], args: &[&str], parts: &[&str]) {
@@ -319,6 +375,7 @@ fn a_bad_row_is_named_by_its_line_and_nothing_is_written() {
         ("infinite", "earth,0,inf,0,0,0", &["altitude_m 'inf'"]),
         ("empty", "earth,,0,0,0,0", &["albedo ''"]),
         ("word", "earth,0,high,0,0,0", &["altitude_m 'high'"]),
+        ("file", "none.toml,0,0,0,0,0", &["medium 'none.toml'", "cannot be read"]),
         ("short", "earth,0,0,0,0", &["5 values", "6 columns"]),
         ("long", "earth,0,0,0,0,0,0", &["7 values", "6 columns"]),
     ] {

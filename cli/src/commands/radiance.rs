@@ -12,7 +12,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 use welkin::gpu::{Backend, Format, Pass, Target, TextureDesc, TextureId};
 use welkin::reference::multiple::Settings;
-use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering};
+use welkin::reference::single::{RayQuery, Sun, Tolerance, single_scattering, transmittance};
 use welkin::{
     AerialTargets, AtmosphereParams, Camera, DepthConvention, FrameTargets, Quality, Scene, SkyRenderer,
     SkySettings,
@@ -25,6 +25,7 @@ use crate::args::quality::{PresetArgs, SamplesArgs, march};
 use crate::args::usage::UsageError;
 use crate::cache::Cache;
 use crate::gpu::{self, Gpu};
+use crate::medium;
 use crate::output::Destination;
 use crate::progress::Progress;
 
@@ -37,14 +38,27 @@ nothing is refracted or polarised. R, G, B are the medium's three channels (eart
 
 const RADIANCE_DETAILS: &str = "\
 The table of cases is CSV with a header. Columns, found by name, in any order:
-  medium                earth, rayleigh, mars, venus or earth-like
+  medium                earth, rayleigh, mars, venus or earth-like, or a
+                        TOML file in the table's folder, as haze.toml, see
+                        below
   albedo                fraction of light that the ground reflects
                         (Lambertian), 0 to 1
-  altitude_m            of the observer above the ground, 0 to 1e12
+  altitude_m            of the observer, from the lowest ground's (0 of the
+                        presets) to 1e12
   sun_zenith_deg        angle of the sun from the zenith, 0 to 180
   view_zenith_deg       angle of the view from the zenith, 0 to 180
   azimuth_from_sun_deg  of the view, 0 towards the sun, -360 to 360
-Other columns are copied. The output adds the columns R, G and B.
+  distance_m            of a black surface that ends the ray, 1e-3 to 1e12,
+                        or nothing where there is none; may be left out
+Other columns are copied. The output adds the columns R, G and B, and with
+distance_m also T_R, T_G and T_B: the transmittance of the air up to the
+surface (or the ray's end), 0 to 1.
+
+A medium's file has the fields of the library's AtmosphereParams by their
+names, in SI units; 'base' names the preset that has the others:
+  base = \"earth\"
+  mie_scattering = [1.6e-3, 1.6e-3, 1.6e-3]   # 1/m
+  mie_asymmetry = [0.7, 0.7, 0.7]
 
 What is included:
   lut               light of all orders of scattering from LUTs, by a GPU
@@ -140,8 +154,10 @@ impl RadianceArgs {
 /// What is asked of each case, in the order of [`Case::new`].
 const COLUMNS: [&str; 6] =
     ["medium", "albedo", "altitude_m", "sun_zenith_deg", "view_zenith_deg", "azimuth_from_sun_deg"];
-/// What the answer adds.
-const CHANNELS: [&str; 3] = ["R", "G", "B"];
+/// What may be asked besides.
+const DISTANCE: &str = "distance_m";
+/// What the answer adds: the light, and with [`DISTANCE`] what it comes through.
+const CHANNELS: [&str; 6] = ["R", "G", "B", "T_R", "T_G", "T_B"];
 /// Cases that are drawn at a time.
 const BATCH: usize = 256;
 
@@ -154,6 +170,22 @@ struct Case {
     sun_zenith: f64,
     view_zenith: f64,
     azimuth: f64,
+    /// Where a surface ends the ray, metres; infinite for none.
+    distance: f64,
+}
+
+/// What is asked: light along a ray, and the transmittance of its air.
+#[derive(Clone, Copy, Debug)]
+struct Answer {
+    light: [f64; 3],
+    transmittance: [f64; 3],
+}
+
+impl Answer {
+    fn values(&self) -> [f64; 6] {
+        let ([r, g, b], [tr, tg, tb]) = (self.light, self.transmittance);
+        [r, g, b, tr, tg, tb]
+    }
 }
 
 /// The cases, and what of the file is copied.
@@ -161,6 +193,8 @@ struct Table {
     header: StringRecord,
     rows: Vec<StringRecord>,
     cases: Vec<Case>,
+    /// Whether there is a column of distances.
+    distances: bool,
 }
 
 /// Checks everything, then computes, then writes.
@@ -181,7 +215,7 @@ pub fn run(args: &RadianceArgs) -> anyhow::Result<()> {
     let destination = Destination::new(path, output::OPTION)?;
     let start = std::time::Instant::now();
     let (radiance, by) = if let Some(method) = method {
-        drawn(backend, method, &table.cases)?
+        drawn(backend, method, &table)?
     } else if args.method == RadianceMethod::ReferenceSingle {
         (reference_single(&table.cases)?, "f64 reference, single scattering".to_owned())
     } else {
@@ -192,7 +226,7 @@ pub fn run(args: &RadianceArgs) -> anyhow::Result<()> {
     };
     for (row, (record, light)) in table.rows.iter().zip(&radiance).enumerate() {
         ensure!(
-            light.iter().all(|v| v.is_finite()),
+            light.values().iter().all(|v| v.is_finite()),
             "row {} (line {}) came out as {light:?}, which is not finite",
             row + 1,
             line_of(record)
@@ -244,12 +278,19 @@ impl Table {
                 return Err(UsageError::new(format!("{name}, line 1: column '{column}' is there twice")));
             }
         }
-        if let Some(taken) = header.iter().find(|h| CHANNELS.contains(&h.trim())) {
+        let mut distance = header.iter().enumerate().filter(|(_, h)| h.trim() == DISTANCE).map(|(i, _)| i);
+        let (distance, again) = (distance.next(), distance.next());
+        if again.is_some() {
+            return Err(UsageError::new(format!("{name}, line 1: column '{DISTANCE}' is there twice")));
+        }
+        let added = added(distance.is_some());
+        if let Some(taken) = header.iter().find(|h| added.contains(&h.trim())) {
             return Err(UsageError::new(format!(
                 "{name}, line 1: column '{taken}' is one that the output adds; rename it"
             )));
         }
         let (mut rows, mut cases) = (Vec::new(), Vec::new());
+        let mut media = Media { folder: path.parent().unwrap_or(Path::new("")), known: HashMap::new() };
         for record in reader.records() {
             let record = record.map_err(broken)?;
             let line = line_of(&record);
@@ -261,45 +302,87 @@ impl Table {
                 )));
             }
             let values = at.map(|i| record.get(i).unwrap_or_default().trim());
-            cases.push(Case::new(values).map_err(|e| UsageError::new(format!("{name}, line {line}: {e}")))?);
+            let distance =
+                distance.and_then(|i| record.get(i)).map(str::trim).filter(|text| !text.is_empty());
+            let case = Case::new(values, distance, &mut media);
+            cases.push(case.map_err(|e| UsageError::new(format!("{name}, line {line}: {e}")))?);
             rows.push(record);
         }
-        Ok(Self { header, rows, cases })
+        Ok(Self { header, rows, cases, distances: distance.is_some() })
     }
 
-    fn write(&self, radiance: &[[f64; 3]], file: &mut dyn Write) -> anyhow::Result<()> {
+    fn write(&self, answers: &[Answer], file: &mut dyn Write) -> anyhow::Result<()> {
         let mut writer = csv::Writer::from_writer(file);
-        writer.write_record(self.header.iter().chain(CHANNELS))?;
-        for (row, light) in self.rows.iter().zip(radiance) {
-            let light = light.map(|v| format!("{v:.8e}"));
-            writer.write_record(row.iter().chain(light.iter().map(String::as_str)))?;
+        let added = added(self.distances);
+        writer.write_record(self.header.iter().chain(added.iter().copied()))?;
+        for (row, answer) in self.rows.iter().zip(answers) {
+            let values = answer.values().map(|v| format!("{v:.8e}"));
+            writer.write_record(row.iter().chain(values[..added.len()].iter().map(String::as_str)))?;
         }
         writer.flush()?;
         Ok(())
     }
 }
 
-impl Case {
-    /// From the values of [`COLUMNS`].
-    fn new([medium, albedo, altitude, sun_zenith, view_zenith, azimuth]: [&str; 6]) -> Result<Self, String> {
-        if !AtmosphereParams::PRESETS.contains(&medium) {
-            return Err(format!("medium '{medium}' must be one of {}", AtmosphereParams::PRESETS.join(", ")));
+/// The columns that the output adds.
+fn added(distances: bool) -> &'static [&'static str] {
+    if distances { &CHANNELS } else { &CHANNELS[..3] }
+}
+
+/// The media of a table: presets, and files in its folder, each read once.
+struct Media<'a> {
+    folder: &'a Path,
+    known: HashMap<String, AtmosphereParams>,
+}
+
+impl Media<'_> {
+    fn find(&mut self, name: &str) -> Result<AtmosphereParams, String> {
+        if let Some(known) = self.known.get(name) {
+            return Ok(known.clone());
         }
-        let mut atmosphere = AtmosphereParams::preset(medium).map_err(|e| e.to_string())?;
+        let medium = if AtmosphereParams::PRESETS.contains(&name) {
+            AtmosphereParams::preset(name).map_err(|e| e.to_string())
+        } else if Path::new(name).extension().is_some_and(|end| end == "toml") {
+            medium::read(&self.folder.join(name)).map_err(|e| format!("medium '{name}': {e}"))
+        } else {
+            let presets = AtmosphereParams::PRESETS.join(", ");
+            Err(format!("medium '{name}' must be one of {presets}, or a file whose name ends in .toml"))
+        }?;
+        self.known.insert(name.to_owned(), medium.clone());
+        Ok(medium)
+    }
+}
+
+impl Case {
+    /// From the values of [`COLUMNS`], and that of [`DISTANCE`].
+    fn new(
+        [medium, albedo, altitude, sun_zenith, view_zenith, azimuth]: [&str; 6],
+        distance: Option<&str>,
+        media: &mut Media,
+    ) -> Result<Self, String> {
+        let mut atmosphere = media.find(medium)?;
+        let lowest = atmosphere.lowest_ground;
         atmosphere.ground_albedo = [number("albedo", albedo, 0.0, 1.0)?; 3];
         atmosphere.sun_intensity = 1.0;
         Ok(Self {
             medium: medium.to_owned(),
             atmosphere,
-            altitude: number("altitude_m", altitude, 0.0, 1e12)?,
+            altitude: number("altitude_m", altitude, lowest, 1e12)?,
             sun_zenith: number("sun_zenith_deg", sun_zenith, 0.0, 180.0)?.to_radians(),
             view_zenith: number("view_zenith_deg", view_zenith, 0.0, 180.0)?.to_radians(),
             azimuth: number("azimuth_from_sun_deg", azimuth, -360.0, 360.0)?.to_radians(),
+            distance: distance.map_or(Ok(f64::INFINITY), |text| number(DISTANCE, text, 1e-3, 1e12))?,
         })
     }
 
     fn query(&self) -> RayQuery {
-        RayQuery::new(self.altitude, self.view_zenith, self.sun_zenith, self.azimuth)
+        RayQuery::new(self.altitude, self.view_zenith, self.sun_zenith, self.azimuth).ended_at(self.distance)
+    }
+
+    /// The light of a method, and what its air lets through by the f64 reference.
+    fn answer(&self, light: [f64; 3]) -> welkin::Result<Answer> {
+        let transmittance = transmittance(&self.atmosphere, &self.query(), Tolerance::TRUTH)?;
+        Ok(Answer { light, transmittance })
     }
 
     /// A camera whose picture's middle looks in the case's direction.
@@ -311,7 +394,7 @@ impl Case {
             planet_center: DVec3::ZERO,
             atmosphere: self.atmosphere.clone(),
             sun_direction: sun,
-            depth: DepthConvention::default(),
+            depth: DepthConvention::ReversedInfinite { near: 1e-4 },
             moon: None,
         }
     }
@@ -324,8 +407,9 @@ fn number(column: &str, text: &str, lo: f64, hi: f64) -> Result<f64, String> {
     allowed.then_some(value).ok_or_else(|| format!("{column} '{text}' must be a number from {lo} to {hi}"))
 }
 
-/// Radiance through the passes of a picture: the background sky, then the air before an empty scene.
-fn drawn(choice: BackendChoice, quality: Quality, cases: &[Case]) -> anyhow::Result<(Vec<[f64; 3]>, String)> {
+/// Radiance through the passes of a picture: the background sky, then the air before an empty scene, or before
+/// a surface.
+fn drawn(choice: BackendChoice, quality: Quality, table: &Table) -> anyhow::Result<(Vec<Answer>, String)> {
     let mut gpu = Gpu::open(choice)?;
     let by = format!("{quality} by {}", gpu.describe());
     let Some(backend) = gpu.backend() else {
@@ -335,10 +419,11 @@ fn drawn(choice: BackendChoice, quality: Quality, cases: &[Case]) -> anyhow::Res
     let mut settings = SkySettings::from(quality);
     settings.look.sun_disk = false;
     let mut sky = SkyRenderer::new(settings)?;
-    let steps = Progress::of("drawing", cases.len().div_ceil(BATCH));
-    let mut textures = Textures { made: Vec::new(), pixels: Vec::new() };
+    let steps = Progress::of("drawing", table.cases.len().div_ceil(BATCH));
+    let mut textures = Textures { made: Vec::new(), pixels: Vec::new(), distances: table.distances };
     // LUTs are made anew for each medium, and what is not drawn by then would lose them.
-    let radiance = cases
+    let answers = table
+        .cases
         .chunk_by(|a, b| a.medium == b.medium)
         .flat_map(|cases| cases.chunks(BATCH))
         .map(|batch| {
@@ -348,7 +433,7 @@ fn drawn(choice: BackendChoice, quality: Quality, cases: &[Case]) -> anyhow::Res
         .collect::<anyhow::Result<Vec<_>>>();
     sky.destroy(backend);
     textures.made.iter().for_each(|&id| backend.destroy_texture(id));
-    Ok((radiance?.concat(), by))
+    Ok((answers?.concat(), by))
 }
 
 /// Pictures of one pixel.
@@ -356,6 +441,8 @@ struct Textures {
     made: Vec<TextureId>,
     /// Before and after the air is laid over.
     pixels: Vec<[TextureId; 2]>,
+    /// Whether what lies behind is drawn in white too, to tell the transmittance.
+    distances: bool,
 }
 
 impl Textures {
@@ -370,27 +457,38 @@ impl Textures {
         backend: &mut dyn Backend,
         sky: &mut SkyRenderer,
         cases: &[Case],
-    ) -> anyhow::Result<Vec<[f64; 3]>> {
+    ) -> anyhow::Result<Vec<Answer>> {
         let depth = self.made.first().copied();
         let depth = depth.map_or_else(|| self.make(backend, Format::Depth32Float), Ok)?;
-        while self.pixels.len() < cases.len() {
+        let shades: &[f32] = if self.distances { &[0.0, 1.0] } else { &[0.0] };
+        while self.pixels.len() < cases.len() * shades.len() {
             let pixel = [self.make(backend, Format::Rgba32Float)?, self.make(backend, Format::Rgba32Float)?];
             self.pixels.push(pixel);
         }
         let mut passes = Vec::new();
-        let mut results = Vec::with_capacity(cases.len());
-        for (case, &[behind, front]) in cases.iter().zip(&self.pixels) {
+        let mut results = Vec::with_capacity(self.pixels.len());
+        let drawings = cases.iter().flat_map(|case| shades.iter().map(move |shade| (case, *shade)));
+        for ((case, shade), &[behind, front]) in drawings.zip(&self.pixels) {
             let scene = case.scene();
+            let stored = match case.distance.is_finite() {
+                true => scene.depth.encode(case.distance),
+                false => scene.depth.background(),
+            };
             let clear = Target {
                 color: behind,
                 depth: Some(depth),
-                clear: Some([0.0; 4]),
-                clear_depth: Some(scene.depth.background() as f32),
+                clear: Some([shade; 4]),
+                clear_depth: Some(stored as f32),
                 ..Target::color(behind)
             };
             let aerial = AerialTargets { color: Some(behind), depth, target: Target::color(front) };
-            let targets = FrameTargets::background(Target::color(behind)).with_aerial(aerial);
-            let frame = sky.frame(backend, &scene, &targets)?;
+            let sky_target = Target::color(behind);
+            // A surface hides the sky.
+            let targets = match case.distance.is_finite() {
+                true => FrameTargets::default(),
+                false => FrameTargets::background(sky_target),
+            };
+            let frame = sky.frame(backend, &scene, &targets.with_aerial(aerial))?;
             results.push(if frame.aerial.is_empty() { behind } else { front });
             passes.clear();
             passes.push(Pass::clear("clear", clear));
@@ -401,27 +499,30 @@ impl Textures {
         }
         let reads = results.iter().map(|&id| backend.begin_read(id)).collect::<welkin::Result<Vec<_>>>()?;
         backend.wait().context("wait")?;
-        reads
-            .into_iter()
-            .map(|read| {
-                let texel = backend.poll_read(&read)?.context("this backend cannot wait for the GPU")?;
-                ensure!(texel.len() == 4, "a pixel of {} values came back", texel.len());
-                Ok([texel[0], texel[1], texel[2]].map(f64::from))
-            })
-            .collect()
+        let texels = reads.into_iter().map(|read| {
+            let texel = backend.poll_read(&read)?.context("this backend cannot wait for the GPU")?;
+            ensure!(texel.len() == 4, "a pixel of {} values came back", texel.len());
+            Ok([texel[0], texel[1], texel[2]].map(f64::from))
+        });
+        let texels = texels.collect::<anyhow::Result<Vec<_>>>()?;
+        let answers = texels.chunks(shades.len()).map(|drawn| {
+            let (light, through) = (drawn[0], drawn[drawn.len() - 1]);
+            Answer { light, transmittance: std::array::from_fn(|c| through[c] - light[c]) }
+        });
+        Ok(answers.collect())
     }
 }
 
-fn reference_single(cases: &[Case]) -> anyhow::Result<Vec<[f64; 3]>> {
+fn reference_single(cases: &[Case]) -> anyhow::Result<Vec<Answer>> {
     let light = |case: &Case| {
         let light = single_scattering(&case.atmosphere, &case.query(), Sun::Point, Tolerance::TRUTH)?;
-        Ok(light.per_irradiance)
+        Ok(case.answer(light.per_irradiance)?)
     };
     cases.par_iter().map(light).collect()
 }
 
 /// Cases of one medium and albedo share one solution.
-fn reference(cases: &[Case], cache: &mut Cache) -> anyhow::Result<Vec<[f64; 3]>> {
+fn reference(cases: &[Case], cache: &mut Cache) -> anyhow::Result<Vec<Answer>> {
     let mut groups: Vec<(&Case, Vec<usize>)> = Vec::new();
     let mut known = HashMap::new();
     for (i, case) in cases.iter().enumerate() {
@@ -433,7 +534,7 @@ fn reference(cases: &[Case], cache: &mut Cache) -> anyhow::Result<Vec<[f64; 3]>>
         groups[group].1.push(i);
     }
     let steps = Progress::of("solving", groups.len());
-    let mut radiance = vec![[0.0; 3]; cases.len()];
+    let mut answers = vec![Answer { light: [0.0; 3], transmittance: [1.0; 3] }; cases.len()];
     for (first, members) in groups {
         let progress = steps.step(&format!("{}, albedo {}", first.medium, first.atmosphere.ground_albedo[0]));
         let settings = Settings::FINE.for_medium(&first.atmosphere);
@@ -446,9 +547,12 @@ fn reference(cases: &[Case], cache: &mut Cache) -> anyhow::Result<Vec<[f64; 3]>>
         );
         let solved: Vec<_> = members
             .par_iter()
-            .map(|&i| Ok((i, orders.radiance(&cases[i].query(), Tolerance::TRUTH)?.per_irradiance)))
+            .map(|&i| {
+                let light = orders.radiance(&cases[i].query(), Tolerance::TRUTH)?.per_irradiance;
+                Ok((i, cases[i].answer(light)?))
+            })
             .collect::<welkin::Result<_>>()?;
-        solved.into_iter().for_each(|(i, light)| radiance[i] = light);
+        solved.into_iter().for_each(|(i, answer)| answers[i] = answer);
     }
-    Ok(radiance)
+    Ok(answers)
 }
