@@ -407,8 +407,8 @@ fn number(column: &str, text: &str, lo: f64, hi: f64) -> Result<f64, String> {
     allowed.then_some(value).ok_or_else(|| format!("{column} '{text}' must be a number from {lo} to {hi}"))
 }
 
-/// Radiance through the passes of a picture: the background sky, then the air before an empty scene, or before
-/// a surface.
+/// Radiance through the passes of a picture: the background sky, then the air before an empty scene, or
+/// before a surface.
 fn drawn(choice: BackendChoice, quality: Quality, table: &Table) -> anyhow::Result<(Vec<Answer>, String)> {
     let mut gpu = Gpu::open(choice)?;
     let by = format!("{quality} by {}", gpu.describe());
