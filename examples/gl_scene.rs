@@ -23,6 +23,7 @@ pub fn scene() -> Scene {
         sun_direction: DVec3::new(0.978, 0.0, 0.208),
         depth: DepthConvention::ReversedInfinite { near: 0.1 },
         moon: None,
+        ellipsoid: None,
     }
 }
 

@@ -18,6 +18,7 @@
 //!     sun_direction: DVec3::new(1.0, 0.3, 0.4),
 //!     depth: DepthConvention::default(),
 //!     moon: None,
+//!     ellipsoid: None,
 //! };
 //! let mut backend = WgpuBackend::headless()?;
 //! let settings = PictureSettings::default();
@@ -138,6 +139,7 @@ pub use frame::Frame;
 pub use frame::terrain::TerrainStyle;
 pub use model::airglow::Airglow;
 pub use model::atmosphere::{AtmosphereParams, MiePhase};
+pub use model::ellipsoid::Ellipsoid;
 pub use model::lighting::{AtmosphereConfig, LightingContext};
 pub use model::moon::Moon;
 pub use model::rays::{ray_sphere_intersect, ray_sphere_intersect_f32};

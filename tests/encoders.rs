@@ -526,6 +526,7 @@ fn a_small_planet_hands_over_within_its_air() {
                 sun_direction: DVec3::new(1.0, 0.0, 0.5),
                 depth: DepthConvention::default(),
                 moon: None,
+                ellipsoid: None,
             };
             let mut sky = SkyRenderer::new(SkySettings { bound: None, ..without_disk(luts(TINY)) }).unwrap();
             let passes = background_passes(b, &mut sky, &scene, cleared(color));

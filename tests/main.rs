@@ -20,6 +20,7 @@ mod airglow;
 mod depth;
 mod device_loss;
 mod eclipse;
+mod ellipsoid;
 mod embedding;
 mod encoders;
 mod frame;

@@ -100,6 +100,7 @@ fn scenes() -> impl Strategy<Value = Scene> {
                 sun_direction: sun * length,
                 depth,
                 moon: None,
+                ellipsoid: None,
             }
         },
     )
@@ -137,7 +138,9 @@ proptest! {
             for air in [&atmosphere, &AtmosphereParams::earth()] {
                 let (planet_center, sun_direction) = (xyz(18), xyz(21));
                 let atmosphere = air.clone();
-                let scene = Scene { camera, planet_center, atmosphere, sun_direction, depth, moon: None };
+                let (moon, ellipsoid) = (None, None);
+                let scene =
+                    Scene { camera, planet_center, atmosphere, sun_direction, depth, moon, ellipsoid };
                 if let Ok(view) = scene.validate() {
                     prop_assert!(view.altitude.is_finite() && view.sun.is_finite());
                     prop_assert!(view.basis.forward.is_finite());

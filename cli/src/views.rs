@@ -78,6 +78,7 @@ impl View {
             sun_direction: (north * cos_az + east * sin_az) * cos_el + up * sin_el,
             depth: DepthConvention::default(),
             moon: None,
+            ellipsoid: None,
         };
         scene.validate()?;
         Ok(scene)

@@ -339,8 +339,8 @@ float zenith_to_v(float line_r_mu_3, float line_perigee_1, float line_perigee_ex
     float part = min((perigee_h / limit), 1.0);
     float _e73 = top_half_chord2_(line_r_mu_3, line_perigee_excess_3, h_5, radius_9, thickness_3);
     float r_mu2_1 = ((h_5 > thickness_3) ? _e73 : (line_r_mu_3 * line_r_mu_3));
-    float y_1 = sqrt(clamp((r_mu2_1 / (limit * (((2.0 * radius_9) + limit) + perigee_h))), 0.0, 1.0));
-    return (mapping.x * sqrt(((part * (1.0 + (mapping.y * y_1))) / (1.0 + y_1))));
+    float y_2 = sqrt(clamp((r_mu2_1 / (limit * (((2.0 * radius_9) + limit) + perigee_h))), 0.0, 1.0));
+    return (mapping.x * sqrt(((part * (1.0 + (mapping.y * y_2))) / (1.0 + y_2))));
 }
 
 float v_to_row(float v, bool ground_1, float rows, float ground_rows) {
@@ -427,8 +427,8 @@ vec3 aerial_brightness(highp sampler2D lut_1, vec2 p_texel, vec2 p_size, float p
 }
 
 vec4 heights_after(float excess_5, float r_mu_6, vec4 t_2, float radius_10) {
-    vec4 x_1 = (vec4(excess_5) + (t_2 * (vec4((2.0 * r_mu_6)) + t_2)));
-    return max((x_1 / (vec4(radius_10) + sqrt(max((vec4((radius_10 * radius_10)) + x_1), vec4(0.0))))), vec4(0.0));
+    vec4 x_2 = (vec4(excess_5) + (t_2 * (vec4((2.0 * r_mu_6)) + t_2)));
+    return max((x_2 / (vec4(radius_10) + sqrt(max((vec4((radius_10 * radius_10)) + x_2), vec4(0.0))))), vec4(0.0));
 }
 
 float distance_at_height(float excess_6, float r_mu_7, float h_6, float radius_11) {
@@ -457,8 +457,8 @@ float slope_column(float excess_8, float r_mu_9, float first_1, float last_1, fl
     float _e15 = altitude_after(excess_8, r_mu_9, t_4.y, radius_13);
     float _e17 = altitude_after(excess_8, r_mu_9, t_4.z, radius_13);
     vec3 h_7 = vec3(_e13, _e15, _e17);
-    vec3 z_1 = max((h_7 - vec3(datum_1)), vec3(0.0));
-    return (span * dot(TENT_WEIGHTS, max((vec3(1.0) - (abs((z_1 - vec3(tip))) * fall_1)), vec3(0.0))));
+    vec3 z_2 = max((h_7 - vec3(datum_1)), vec3(0.0));
+    return (span * dot(TENT_WEIGHTS, max((vec3(1.0) - (abs((z_2 - vec3(tip))) * fall_1)), vec3(0.0))));
 }
 
 float tent_column(float excess_9, float r_mu_10, float length_2, float radius_14, float fall_2, float tip_1, float datum_2) {
@@ -634,6 +634,11 @@ vec3 to_zenith(vec3 direction, vec3 x, vec3 y, vec3 z) {
     return normalize(vec3(dot(direction, x), dot(direction, y), dot(direction, z)));
 }
 
+float stretch(vec3 direction_1, vec3 x_1, vec3 y_1, vec3 z_1) {
+    vec3 seen = vec3(dot(direction_1, x_1), dot(direction_1, y_1), dot(direction_1, z_1));
+    return sqrt((dot(seen, seen) / max(dot(direction_1, direction_1), 1e-30)));
+}
+
 vec3 scene_phase(vec3 dir_2, vec3 sun, vec3 asymmetry, float cornette_shanks) {
     vec3 apart = (dir_2 - sun);
     vec3 together = (dir_2 + sun);
@@ -644,7 +649,7 @@ vec3 scene_phase(vec3 dir_2, vec3 sun, vec3 asymmetry, float cornette_shanks) {
     return mix(_e11, _e12, cornette_shanks);
 }
 
-void aerial(vec3 direction_1, float distance_5, inout vec3 out_inscatter_1, inout vec3 out_transmittance_1) {
+void aerial(vec3 direction_2, float distance_5, inout vec3 out_inscatter_1, inout vec3 out_transmittance_1) {
     bool local_5 = false;
     bool local_6 = false;
     float line_past_r_mu = 0.0;
@@ -686,63 +691,68 @@ void aerial(vec3 direction_1, float distance_5, inout vec3 out_inscatter_1, inou
     vec3 _e49 = _group_0_binding_0_fs.zenith_x;
     vec3 _e52 = _group_0_binding_0_fs.zenith_y;
     vec3 _e55 = _group_0_binding_0_fs.zenith_z;
-    vec3 _e57 = to_zenith(direction_1, _e49, _e52, _e55);
+    vec3 _e57 = to_zenith(direction_2, _e49, _e52, _e55);
+    vec3 _e63 = _group_0_binding_0_fs.zenith_x;
+    vec3 _e66 = _group_0_binding_0_fs.zenith_y;
+    vec3 _e69 = _group_0_binding_0_fs.zenith_z;
+    float _e70 = stretch(direction_2, _e63, _e66, _e69);
+    float reach_3 = ((distance_5 * 0.001) * _e70);
     line_past(_e57, f_altitude, f_medium_radius, line_past_r_mu, line_past_perigee, line_past_perigee_excess, line_past_ground);
-    float _e62 = line_past_r_mu;
-    float _e63 = line_past_perigee;
-    float _e64 = line_past_perigee_excess;
-    bool _e65 = line_past_ground;
-    line_to_scene(_e62, _e63, _e64, _e65, f_altitude, (distance_5 * 0.001), f_medium_radius, f_medium_thickness, f_pixel_angle, line_r_mu_4, line_perigee_2, line_perigee_excess_6, line_ground_5);
-    float _e73 = line_r_mu_4;
-    float _e74 = line_perigee_2;
-    float _e75 = line_perigee_excess_6;
-    bool _e76 = line_ground_5;
-    air_path(_e73, _e75, _e76, f_altitude, f_medium_radius, f_medium_thickness, path_start, path_length_2, path_excess_2, path_r_mu_3);
-    float _e81 = path_start;
-    float _e82 = path_length_2;
-    float _e83 = path_excess_2;
-    float _e84 = path_r_mu_3;
-    if (_e76) {
-        local_5 = (_e82 >= 0.0);
+    float _e76 = line_past_r_mu;
+    float _e77 = line_past_perigee;
+    float _e78 = line_past_perigee_excess;
+    bool _e79 = line_past_ground;
+    line_to_scene(_e76, _e77, _e78, _e79, f_altitude, reach_3, f_medium_radius, f_medium_thickness, f_pixel_angle, line_r_mu_4, line_perigee_2, line_perigee_excess_6, line_ground_5);
+    float _e84 = line_r_mu_4;
+    float _e85 = line_perigee_2;
+    float _e86 = line_perigee_excess_6;
+    bool _e87 = line_ground_5;
+    air_path(_e84, _e86, _e87, f_altitude, f_medium_radius, f_medium_thickness, path_start, path_length_2, path_excess_2, path_r_mu_3);
+    float _e92 = path_start;
+    float _e93 = path_length_2;
+    float _e94 = path_excess_2;
+    float _e95 = path_r_mu_3;
+    if (_e87) {
+        local_5 = (_e93 >= 0.0);
     } else {
         local_5 = false;
     }
     bool ground_4 = local_5;
-    float _e93 = scene_reach(_e81, _e82, _e84, ground_4, (distance_5 * 0.001), f_medium_radius, f_pixel_angle);
-    if (!((_e93 <= 0.0))) {
-        float _e99 = _group_0_binding_0_fs.present;
-        local_6 = (_e99 <= 0.0);
+    float _e102 = scene_reach(_e92, _e93, _e95, ground_4, reach_3, f_medium_radius, f_pixel_angle);
+    if (!((_e102 <= 0.0))) {
+        float _e108 = _group_0_binding_0_fs.present;
+        local_6 = (_e108 <= 0.0);
     } else {
         local_6 = true;
     }
-    bool _e105 = local_6;
-    if (_e105) {
+    bool _e114 = local_6;
+    if (_e114) {
         out_inscatter_1 = vec3(0.0);
         out_transmittance_1 = vec3(1.0);
         return;
     }
-    float _e110 = azimuth_to_u(_e57);
-    float _e112 = zenith_to_v(_e73, _e74, _e75, _e76, _e57.z, f_altitude, f_medium_radius, f_medium_thickness, f_sky_view_mapping);
+    float _e119 = azimuth_to_u(_e57);
+    float _e121 = zenith_to_v(_e84, _e85, _e86, _e87, _e57.z, f_altitude, f_medium_radius, f_medium_thickness, f_sky_view_mapping);
     vec2 size_2 = vec2(uvec2(textureSize(_group_0_binding_1_fs, 0).xy));
-    float _e117 = v_to_row(_e112, ground_4, size_2.y, luts_ground_rows);
-    vec2 _e118 = sky_view_uv(_e110, _e117, size_2);
-    float _e121 = _group_0_binding_0_fs.cornette_shanks;
-    vec3 _e122 = scene_phase(_e57, f_sun, f_medium_mie_asymmetry, _e121);
-    float _e125 = _group_0_binding_0_fs.mie_light;
-    path_light(_group_0_binding_1_fs, _group_0_binding_3_fs, _e118, ground_4, _e82, (_e122 * _e125), light_smooth_light, light_mie_light);
-    vec3 _e132 = light_smooth_light;
-    vec3 _e133 = light_mie_light;
-    air_before(_group_0_binding_2_fs, f_medium_rayleigh, f_medium_rayleigh_inv_height, f_medium_mie_inv_height, f_medium_mie_extinction, f_medium_ozone_center, f_medium_ozone_inv_half_width, f_medium_ozone, f_medium_radius, f_medium_datum, luts_mie_extinction_2, luts_slices_2, luts_aerial_ground_rows_2, _e75, _e76, _e82, _e83, _e84, _e110, _e112, _e93, _e132, _e133, air_transmittance_1, air_inscatter_1);
-    vec3 _e138 = air_transmittance_1;
-    vec3 _e139 = air_inscatter_1;
-    out_inscatter_1 = (_e139 * f_medium_irradiance);
-    out_transmittance_1 = _e138;
+    float _e126 = v_to_row(_e121, ground_4, size_2.y, luts_ground_rows);
+    vec2 _e127 = sky_view_uv(_e119, _e126, size_2);
+    float _e130 = _group_0_binding_0_fs.cornette_shanks;
+    vec3 _e131 = scene_phase(_e57, f_sun, f_medium_mie_asymmetry, _e130);
+    float _e134 = _group_0_binding_0_fs.mie_light;
+    path_light(_group_0_binding_1_fs, _group_0_binding_3_fs, _e127, ground_4, _e93, (_e131 * _e134), light_smooth_light, light_mie_light);
+    vec3 _e141 = light_smooth_light;
+    vec3 _e142 = light_mie_light;
+    air_before(_group_0_binding_2_fs, f_medium_rayleigh, f_medium_rayleigh_inv_height, f_medium_mie_inv_height, f_medium_mie_extinction, f_medium_ozone_center, f_medium_ozone_inv_half_width, f_medium_ozone, f_medium_radius, f_medium_datum, luts_mie_extinction_2, luts_slices_2, luts_aerial_ground_rows_2, _e86, _e87, _e93, _e94, _e95, _e119, _e121, _e102, _e141, _e142, air_transmittance_1, air_inscatter_1);
+    vec3 _e147 = air_transmittance_1;
+    vec3 _e148 = air_inscatter_1;
+    out_inscatter_1 = (_e148 * f_medium_irradiance);
+    out_transmittance_1 = _e147;
 }
 
-vec3 sky(vec3 direction_2) {
+vec3 sky(vec3 direction_3) {
     vec3 aerial_inscatter = vec3(0.0);
     vec3 aerial_transmittance = vec3(0.0);
-    aerial(direction_2, 1000000000000.0, aerial_inscatter, aerial_transmittance);
+    aerial(direction_3, 1000000000000.0, aerial_inscatter, aerial_transmittance);
     vec3 _e4 = aerial_inscatter;
     return _e4;
 }

@@ -17,6 +17,7 @@
 //! #     sun_direction: DVec3::X,
 //! #     depth: DepthConvention::default(),
 //! #     moon: None,
+//! #     ellipsoid: None,
 //! # };
 //! // From orbit, looking away from the planet.
 //! let frame = Frame::new(&scene, &SkySettings::default(), [960, 640])?;

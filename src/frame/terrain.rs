@@ -167,14 +167,14 @@ impl TerrainStyle {
     /// [`crate::DepthConvention::background`].
     pub(crate) fn node(&self, of: &Frame) -> Node {
         let (scene, view, frame) = (&of.scene, &of.view, of.uniform);
-        let rows = view.world_to_zenith;
+        let rows = view.axes;
         let to_zenith = |v: DVec3| (rows * v).as_vec3().to_array();
         let (radius, h) = (scene.atmosphere.planet_radius, view.altitude.max(1.0));
         // Arc to the horizon, and on to where the highest mountain would still peep over it.
         let dip = |h: f64| (h * (2.0 * radius + h)).sqrt().atan2(radius);
         let arc_max = (dip(h) + 1.05 * dip(self.amplitude)).min(3.0);
         let arc_scale = 0.25 * h / radius;
-        let up = (scene.camera.position - scene.planet_center).normalize();
+        let up = view.from_center.normalize();
         let east = DVec3::Z.cross(up);
         let east = if east.length() > 1e-3 { east.normalize() } else { DVec3::Y.cross(up).normalize() };
         let b = &view.basis;

@@ -3,7 +3,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 use crate::model::atmosphere::AtmosphereParams;
 use crate::model::scene::{RayBasis, ZenithView};
@@ -130,13 +130,15 @@ pub(crate) fn disk_rectangle(
     }
     // On the camera's plane at distance 1 the disk lies within a circle around its centre.
     let reach = (angle + radius).tan() - angle.tan();
-    let span = |side: DVec3, pixels: u32| {
-        let length2 = side.length_squared();
-        let middle = (towards / along - basis.forward).dot(side) / length2;
-        let half = reach / length2.sqrt() + 2.0 / f64::from(pixels.max(1)); // one pixel
+    // In a stretched frame the picture's sides are not quite at right angles.
+    let middle = DMat3::from_cols(basis.right, basis.up, basis.forward).inverse() * towards;
+    let span = |side: DVec3, other: DVec3, middle: f64, pixels: u32| {
+        let across = side.cross(other).length() / other.length();
+        let half = reach / across + 2.0 / f64::from(pixels.max(1)); // one pixel
         (middle - half, middle + half)
     };
-    let ((left, right), (bottom, top)) = (span(basis.right, size[0]), span(basis.up, size[1]));
+    let (left, right) = span(basis.right, basis.up, middle.x / middle.z, size[0]);
+    let (bottom, top) = span(basis.up, basis.right, middle.y / middle.z, size[1]);
     let outside = left > 1.0 || right < -1.0 || bottom > 1.0 || top < -1.0;
     (!outside).then(|| [left, bottom, right, top].map(|v| v.clamp(-1.0, 1.0)))
 }

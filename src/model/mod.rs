@@ -3,6 +3,7 @@
 
 pub mod airglow;
 pub mod atmosphere;
+pub mod ellipsoid;
 pub mod lighting;
 pub mod matrices;
 pub mod moon;

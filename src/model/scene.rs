@@ -10,6 +10,7 @@ use glam::{DMat3, DVec2, DVec3};
 
 use crate::error::{Decimal, Error, Result, Vector, direction, in_range};
 use crate::model::atmosphere::AtmosphereParams;
+use crate::model::ellipsoid::Ellipsoid;
 use crate::model::moon::Moon;
 
 /// A pinhole camera. Metres and radians, in any right-handed frame.
@@ -271,13 +272,21 @@ pub struct Scene {
     /// A moon that may hide the sun; the camera is outside of it. It is drawn, and hides the sun's disk;
     /// light in the air under its shadow is marched for each pixel.
     pub moon: Option<Moon>,
+    /// The planet's shape, if it is not a sphere: the ground is that, wherever it says, and
+    /// [`AtmosphereParams::planet_radius`] need only be near its half axes. Altitudes are above it.
+    pub ellipsoid: Option<Ellipsoid>,
 }
 
 /// A [`Scene`] checked and turned into the camera's zenith frame; still f64, metres.
 #[derive(Clone, Debug)]
 pub struct ZenithView {
-    /// Rows: the frame's x, y, z axes in world coordinates.
+    /// From the scene's frame to the zenith frame, places as seen from the camera. Rows are the frame's x, y
+    /// and z axes; with an [`Scene::ellipsoid`], these times its stretch.
     pub world_to_zenith: DMat3,
+    /// Rows: the axes alone.
+    pub(crate) axes: DMat3,
+    /// The camera from the planet's centre, metres: in the scene's axes, stretched.
+    pub(crate) from_center: DVec3,
     /// Altitude of the camera; negative below the planet's radius.
     pub altitude: f64,
     /// Height of the camera above [`AtmosphereParams::lowest_ground`]; negative below it.
@@ -306,7 +315,15 @@ impl Scene {
         }
         let basis = self.camera.basis()?;
         let sun = direction("sun_direction", self.sun_direction)?;
-        let from_center = self.camera.position - self.planet_center;
+        let stretch = match self.ellipsoid {
+            Some(ellipsoid) => {
+                ellipsoid.validate()?;
+                ellipsoid.to_sphere(self.atmosphere.planet_radius)
+            }
+            None => DMat3::IDENTITY,
+        };
+        let sun = (stretch * sun).normalize();
+        let from_center = stretch * (self.camera.position - self.planet_center);
         let r = from_center.length();
         if r < 0.5 * self.atmosphere.planet_radius {
             return Err(Error::invalid(
@@ -324,13 +341,16 @@ impl Scene {
         let flat = sun - z * sun.dot(z);
         let x = if flat.length() > 1e-9 { flat.normalize() } else { z.any_orthonormal_vector() };
         let x = (x - z * x.dot(z)).normalize();
-        let rows = DMat3::from_cols(x, z.cross(x), z).transpose();
+        let axes = DMat3::from_cols(x, z.cross(x), z).transpose();
+        let rows = axes * stretch;
         Ok(ZenithView {
             world_to_zenith: rows,
+            axes,
+            from_center,
             altitude,
             height: altitude - self.atmosphere.lowest_ground,
             basis: RayBasis { forward: rows * basis.forward, right: rows * basis.right, up: rows * basis.up },
-            sun: rows * sun,
+            sun: axes * sun,
             moon: self.moon.map(|m| Moon { position: rows * (m.position - self.camera.position), ..m }),
         })
     }
@@ -374,6 +394,7 @@ mod tests {
             sun_direction: turn * DVec3::new(1.0, 1.0, 0.5) * 7.0,
             depth: DepthConvention::default(),
             moon: None,
+            ellipsoid: None,
         };
         let a = make(DVec3::ZERO, glam::DQuat::IDENTITY).validate().unwrap();
         let b = make(DVec3::new(1e9, -2e9, 3e9), glam::DQuat::from_rotation_x(1.0)).validate().unwrap();

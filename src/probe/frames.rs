@@ -155,6 +155,7 @@ pub fn frame(seed: u64, number: u64) -> Frame {
             sun_direction: turn * DVec3::new(sun.cos(), 0.0, sun.sin()) * [1.0, 1e-9, 1e9][rng.usize(0..3)],
             depth,
             moon: None,
+            ellipsoid: None,
         },
         settings: SkySettings {
             quality,

@@ -161,6 +161,7 @@ impl Setup {
             sun_direction: DVec3::new(sin, 0.0, cos),
             depth: DepthConvention::default(),
             moon: None,
+            ellipsoid: None,
         })
     }
 }

@@ -42,6 +42,7 @@ pub fn render(
 ) -> Result<CpuPicture> {
     let view = scene.validate()?;
     settings.sky.validate()?;
+    super::picture::check_terrain(scene, settings)?;
     crate::error::in_range("exposure", settings.exposure, 0.0, 1e9, "")?;
     let [width, height] = size;
     TextureDesc::new("picture", width, height, settings.radiance).validate(MAX_SIDE)?;
@@ -77,14 +78,14 @@ struct Painter<'a> {
     size: [u32; 2],
     air: bool,
     pixel_angle: f64,
-    /// Camera from the planet's centre, in the planet's own axes.
+    /// Camera from the planet's centre, in the planet's own axes, stretched to a sphere.
     camera: DVec3,
     sun: DVec3,
 }
 
 impl<'a> Painter<'a> {
     fn new(scene: &'a Scene, view: &'a ZenithView, settings: &'a PictureSettings, size: [u32; 2]) -> Self {
-        let back = view.world_to_zenith.transpose();
+        let back = view.axes.transpose();
         Self {
             scene,
             view,
@@ -92,7 +93,7 @@ impl<'a> Painter<'a> {
             size,
             air: settings.sky.look.enabled && Air::of(&scene.atmosphere).any(),
             pixel_angle: 2.0 * view.basis.up.length() / f64::from(size[1]),
-            camera: scene.camera.position - scene.planet_center,
+            camera: view.from_center,
             sun: back * view.sun,
         }
     }
@@ -102,7 +103,7 @@ impl<'a> Painter<'a> {
         let ndc =
             DVec2::new((f64::from(x) + 0.5) / width * 2.0 - 1.0, 1.0 - (f64::from(y) + 0.5) / height * 2.0);
         let dir = self.view.basis.ray(ndc).normalize();
-        let world = self.view.world_to_zenith.transpose() * dir;
+        let world = self.view.axes.transpose() * dir;
         let p = &self.scene.atmosphere;
         let (ground, distance) = match &self.settings.terrain {
             Some(style) => match self.trace(style, world) {

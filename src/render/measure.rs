@@ -96,6 +96,7 @@ fn scenes(aspect: f64) -> Result<Vec<Scene>> {
             sun_direction: DVec3::new(sin, 0.0, cos),
             depth: DepthConvention::default(),
             moon: None,
+            ellipsoid: None,
         })
     };
     SCENES.into_iter().map(scene).collect()

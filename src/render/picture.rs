@@ -274,6 +274,7 @@ impl PictureRenderer {
         let [width, height] = canvas.size;
         let max = backend.info().max_texture_size;
         TextureDesc::new("picture", width, height, settings.radiance).validate(max)?;
+        check_terrain(scene, settings)?;
         let users = canvas.between == Between::Users;
         let (scene, sky, scale) = as_drawn(scene, settings, canvas.between)?;
         let (graph, pool, last) = self.sky.parts();
@@ -366,4 +367,13 @@ impl PictureRenderer {
     pub fn destroy(&mut self, backend: &mut dyn Backend) {
         self.sky.destroy(backend);
     }
+}
+
+/// Checks that the demonstration's ground can be drawn there.
+pub(crate) fn check_terrain(scene: &Scene, settings: &PictureSettings) -> Result<()> {
+    if settings.terrain.is_some() && scene.ellipsoid.is_some() {
+        let allowed = "none with PictureSettings::terrain: the demonstration's ground is a sphere";
+        return Err(Error::invalid("scene.ellipsoid", "an ellipsoid", allowed));
+    }
+    Ok(())
 }

@@ -232,6 +232,7 @@ fn views(scene: &Scene) -> Result<Vec<Scene>> {
                     camera,
                     sun_direction,
                     moon: Some(Moon::new(camera.position + aside * MOON_AWAY, radius)),
+                    ellipsoid: None,
                     ..scene.clone()
                 }));
             }

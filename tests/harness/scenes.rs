@@ -50,6 +50,7 @@ impl View {
             sun_direction: DVec3::new(e.cos(), 0.0, e.sin()),
             depth: DepthConvention::default(),
             moon: None,
+            ellipsoid: None,
         }
     }
 }

@@ -350,6 +350,7 @@ impl Viewer {
             sun_direction,
             depth: DepthConvention::default(),
             moon: None,
+            ellipsoid: None,
         })
     }
 }

@@ -396,6 +396,7 @@ impl Case {
             sun_direction: sun,
             depth: DepthConvention::ReversedInfinite { near: 1e-4 },
             moon: None,
+            ellipsoid: None,
         }
     }
 }

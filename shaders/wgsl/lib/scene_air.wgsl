@@ -7,7 +7,7 @@
 struct SceneAir {
     frame: Frame,
     luts: Luts,
-    zenith_x: vec3f,        // the zenith frame's axes in the scene's, unit: the sun's side of the horizon
+    zenith_x: vec3f,        // the zenith frame's axes in the scene's, unit but for ellipsoids: the sun's side
     present: f32,           // 1; 0 where there is no air
     zenith_y: vec3f,
     cornette_shanks: f32,   // 1: the aerosol scatters after Cornette & Shanks; 0: Henyey & Greenstein
@@ -49,6 +49,12 @@ fn to_zenith(direction: vec3f, x: vec3f, y: vec3f, z: vec3f) -> vec3f {
     return normalize(vec3f(dot(direction, x), dot(direction, y), dot(direction, z)));
 }
 
+// How much longer a way in a direction is in the zenith frame: 1, but for planets that are ellipsoids.
+fn stretch(direction: vec3f, x: vec3f, y: vec3f, z: vec3f) -> f32 {
+    let seen = vec3f(dot(direction, x), dot(direction, y), dot(direction, z));
+    return sqrt(dot(seen, seen) / max(dot(direction, direction), 1e-30));
+}
+
 // The phase function of the aerosol, 1/sr: of two by a number, as a program of the user's is compiled once.
 fn scene_phase(dir: vec3f, sun: vec3f, asymmetry: vec3f, cornette_shanks: f32) -> vec3f {
     let apart = dir - sun;
@@ -67,13 +73,14 @@ fn aerial(direction: vec3f, distance: f32) -> Air {
     let luts = air_block.luts;
     let m = f.medium;
     let dir = to_zenith(direction, air_block.zenith_x, air_block.zenith_y, air_block.zenith_z);
+    let reach = distance * 1e-3
+        * stretch(direction, air_block.zenith_x, air_block.zenith_y, air_block.zenith_z);
     let line = line_to_scene(
-        line_past(dir, f.altitude, m.radius), f.altitude, distance * 1e-3, m.radius, m.thickness,
-        f.pixel_angle);
+        line_past(dir, f.altitude, m.radius), f.altitude, reach, m.radius, m.thickness, f.pixel_angle);
     let path = air_path(line, f.altitude, m.radius, m.thickness);
     let ground = line.ground && path.length >= 0.0;
     let end = scene_reach(
-        path.start, path.length, path.r_mu, ground, distance * 1e-3, m.radius, f.pixel_angle);
+        path.start, path.length, path.r_mu, ground, reach, m.radius, f.pixel_angle);
     if end <= 0.0 || air_block.present <= 0.0 {
         return Air(vec3f(0.0), vec3f(1.0));
     }
