@@ -1,5 +1,5 @@
-//! Planets that are ellipsoids: horizon and limb where they are, light and air as right as the stretched frame
-//! promises, and no LUT made anew because the camera moves.
+//! Planets that are ellipsoids: horizon and limb where they are, light and air as right as the stretched
+//! frame promises, and no LUT made anew because the camera moves.
 
 use glam::{DMat3, DVec2, DVec3};
 use welkin::{
@@ -53,8 +53,8 @@ fn crossing(from: DVec3, ray: DVec3, more: f64) -> Option<[f64; 2]> {
     (square > 0.0).then(|| [(-b - square.sqrt()) / a, (-b + square.sqrt()) / a])
 }
 
-/// Light scattered once (per irradiance) and transmittance up to a distance, in air whose altitudes are heights
-/// above WGS84, by brute force: relative error some 1e-3.
+/// Light scattered once (per irradiance) and transmittance up to a distance, in air whose altitudes are
+/// heights above WGS84, by brute force: relative error some 1e-3.
 fn brute(scene: &Scene, ray: DVec3, until: f64) -> [[f64; 3]; 2] {
     let p = &scene.atmosphere;
     let from = scene.camera.position;

@@ -43,3 +43,4 @@ mod sky;
 mod staleness;
 mod thorough;
 mod tone_map;
+mod two_planets;

@@ -61,8 +61,8 @@ impl Ellipsoid {
         Ok(())
     }
 
-    /// Direction away from the ground, unit, in the scene's axes: at geodetic latitude and longitude, radians.
-    /// Latitude is towards the third axis, longitude 0 along the first.
+    /// Direction away from the ground, unit, in the scene's axes: at geodetic latitude and longitude,
+    /// radians. Latitude is towards the third axis, longitude 0 along the first.
     pub fn up(&self, latitude: f64, longitude: f64) -> DVec3 {
         let (sin, cos) = latitude.sin_cos();
         self.axes * DVec3::new(cos * longitude.cos(), cos * longitude.sin(), sin)
@@ -77,13 +77,13 @@ impl Ellipsoid {
         self.axes * (foot / foot.dot(own).sqrt()) + up * height
     }
 
-    /// Height of a place above the ellipsoid, below it negative: metres. The place: metres from the centre, in
-    /// the scene's axes, not next to it.
+    /// Height of a place above the ellipsoid, below it negative: metres. The place: metres from the centre,
+    /// in the scene's axes, not next to it.
     pub fn height(&self, place: DVec3) -> f64 {
         let own = self.axes.transpose() * place;
         let squares = self.radii * self.radii;
-        // The foot is where own_i / (1 + t / r_i²) is on the ellipsoid; t by Newton's rule from outside, where
-        // it falls evenly.
+        // The foot is where own_i / (1 + t / r_i²) is on the ellipsoid; t by Newton's rule from outside,
+        // where it falls evenly.
         let mut t = (own.length() - self.radii.min_element()) * self.radii.max_element();
         for _ in 0..12 {
             let at = self.radii * own / (squares + t);

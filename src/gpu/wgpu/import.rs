@@ -30,11 +30,15 @@ pub(crate) fn known_format(of: wgpu::TextureFormat) -> Result<Format> {
         if same != of {
             let allowed = format_args!(
                 "{same:?}, as passes write what a display wants already: import a view of that format, and \
-                 name it among the texture's view_formats"
+                 name it among the texture's view_formats; or draw in a pass of yours \
+                 (WgpuBackend::import_pass), for the device to encode"
             );
             return Error::invalid("texture.format", value, allowed);
         }
-        Error::invalid("texture.format", value, format_args!("one of {all:?}"))
+        let allowed = format_args!(
+            "one of {all:?}; to others a device can draw in a pass of yours (WgpuBackend::import_pass)"
+        );
+        Error::invalid("texture.format", value, allowed)
     })
 }
 
@@ -102,7 +106,8 @@ impl WgpuBackend {
             return Err(Error::invalid("size", given, allowed));
         }
         if texture.sample_count() != 1 {
-            let allowed = "1: draw to a texture of one sample a pixel, or to the one that yours resolves to";
+            let allowed = "1: draw in a pass of yours (WgpuBackend::import_pass), to a texture of one sample \
+                           a pixel, or to the one that yours resolves to";
             return Err(Error::invalid("sample count", texture.sample_count(), allowed));
         }
         let drawn_to = texture.usage().contains(wgpu::TextureUsages::RENDER_ATTACHMENT);
@@ -113,7 +118,10 @@ impl WgpuBackend {
         if drawn_to && let Some(reason) = self.try_to_draw(view, desc.format) {
             if reason.contains("Srgb") {
                 let wanted = format(desc.format);
-                let allowed = format_args!("one of {wanted:?}: passes write what a display wants already");
+                let allowed = format_args!(
+                    "one of {wanted:?}: passes write what a display wants already; or draw in a pass of \
+                     yours (WgpuBackend::import_pass), for the device to encode"
+                );
                 return Err(Error::invalid("view", "an sRGB view", allowed));
             }
             let value = format_args!("a view of {}", desc.label);
