@@ -207,15 +207,15 @@ void inner_ray(vec3 dir_2, float h_1, float radius_6, float thickness, vec3 sun_
     float s_shadow_c_1 = 0.0;
     float r_3 = (radius_6 + h_1);
     float _e8 = excess_of(h_1, radius_6);
-    float r_mu_13 = (r_3 * dir_2.z);
+    float r_mu_14 = (r_3 * dir_2.z);
     float p_2 = (r_3 * sqrt(dot(dir_2.xy, dir_2.xy)));
-    float _e18 = half_chord2_(r_mu_13, _e8, (radius_6 - p_2), p_2);
+    float _e18 = half_chord2_(r_mu_14, _e8, (radius_6 - p_2), p_2);
     sun_side_inside(dir_2, sun_2, r_3, _e8, radius_6, s_sun_r_mu, s_nu, s_sin2_1, s_shadow_b_1, s_shadow_c_1);
     float _e26 = excess_of(thickness, radius_6);
-    float _e27 = distance_to_top(_e8, r_mu_13, _e26);
-    float _e31 = distance_to_ground(_e8, r_mu_13, sqrt(max(_e18, 0.0)));
+    float _e27 = distance_to_top(_e8, r_mu_14, _e26);
+    float _e31 = distance_to_ground(_e8, r_mu_14, sqrt(max(_e18, 0.0)));
     if (ground) {
-        local = (r_mu_13 < 0.0);
+        local = (r_mu_14 < 0.0);
     } else {
         local = false;
     }
@@ -223,7 +223,7 @@ void inner_ray(vec3 dir_2, float h_1, float radius_6, float thickness, vec3 sun_
     float reach = (_e38 ? _e31 : _e27);
     out_length = reach;
     out_excess = _e8;
-    out_r_mu = r_mu_13;
+    out_r_mu = r_mu_14;
     out_perigee_excess = -(_e18);
     out_ground = ground;
 }
@@ -347,36 +347,36 @@ void sky_view_ray(float u_1, float v_1, bool ground_1, float h_3, float radius_1
         perigee = (radius_10 + perigee_h);
         from_start = (((limit * y) * y) * (((2.0 * radius_10) + limit) + perigee_h));
     }
-    float above_1 = ((h_3 - thickness_2) * (((2.0 * radius_10) + thickness_2) + h_3));
+    float above_2 = ((h_3 - thickness_2) * (((2.0 * radius_10) + thickness_2) + h_3));
     float _e117 = from_start;
-    float r_mu_14 = -(sqrt(max(_e117, 0.0)));
+    float r_mu_15 = -(sqrt(max(_e117, 0.0)));
     float _e122 = from_start;
-    float down = ((outside ? -(sqrt(max((above_1 + _e122), 0.0))) : r_mu_14) / r_4);
+    float down = ((outside ? -(sqrt(max((above_2 + _e122), 0.0))) : r_mu_15) / r_4);
     float _e130 = perigee;
     vec3 dir_4 = vec3((_e11 * min((_e130 / r_4), 1.0)), down);
     if (outside) {
-        start_1 = (above_1 / (-(r_mu_14) - (r_4 * down)));
+        start_1 = (above_2 / (-(r_mu_15) - (r_4 * down)));
         float _e141 = start_1;
-        sun_side_outside(dir_4, sun_4, r_4, _e141, -(r_mu_14), _e28, radius_10, s_sun_r_mu_1, s_nu_1, s_sin2_2, s_shadow_b_2, s_shadow_c_2);
+        sun_side_outside(dir_4, sun_4, r_4, _e141, -(r_mu_15), _e28, radius_10, s_sun_r_mu_1, s_nu_1, s_sin2_2, s_shadow_b_2, s_shadow_c_2);
     } else {
         sun_side_inside(dir_4, sun_4, r_4, _e27, radius_10, s_sun_r_mu_1, s_nu_1, s_sin2_2, s_shadow_b_2, s_shadow_c_2);
     }
-    float _e148 = distance_to_top(start_excess, r_mu_14, _e28);
+    float _e148 = distance_to_top(start_excess, r_mu_15, _e28);
     float _e149 = mu;
-    float reach_1 = (ground_1 ? (start_excess / max(((radius_10 * _e149) - r_mu_14), 1e-20)) : _e148);
+    float reach_1 = (ground_1 ? (start_excess / max(((radius_10 * _e149) - r_mu_15), 1e-20)) : _e148);
     float ray_perigee_excess_1 = perigee_excess_2;
     out_ray_length_1 = reach_1;
     out_ray_excess_1 = start_excess;
-    out_ray_r_mu_1 = r_mu_14;
+    out_ray_r_mu_1 = r_mu_15;
     out_ray_perigee_excess_1 = ray_perigee_excess_1;
     out_ray_ground_1 = ground_1;
 }
 
 vec2 row_to_v(int row, int rows, int ground_rows) {
     bool ground_2 = (row < ground_rows);
-    int first_5 = (ground_2 ? 0 : ground_rows);
+    int first_6 = (ground_2 ? 0 : ground_rows);
     int count = (ground_2 ? ground_rows : (rows - ground_rows));
-    return vec2((float((row - first_5)) / float((count - 1))), (ground_2 ? 1.0 : 0.0));
+    return vec2((float((row - first_6)) / float((count - 1))), (ground_2 ? 1.0 : 0.0));
 }
 
 mat2x3 layers_of(float m_rayleigh_inv_height, float m_mie_inv_height, float m_ozone_center, float m_ozone_inv_half_width, float m_datum) {
@@ -424,81 +424,92 @@ void aerial_texel(vec2 position_1, uvec2 luts_size, uint luts_slices, int kinds,
     out_columns = columns_1;
 }
 
-mat3x3 taking_coefficients(vec3 m_rayleigh, vec3 luts_mie_extinction) {
+void aerial_ray(int a_row_1, int a_column_1, int a_rows_1, int a_columns_1, float ground_rows_1, float h_4, float radius_11, float thickness_3, vec4 mapping_2, vec3 sun_5, inout float out_ray_length_2, inout float out_ray_excess_2, inout float out_ray_r_mu_2, inout float out_ray_perigee_excess_2, inout bool out_ray_ground_2) {
+    float u_3 = (float(a_column_1) / float((a_columns_1 - 1)));
+    vec2 _e16 = row_to_v(a_row_1, a_rows_1, int(ground_rows_1));
+    sky_view_ray(u_3, _e16.x, (_e16.y > 0.5), h_4, radius_11, thickness_3, mapping_2, sun_5, out_ray_length_2, out_ray_excess_2, out_ray_r_mu_2, out_ray_perigee_excess_2, out_ray_ground_2);
+}
+
+mat3x3 scatterer_coefficients(vec3 m_rayleigh, vec3 luts_mie_extinction) {
     return mat3x3(m_rayleigh, luts_mie_extinction, vec3(0.0));
 }
 
-vec4 heights_after(float excess_6, float r_mu_5, vec4 t_1, float radius_11) {
+vec4 heights_after(float excess_6, float r_mu_5, vec4 t_1, float radius_12) {
     vec4 x = (vec4(excess_6) + (t_1 * (vec4((2.0 * r_mu_5)) + t_1)));
-    return max((x / (vec4(radius_11) + sqrt(max((vec4((radius_11 * radius_11)) + x), vec4(0.0))))), vec4(0.0));
+    return max((x / (vec4(radius_12) + sqrt(max((vec4((radius_12 * radius_12)) + x), vec4(0.0))))), vec4(0.0));
 }
 
-float distance_at_height(float excess_7, float r_mu_6, float h_4, float radius_12) {
-    float _e2 = excess_of(h_4, radius_12);
+float distance_at_height(float excess_7, float r_mu_6, float h_5, float radius_13) {
+    float _e2 = excess_of(h_5, radius_13);
     return sqrt(max(((_e2 - excess_7) + (r_mu_6 * r_mu_6)), 0.0));
 }
 
-float exponential_column(float excess_8, float r_mu_7, float first, float last, float radius_13, float fall, float datum) {
-    float _e2 = altitude_of(excess_8, radius_13);
-    float highest = (max(_e2, datum) + (COLUMN_HEIGHTS / fall));
-    float _e10 = distance_at_height(excess_8, r_mu_7, highest, radius_13);
-    float begin = max(first, (-(_e10) - r_mu_7));
-    float half_2 = (0.5 * max((min(last, (_e10 - r_mu_7)) - begin), 0.0));
-    vec4 t_2 = (half_2 * COLUMN_NODES);
-    vec4 _e28 = heights_after(excess_8, r_mu_7, (vec4((begin + half_2)) - t_2), radius_13);
-    vec4 above_2 = max((_e28 - vec4(datum)), vec4(0.0));
-    vec4 _e37 = heights_after(excess_8, r_mu_7, (vec4((begin + half_2)) + t_2), radius_13);
-    vec4 beyond = max((_e37 - vec4(datum)), vec4(0.0));
-    return (half_2 * dot(COLUMN_WEIGHTS, (exp((-(above_2) * fall)) + exp((-(beyond) * fall)))));
+vec2 dense_part(float excess_8, float r_mu_7, float first, float last, float radius_14, float above_1, float datum) {
+    float _e2 = altitude_of(excess_8, radius_14);
+    float _e8 = distance_at_height(excess_8, r_mu_7, (max(_e2, datum) + above_1), radius_14);
+    float begin = max(first, (-(_e8) - r_mu_7));
+    float half_2 = (0.5 * max((min(last, (_e8 - r_mu_7)) - begin), 0.0));
+    return vec2((begin + half_2), half_2);
 }
 
-float slope_column(float excess_9, float r_mu_8, float first_1, float last_1, float radius_14, float fall_1, float tip, float datum_1) {
-    float span = max((last_1 - first_1), 0.0);
-    vec3 t_3 = (vec3(first_1) + (span * TENT_NODES));
-    float _e13 = altitude_after(excess_9, r_mu_8, t_3.x, radius_14);
-    float _e15 = altitude_after(excess_9, r_mu_8, t_3.y, radius_14);
-    float _e17 = altitude_after(excess_9, r_mu_8, t_3.z, radius_14);
-    vec3 h_5 = vec3(_e13, _e15, _e17);
-    vec3 z_1 = max((h_5 - vec3(datum_1)), vec3(0.0));
+float exponential_column(float excess_9, float r_mu_8, float first_1, float last_1, float radius_15, float fall, float datum_1) {
+    vec2 _e9 = dense_part(excess_9, r_mu_8, first_1, last_1, radius_15, (COLUMN_HEIGHTS / fall), datum_1);
+    float half_3 = _e9.y;
+    vec4 t_2 = (half_3 * COLUMN_NODES);
+    vec4 _e16 = heights_after(excess_9, r_mu_8, (vec4(_e9.x) - t_2), radius_15);
+    vec4 above_3 = max((_e16 - vec4(datum_1)), vec4(0.0));
+    vec4 _e25 = heights_after(excess_9, r_mu_8, (vec4(_e9.x) + t_2), radius_15);
+    vec4 beyond = max((_e25 - vec4(datum_1)), vec4(0.0));
+    return (half_3 * dot(COLUMN_WEIGHTS, (exp((-(above_3) * fall)) + exp((-(beyond) * fall)))));
+}
+
+float slope_column(float excess_10, float r_mu_9, float first_2, float last_2, float radius_16, float fall_1, float tip, float datum_2) {
+    float span = max((last_2 - first_2), 0.0);
+    vec3 t_3 = (vec3(first_2) + (span * TENT_NODES));
+    float _e13 = altitude_after(excess_10, r_mu_9, t_3.x, radius_16);
+    float _e15 = altitude_after(excess_10, r_mu_9, t_3.y, radius_16);
+    float _e17 = altitude_after(excess_10, r_mu_9, t_3.z, radius_16);
+    vec3 h_6 = vec3(_e13, _e15, _e17);
+    vec3 z_1 = max((h_6 - vec3(datum_2)), vec3(0.0));
     return (span * dot(TENT_WEIGHTS, max((vec3(1.0) - (abs((z_1 - vec3(tip))) * fall_1)), vec3(0.0))));
 }
 
-float tent_column(float excess_10, float r_mu_9, float length_2, float radius_15, float fall_2, float tip_1, float datum_2) {
+float tent_column(float excess_11, float r_mu_10, float length_2, float radius_17, float fall_2, float tip_1, float datum_3) {
     float width = (1.0 / fall_2);
-    float low = ((datum_2 + tip_1) - width);
-    float _e10 = distance_at_height(excess_10, r_mu_9, low, radius_15);
-    float first_6 = ((tip_1 <= width) ? 0.0 : (_e10 - r_mu_9));
-    if ((first_6 >= length_2)) {
+    float low = ((datum_3 + tip_1) - width);
+    float _e10 = distance_at_height(excess_11, r_mu_10, low, radius_17);
+    float first_7 = ((tip_1 <= width) ? 0.0 : (_e10 - r_mu_10));
+    if ((first_7 >= length_2)) {
         return 0.0;
     }
-    float _e19 = distance_at_height(excess_10, r_mu_9, (datum_2 + tip_1), radius_15);
-    float _e23 = distance_at_height(excess_10, r_mu_9, ((datum_2 + tip_1) + width), radius_15);
-    vec3 edges = clamp(vec3(first_6, (_e19 - r_mu_9), (_e23 - r_mu_9)), vec3(0.0), vec3(length_2));
-    float _e32 = slope_column(excess_10, r_mu_9, edges.x, edges.y, radius_15, fall_2, tip_1, datum_2);
-    float _e35 = slope_column(excess_10, r_mu_9, edges.y, edges.z, radius_15, fall_2, tip_1, datum_2);
+    float _e19 = distance_at_height(excess_11, r_mu_10, (datum_3 + tip_1), radius_17);
+    float _e23 = distance_at_height(excess_11, r_mu_10, ((datum_3 + tip_1) + width), radius_17);
+    vec3 edges = clamp(vec3(first_7, (_e19 - r_mu_10), (_e23 - r_mu_10)), vec3(0.0), vec3(length_2));
+    float _e32 = slope_column(excess_11, r_mu_10, edges.x, edges.y, radius_17, fall_2, tip_1, datum_3);
+    float _e35 = slope_column(excess_11, r_mu_10, edges.y, edges.z, radius_17, fall_2, tip_1, datum_3);
     return (_e32 + _e35);
 }
 
-vec3 columns(mat2x3 layers, float excess_11, float r_mu_10, float first_2, float last_2, float radius_16) {
+vec3 columns(mat2x3 layers, float excess_12, float r_mu_11, float first_3, float last_3, float radius_18) {
     vec3 sum_1 = vec3(0.0);
     vec3 fall_5 = layers[0];
-    float datum_4 = layers[1].x;
+    float datum_5 = layers[1].x;
     if (RAYLEIGH) {
-        float _e15 = exponential_column(excess_11, r_mu_10, first_2, last_2, radius_16, fall_5.x, datum_4);
+        float _e15 = exponential_column(excess_12, r_mu_11, first_3, last_3, radius_18, fall_5.x, datum_5);
         sum_1.x = _e15;
     }
     if (MIE) {
-        float _e19 = exponential_column(excess_11, r_mu_10, first_2, last_2, radius_16, fall_5.y, datum_4);
+        float _e19 = exponential_column(excess_12, r_mu_11, first_3, last_3, radius_18, fall_5.y, datum_5);
         sum_1.y = _e19;
     }
     if (OZONE) {
         float tip_2 = layers[1].y;
-        float _e28 = tent_column(excess_11, abs(r_mu_10), max(-(first_2), last_2), radius_16, fall_5.z, tip_2, datum_4);
+        float _e28 = tent_column(excess_12, abs(r_mu_11), max(-(first_3), last_3), radius_18, fall_5.z, tip_2, datum_5);
         sum_1.z = _e28;
-        float other = min(-(first_2), last_2);
+        float other = min(-(first_3), last_3);
         if ((other > 0.0)) {
             float _e34 = sum_1.z;
-            float _e37 = tent_column(excess_11, 0.0, other, radius_16, fall_5.z, tip_2, datum_4);
+            float _e37 = tent_column(excess_12, 0.0, other, radius_18, fall_5.z, tip_2, datum_5);
             sum_1.z = (_e34 + _e37);
         }
     }
@@ -506,26 +517,23 @@ vec3 columns(mat2x3 layers, float excess_11, float r_mu_10, float first_2, float
     return _e39;
 }
 
-float rough_column(float excess_12, float r_mu_11, float first_3, float last_3, float radius_17, float fall_3, float datum_3) {
-    float _e2 = altitude_of(excess_12, radius_17);
-    float highest_1 = (max(_e2, datum_3) + (ROUGH_HEIGHTS / fall_3));
-    float _e10 = distance_at_height(excess_12, r_mu_11, highest_1, radius_17);
-    float begin_1 = max(first_3, (-(_e10) - r_mu_11));
-    float half_3 = (0.5 * max((min(last_3, (_e10 - r_mu_11)) - begin_1), 0.0));
-    vec2 t_4 = (half_3 * ROUGH_NODES);
-    vec4 _e30 = heights_after(excess_12, r_mu_11, (vec4((begin_1 + half_3)) + vec4(-(t_4), t_4)), radius_17);
-    vec4 density = exp((-(max((_e30 - vec4(datum_3)), vec4(0.0))) * fall_3));
-    return (half_3 * dot(ROUGH_WEIGHTS, (density.xy + density.zw)));
+float rough_column(float excess_13, float r_mu_12, float first_4, float last_4, float radius_19, float fall_3, float datum_4) {
+    vec2 _e9 = dense_part(excess_13, r_mu_12, first_4, last_4, radius_19, (ROUGH_HEIGHTS / fall_3), datum_4);
+    float half_4 = _e9.y;
+    vec2 t_4 = (half_4 * ROUGH_NODES);
+    vec4 _e18 = heights_after(excess_13, r_mu_12, (vec4(_e9.x) + vec4(-(t_4), t_4)), radius_19);
+    vec4 density = exp((-(max((_e18 - vec4(datum_4)), vec4(0.0))) * fall_3));
+    return (half_4 * dot(ROUGH_WEIGHTS, (density.xy + density.zw)));
 }
 
-vec3 rough_opacity(mat2x3 layers_1, mat3x3 coefficients_1, float excess_13, float r_mu_12, float first_4, float last_4, float radius_18) {
+vec3 rough_opacity(mat2x3 layers_1, mat3x3 coefficients_1, float excess_14, float r_mu_13, float first_5, float last_5, float radius_20) {
     vec3 sum_2 = vec3(0.0);
     if (RAYLEIGH) {
-        float _e15 = rough_column(excess_13, r_mu_12, first_4, last_4, radius_18, layers_1[0].x, layers_1[1].x);
+        float _e15 = rough_column(excess_14, r_mu_13, first_5, last_5, radius_20, layers_1[0].x, layers_1[1].x);
         sum_2.x = _e15;
     }
     if (MIE) {
-        float _e22 = rough_column(excess_13, r_mu_12, first_4, last_4, radius_18, layers_1[0].y, layers_1[1].x);
+        float _e22 = rough_column(excess_14, r_mu_13, first_5, last_5, radius_20, layers_1[0].y, layers_1[1].x);
         sum_2.y = _e22;
     }
     vec3 _e23 = sum_2;
@@ -578,15 +586,13 @@ void main() {
     int _e58 = a_slice;
     int _e59 = a_rows;
     int _e60 = a_columns;
-    float u_3 = (float(_e57) / float((_e60 - 1)));
-    vec2 _e67 = row_to_v(_e56, _e59, int(luts_ground_rows));
-    sky_view_ray(u_3, _e67.x, (_e67.y > 0.5), f_altitude, f_medium_radius, f_medium_thickness, f_sky_view_mapping, f_sun, view_ray_length, view_ray_excess, view_ray_r_mu, view_ray_perigee_excess, view_ray_ground);
-    float _e77 = view_ray_length;
-    float _e78 = view_ray_excess;
-    float _e79 = view_ray_r_mu;
-    float _e80 = view_ray_perigee_excess;
-    bool _e81 = view_ray_ground;
-    if ((_e77 <= 0.0)) {
+    aerial_ray(_e56, _e57, _e59, _e60, luts_ground_rows, f_altitude, f_medium_radius, f_medium_thickness, f_sky_view_mapping, f_sun, view_ray_length, view_ray_excess, view_ray_r_mu, view_ray_perigee_excess, view_ray_ground);
+    float _e66 = view_ray_length;
+    float _e67 = view_ray_excess;
+    float _e68 = view_ray_r_mu;
+    float _e69 = view_ray_perigee_excess;
+    bool _e70 = view_ray_ground;
+    if ((_e66 <= 0.0)) {
         _fs2p_location0 = vec4(1.0);
         return;
     }
@@ -594,60 +600,60 @@ void main() {
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            int _e129 = slice;
-            slice = (_e129 + 1);
+            int _e118 = slice;
+            slice = (_e118 + 1);
         }
         loop_init = false;
-        int _e88 = slice;
-        if ((_e88 < int(luts_slices_1))) {
+        int _e77 = slice;
+        if ((_e77 < int(luts_slices_1))) {
         } else {
             break;
         }
         {
-            int _e91 = slice;
-            ivec2 texel_1 = ivec2(((_e91 * _e60) + _e57), _e56);
-            vec3 _e96 = whole;
-            vec3 _e98 = passed;
-            vec3 _e99 = extinction(beam, _e98);
-            vec4 _e108 = texelFetch(_group_0_binding_1_fs, (texel_1 + ivec2(0, (_e55 * _e59))), 0);
-            whole = (_e96 + (exp(-(_e99)) * _e108.xyz));
-            vec3 _e112 = passed;
-            vec4 _e120 = texelFetch(_group_0_binding_1_fs, (texel_1 + ivec2(0, (AIR_PATH * _e59))), 0);
-            passed = (_e112 + _e120.xyz);
-            int _e123 = slice;
-            if ((_e123 == _e58)) {
-                vec3 _e125 = whole;
-                light = _e125;
-                vec3 _e127 = passed;
-                near = _e127;
+            int _e80 = slice;
+            ivec2 texel_1 = ivec2(((_e80 * _e60) + _e57), _e56);
+            vec3 _e85 = whole;
+            vec3 _e87 = passed;
+            vec3 _e88 = extinction(beam, _e87);
+            vec4 _e97 = texelFetch(_group_0_binding_1_fs, (texel_1 + ivec2(0, (_e55 * _e59))), 0);
+            whole = (_e85 + (exp(-(_e88)) * _e97.xyz));
+            vec3 _e101 = passed;
+            vec4 _e109 = texelFetch(_group_0_binding_1_fs, (texel_1 + ivec2(0, (AIR_PATH * _e59))), 0);
+            passed = (_e101 + _e109.xyz);
+            int _e112 = slice;
+            if ((_e112 == _e58)) {
+                vec3 _e114 = whole;
+                light = _e114;
+                vec3 _e116 = passed;
+                near = _e116;
             }
         }
     }
-    mat3x3 _e132 = taking_coefficients(f_medium_rayleigh, luts_mie_extinction_1);
-    vec3 _e133 = near;
-    vec3 _e134 = extinction(_e132, _e133);
-    vec3 _e135 = opacity(_e134);
-    vec3 _e136 = passed;
-    vec3 _e137 = extinction(_e132, _e136);
-    vec3 _e138 = opacity(_e137);
-    perigee_of(_e77, _e78, _e79, _e80, _e81, _e77, f_medium_radius, perigee_distance, perigee_excess, perigee_r_mu);
-    float _e142 = perigee_distance;
-    float _e143 = perigee_excess;
-    float _e144 = perigee_r_mu;
-    mat2x3 _e145 = layers_of(f_medium_rayleigh_inv_height, f_medium_mie_inv_height, f_medium_ozone_center, f_medium_ozone_inv_half_width, f_medium_datum);
-    float first_7 = -(_e142);
-    float last_5 = (_e77 - _e142);
-    vec3 _e148 = columns(_e145, _e143, _e144, first_7, last_5, f_medium_radius);
-    vec3 _e149 = rough_opacity(_e145, _e132, _e143, _e144, first_7, last_5, f_medium_radius);
-    vec3 _e150 = extinction(_e132, _e148);
-    vec3 _e151 = opacity(_e150);
-    vec3 rough = (_e149 / max(_e151, vec3(1e-37)));
-    vec3 _e156 = whole;
-    bvec3 there_1 = greaterThan((_e156 * _e135), vec3(1e-35));
-    vec3 _e161 = light;
-    vec3 _e162 = whole;
-    vec3 share = (_e161 / max(_e162, vec3(1e-37)));
-    _fs2p_location0 = vec4(mix(vec3(1.0), ((share * (_e138 / max(_e135, vec3(1e-37)))) * rough), there_1), 0.0);
+    mat3x3 _e121 = scatterer_coefficients(f_medium_rayleigh, luts_mie_extinction_1);
+    vec3 _e122 = near;
+    vec3 _e123 = extinction(_e121, _e122);
+    vec3 _e124 = opacity(_e123);
+    vec3 _e125 = passed;
+    vec3 _e126 = extinction(_e121, _e125);
+    vec3 _e127 = opacity(_e126);
+    perigee_of(_e66, _e67, _e68, _e69, _e70, _e66, f_medium_radius, perigee_distance, perigee_excess, perigee_r_mu);
+    float _e131 = perigee_distance;
+    float _e132 = perigee_excess;
+    float _e133 = perigee_r_mu;
+    mat2x3 _e134 = layers_of(f_medium_rayleigh_inv_height, f_medium_mie_inv_height, f_medium_ozone_center, f_medium_ozone_inv_half_width, f_medium_datum);
+    float first_8 = -(_e131);
+    float last_6 = (_e66 - _e131);
+    vec3 _e137 = columns(_e134, _e132, _e133, first_8, last_6, f_medium_radius);
+    vec3 _e138 = rough_opacity(_e134, _e121, _e132, _e133, first_8, last_6, f_medium_radius);
+    vec3 _e139 = extinction(_e121, _e137);
+    vec3 _e140 = opacity(_e139);
+    vec3 rough = (_e138 / max(_e140, vec3(1e-37)));
+    vec3 _e145 = whole;
+    bvec3 there_1 = greaterThan((_e145 * _e124), vec3(1e-35));
+    vec3 _e150 = light;
+    vec3 _e151 = whole;
+    vec3 share = (_e150 / max(_e151, vec3(1e-37)));
+    _fs2p_location0 = vec4(mix(vec3(1.0), ((share * (_e127 / max(_e124, vec3(1e-37)))) * rough), there_1), 0.0);
     return;
 }
 

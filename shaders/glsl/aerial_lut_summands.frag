@@ -801,6 +801,12 @@ void aerial_texel(vec2 position_2, uvec2 luts_size, uint luts_slices, int kinds,
     out_columns = columns;
 }
 
+void aerial_ray(int a_row_1, int a_column_1, int a_rows_1, int a_columns_1, float ground_rows_1, float h_8, float radius_13, float thickness_6, vec4 mapping_2, vec3 sun_5, inout vec3 out_dir_2, inout float out_ray_start_2, inout float out_ray_length_2, inout float out_ray_excess_2, inout float out_ray_r_mu_2, inout float out_ray_perigee_excess_2, inout float out_ray_sun_r_mu_2, inout float out_ray_nu_2, inout float out_ray_sin2_2, inout float out_ray_shadow_b_2, inout float out_ray_shadow_c_2, inout float out_ray_shadow_half2_2, inout bool out_ray_ground_2) {
+    float u_5 = (float(a_column_1) / float((a_columns_1 - 1)));
+    vec2 _e24 = row_to_v(a_row_1, a_rows_1, int(ground_rows_1));
+    sky_view_ray(u_5, _e24.x, (_e24.y > 0.5), h_8, radius_13, thickness_6, mapping_2, sun_5, out_dir_2, out_ray_start_2, out_ray_length_2, out_ray_excess_2, out_ray_r_mu_2, out_ray_perigee_excess_2, out_ray_sun_r_mu_2, out_ray_nu_2, out_ray_sin2_2, out_ray_shadow_b_2, out_ray_shadow_c_2, out_ray_shadow_half2_2, out_ray_ground_2);
+}
+
 float rayleigh_phase(float mu_3) {
     return (0.0596831 * (1.0 + (mu_3 * mu_3)));
 }
@@ -868,49 +874,47 @@ void main() {
     int _e75 = a_slice;
     int _e76 = a_rows;
     int _e77 = a_columns;
-    float u_5 = (float(_e74) / float((_e77 - 1)));
-    vec2 _e84 = row_to_v(_e73, _e76, int(luts_ground_rows));
-    sky_view_ray(u_5, _e84.x, (_e84.y > 0.5), f_altitude, f_medium_radius, f_medium_thickness, f_sky_view_mapping, f_sun, view_dir, view_ray_start, view_ray_length, view_ray_excess, view_ray_r_mu, view_ray_perigee_excess, view_ray_sun_r_mu, view_ray_nu, view_ray_sin2_, view_ray_shadow_b, view_ray_shadow_c, view_ray_shadow_half2_, view_ray_ground);
-    vec3 _e102 = view_dir;
-    float _e103 = view_ray_start;
-    float _e104 = view_ray_length;
-    float _e105 = view_ray_excess;
-    float _e106 = view_ray_r_mu;
-    float _e107 = view_ray_perigee_excess;
-    float _e108 = view_ray_sun_r_mu;
-    float _e109 = view_ray_nu;
-    float _e110 = view_ray_sin2_;
-    float _e111 = view_ray_shadow_b;
-    float _e112 = view_ray_shadow_c;
-    float _e113 = view_ray_shadow_half2_;
-    bool _e114 = view_ray_ground;
-    if ((_e104 <= 0.0)) {
+    aerial_ray(_e73, _e74, _e76, _e77, luts_ground_rows, f_altitude, f_medium_radius, f_medium_thickness, f_sky_view_mapping, f_sun, view_dir, view_ray_start, view_ray_length, view_ray_excess, view_ray_r_mu, view_ray_perigee_excess, view_ray_sun_r_mu, view_ray_nu, view_ray_sin2_, view_ray_shadow_b, view_ray_shadow_c, view_ray_shadow_half2_, view_ray_ground);
+    vec3 _e91 = view_dir;
+    float _e92 = view_ray_start;
+    float _e93 = view_ray_length;
+    float _e94 = view_ray_excess;
+    float _e95 = view_ray_r_mu;
+    float _e96 = view_ray_perigee_excess;
+    float _e97 = view_ray_sun_r_mu;
+    float _e98 = view_ray_nu;
+    float _e99 = view_ray_sin2_;
+    float _e100 = view_ray_shadow_b;
+    float _e101 = view_ray_shadow_c;
+    float _e102 = view_ray_shadow_half2_;
+    bool _e103 = view_ray_ground;
+    if ((_e93 <= 0.0)) {
         _fs2p_location0 = vec4(0.0);
         return;
     }
-    perigee_of(_e104, _e105, _e106, _e107, _e114, _e104, f_medium_radius, perigee_distance, perigee_excess, perigee_r_mu);
-    float _e122 = perigee_distance;
-    float _e123 = perigee_excess;
-    float _e124 = perigee_r_mu;
-    float _e126 = distance_to_u(_e122, 0.0);
-    float _e127 = distance_to_u(_e122, _e104);
-    float du_1 = ((_e127 - _e126) / float((luts_slices_1 - 1u)));
+    perigee_of(_e93, _e94, _e95, _e96, _e103, _e93, f_medium_radius, perigee_distance, perigee_excess, perigee_r_mu);
+    float _e111 = perigee_distance;
+    float _e112 = perigee_excess;
+    float _e113 = perigee_r_mu;
+    float _e115 = distance_to_u(_e111, 0.0);
+    float _e116 = distance_to_u(_e111, _e93);
+    float du_1 = ((_e116 - _e115) / float((luts_slices_1 - 1u)));
     vec2 ends = vec2(ivec2((_e75 - 1), _e75));
     vec2 span = ((_e75 == 0) ? vec2(0.0, 0.01) : ends);
     float begin_1 = ((_e75 == 1) ? FIRST_SLICE : span.x);
     if ((_e72 == AIR_SMOOTH)) {
-        float _e150 = rayleigh_phase(_e109);
-        gas = (f_medium_rayleigh * _e150);
+        float _e139 = rayleigh_phase(_e98);
+        gas = (f_medium_rayleigh * _e139);
     } else {
         aerosol = f_medium_mie_scattering;
     }
     float multiple_1 = ((_e72 == AIR_SMOOTH) ? 1.0 : 0.0);
-    vec3 _e164 = gas;
-    vec3 _e165 = aerosol;
-    gather(_group_0_binding_1_fs, _group_0_binding_2_fs, f_medium_rayleigh, f_medium_rayleigh_inv_height, f_medium_mie_scattering, f_medium_mie_inv_height, f_medium_ozone_center, f_medium_ozone_inv_half_width, f_medium_ozone, f_medium_radius, f_medium_thickness, f_medium_datum, luts_mie_extinction_1, luts_altitude_steepness_1, luts_mie_moment0_1, luts_altitude_growth_1, luts_mie_moment1_1, luts_sun_middle_2, luts_mie_moment2_1, luts_sun_width_2, luts_sun_first_2, luts_sun_span_2, _e103, _e108, _e109, _e110, _e111, _e112, _e113, _e102, _e122, _e123, _e124, (_e126 + (du_1 * begin_1)), (_e126 + (du_1 * span.y)), luts_steps, _e164, _e165, multiple_1, g_radiance, g_transmittance, g_optical_path);
-    vec3 _e171 = g_radiance;
-    vec3 _e172 = g_optical_path;
-    _fs2p_location0 = vec4(((_e72 == AIR_PATH) ? _e172 : max(_e171, vec3(0.0))), 0.0);
+    vec3 _e153 = gas;
+    vec3 _e154 = aerosol;
+    gather(_group_0_binding_1_fs, _group_0_binding_2_fs, f_medium_rayleigh, f_medium_rayleigh_inv_height, f_medium_mie_scattering, f_medium_mie_inv_height, f_medium_ozone_center, f_medium_ozone_inv_half_width, f_medium_ozone, f_medium_radius, f_medium_thickness, f_medium_datum, luts_mie_extinction_1, luts_altitude_steepness_1, luts_mie_moment0_1, luts_altitude_growth_1, luts_mie_moment1_1, luts_sun_middle_2, luts_mie_moment2_1, luts_sun_width_2, luts_sun_first_2, luts_sun_span_2, _e92, _e97, _e98, _e99, _e100, _e101, _e102, _e91, _e111, _e112, _e113, (_e115 + (du_1 * begin_1)), (_e115 + (du_1 * span.y)), luts_steps, _e153, _e154, multiple_1, g_radiance, g_transmittance, g_optical_path);
+    vec3 _e160 = g_radiance;
+    vec3 _e161 = g_optical_path;
+    _fs2p_location0 = vec4(((_e72 == AIR_PATH) ? _e161 : max(_e160, vec3(0.0))), 0.0);
     return;
 }
 

@@ -135,17 +135,17 @@ float half_chord2_(float r_mu_2, float above, float depth_1, float p) {
 void line_past(vec3 dir, float h_1, float radius_3, inout float out_r_mu, inout float out_perigee, inout float out_perigee_excess, inout bool out_ground) {
     bool local_2 = false;
     float r = (radius_3 + h_1);
-    float r_mu_11 = (r * dir.z);
+    float r_mu_12 = (r * dir.z);
     float p_4 = (r * sqrt(dot(dir.xy, dir.xy)));
     float _e15 = excess_of(h_1, radius_3);
-    float _e17 = half_chord2_(r_mu_11, _e15, (radius_3 - p_4), p_4);
-    if ((r_mu_11 < 0.0)) {
+    float _e17 = half_chord2_(r_mu_12, _e15, (radius_3 - p_4), p_4);
+    if ((r_mu_12 < 0.0)) {
         local_2 = (_e17 >= 0.0);
     } else {
         local_2 = false;
     }
     bool _e26 = local_2;
-    out_r_mu = r_mu_11;
+    out_r_mu = r_mu_12;
     out_perigee = p_4;
     out_perigee_excess = -(_e17);
     out_ground = _e26;
@@ -154,8 +154,8 @@ void line_past(vec3 dir, float h_1, float radius_3, inout float out_r_mu, inout 
 float top_half_chord2_(float line_r_mu_1, float line_perigee_excess_1, float h_2, float radius_4, float thickness) {
     float r_mu2_ = (line_r_mu_1 * line_r_mu_1);
     float _e5 = excess_of(thickness, radius_4);
-    float above_1 = ((h_2 - thickness) * (((2.0 * radius_4) + thickness) + h_2));
-    return ((r_mu2_ < _e5) ? (r_mu2_ - above_1) : (_e5 - line_perigee_excess_1));
+    float above_2 = ((h_2 - thickness) * (((2.0 * radius_4) + thickness) + h_2));
+    return ((r_mu2_ < _e5) ? (r_mu2_ - above_2) : (_e5 - line_perigee_excess_1));
 }
 
 float distance_to_ground(float excess_3, float r_mu_3, float root) {
@@ -260,67 +260,72 @@ float distance_at_height(float excess_6, float r_mu_6, float h_4, float radius_8
     return sqrt(max(((_e2 - excess_6) + (r_mu_6 * r_mu_6)), 0.0));
 }
 
-float exponential_column(float excess_7, float r_mu_7, float first, float last, float radius_9, float fall, float datum) {
+vec2 dense_part(float excess_7, float r_mu_7, float first, float last, float radius_9, float above_1, float datum) {
     float _e2 = altitude_of(excess_7, radius_9);
-    float highest = (max(_e2, datum) + (COLUMN_HEIGHTS / fall));
-    float _e10 = distance_at_height(excess_7, r_mu_7, highest, radius_9);
-    float begin = max(first, (-(_e10) - r_mu_7));
-    float half_1 = (0.5 * max((min(last, (_e10 - r_mu_7)) - begin), 0.0));
-    vec4 t_2 = (half_1 * COLUMN_NODES);
-    vec4 _e28 = heights_after(excess_7, r_mu_7, (vec4((begin + half_1)) - t_2), radius_9);
-    vec4 above_2 = max((_e28 - vec4(datum)), vec4(0.0));
-    vec4 _e37 = heights_after(excess_7, r_mu_7, (vec4((begin + half_1)) + t_2), radius_9);
-    vec4 beyond = max((_e37 - vec4(datum)), vec4(0.0));
-    return (half_1 * dot(COLUMN_WEIGHTS, (exp((-(above_2) * fall)) + exp((-(beyond) * fall)))));
+    float _e8 = distance_at_height(excess_7, r_mu_7, (max(_e2, datum) + above_1), radius_9);
+    float begin = max(first, (-(_e8) - r_mu_7));
+    float half_1 = (0.5 * max((min(last, (_e8 - r_mu_7)) - begin), 0.0));
+    return vec2((begin + half_1), half_1);
 }
 
-float slope_column(float excess_8, float r_mu_8, float first_1, float last_1, float radius_10, float fall_1, float tip, float datum_1) {
-    float span = max((last_1 - first_1), 0.0);
-    vec3 t_3 = (vec3(first_1) + (span * TENT_NODES));
-    float _e13 = altitude_after(excess_8, r_mu_8, t_3.x, radius_10);
-    float _e15 = altitude_after(excess_8, r_mu_8, t_3.y, radius_10);
-    float _e17 = altitude_after(excess_8, r_mu_8, t_3.z, radius_10);
+float exponential_column(float excess_8, float r_mu_8, float first_1, float last_1, float radius_10, float fall, float datum_1) {
+    vec2 _e9 = dense_part(excess_8, r_mu_8, first_1, last_1, radius_10, (COLUMN_HEIGHTS / fall), datum_1);
+    float half_2 = _e9.y;
+    vec4 t_2 = (half_2 * COLUMN_NODES);
+    vec4 _e16 = heights_after(excess_8, r_mu_8, (vec4(_e9.x) - t_2), radius_10);
+    vec4 above_3 = max((_e16 - vec4(datum_1)), vec4(0.0));
+    vec4 _e25 = heights_after(excess_8, r_mu_8, (vec4(_e9.x) + t_2), radius_10);
+    vec4 beyond = max((_e25 - vec4(datum_1)), vec4(0.0));
+    return (half_2 * dot(COLUMN_WEIGHTS, (exp((-(above_3) * fall)) + exp((-(beyond) * fall)))));
+}
+
+float slope_column(float excess_9, float r_mu_9, float first_2, float last_2, float radius_11, float fall_1, float tip, float datum_2) {
+    float span = max((last_2 - first_2), 0.0);
+    vec3 t_3 = (vec3(first_2) + (span * TENT_NODES));
+    float _e13 = altitude_after(excess_9, r_mu_9, t_3.x, radius_11);
+    float _e15 = altitude_after(excess_9, r_mu_9, t_3.y, radius_11);
+    float _e17 = altitude_after(excess_9, r_mu_9, t_3.z, radius_11);
     vec3 h_7 = vec3(_e13, _e15, _e17);
-    vec3 z = max((h_7 - vec3(datum_1)), vec3(0.0));
+    vec3 z = max((h_7 - vec3(datum_2)), vec3(0.0));
     return (span * dot(TENT_WEIGHTS, max((vec3(1.0) - (abs((z - vec3(tip))) * fall_1)), vec3(0.0))));
 }
 
-float tent_column(float excess_9, float r_mu_9, float length_1, float radius_11, float fall_2, float tip_1, float datum_2) {
+float tent_column(float excess_10, float r_mu_10, float length_1, float radius_12, float fall_2, float tip_1, float datum_3) {
     float width = (1.0 / fall_2);
-    float low = ((datum_2 + tip_1) - width);
-    float _e10 = distance_at_height(excess_9, r_mu_9, low, radius_11);
-    float first_4 = ((tip_1 <= width) ? 0.0 : (_e10 - r_mu_9));
-    if ((first_4 >= length_1)) {
+    float low = ((datum_3 + tip_1) - width);
+    float _e10 = distance_at_height(excess_10, r_mu_10, low, radius_12);
+    float first_5 = ((tip_1 <= width) ? 0.0 : (_e10 - r_mu_10));
+    if ((first_5 >= length_1)) {
         return 0.0;
     }
-    float _e19 = distance_at_height(excess_9, r_mu_9, (datum_2 + tip_1), radius_11);
-    float _e23 = distance_at_height(excess_9, r_mu_9, ((datum_2 + tip_1) + width), radius_11);
-    vec3 edges_1 = clamp(vec3(first_4, (_e19 - r_mu_9), (_e23 - r_mu_9)), vec3(0.0), vec3(length_1));
-    float _e32 = slope_column(excess_9, r_mu_9, edges_1.x, edges_1.y, radius_11, fall_2, tip_1, datum_2);
-    float _e35 = slope_column(excess_9, r_mu_9, edges_1.y, edges_1.z, radius_11, fall_2, tip_1, datum_2);
+    float _e19 = distance_at_height(excess_10, r_mu_10, (datum_3 + tip_1), radius_12);
+    float _e23 = distance_at_height(excess_10, r_mu_10, ((datum_3 + tip_1) + width), radius_12);
+    vec3 edges_1 = clamp(vec3(first_5, (_e19 - r_mu_10), (_e23 - r_mu_10)), vec3(0.0), vec3(length_1));
+    float _e32 = slope_column(excess_10, r_mu_10, edges_1.x, edges_1.y, radius_12, fall_2, tip_1, datum_3);
+    float _e35 = slope_column(excess_10, r_mu_10, edges_1.y, edges_1.z, radius_12, fall_2, tip_1, datum_3);
     return (_e32 + _e35);
 }
 
-vec3 columns(mat2x3 layers, float excess_10, float r_mu_10, float first_2, float last_2, float radius_12) {
+vec3 columns(mat2x3 layers, float excess_11, float r_mu_11, float first_3, float last_3, float radius_13) {
     vec3 sum_1 = vec3(0.0);
     vec3 fall_4 = layers[0];
-    float datum_3 = layers[1].x;
+    float datum_4 = layers[1].x;
     if (RAYLEIGH) {
-        float _e15 = exponential_column(excess_10, r_mu_10, first_2, last_2, radius_12, fall_4.x, datum_3);
+        float _e15 = exponential_column(excess_11, r_mu_11, first_3, last_3, radius_13, fall_4.x, datum_4);
         sum_1.x = _e15;
     }
     if (MIE) {
-        float _e19 = exponential_column(excess_10, r_mu_10, first_2, last_2, radius_12, fall_4.y, datum_3);
+        float _e19 = exponential_column(excess_11, r_mu_11, first_3, last_3, radius_13, fall_4.y, datum_4);
         sum_1.y = _e19;
     }
     if (OZONE) {
         float tip_2 = layers[1].y;
-        float _e28 = tent_column(excess_10, abs(r_mu_10), max(-(first_2), last_2), radius_12, fall_4.z, tip_2, datum_3);
+        float _e28 = tent_column(excess_11, abs(r_mu_11), max(-(first_3), last_3), radius_13, fall_4.z, tip_2, datum_4);
         sum_1.z = _e28;
-        float other = min(-(first_2), last_2);
+        float other = min(-(first_3), last_3);
         if ((other > 0.0)) {
             float _e34 = sum_1.z;
-            float _e37 = tent_column(excess_10, 0.0, other, radius_12, fall_4.z, tip_2, datum_3);
+            float _e37 = tent_column(excess_11, 0.0, other, radius_13, fall_4.z, tip_2, datum_4);
             sum_1.z = (_e34 + _e37);
         }
     }
@@ -328,7 +333,7 @@ vec3 columns(mat2x3 layers, float excess_10, float r_mu_10, float first_2, float
     return _e39;
 }
 
-vec3 path_columns(mat2x3 layers_1, float line_perigee_excess_3, bool line_ground_2, float path_excess_1, float path_r_mu_1, float length_2, bool whole, float radius_13) {
+vec3 path_columns(mat2x3 layers_1, float line_perigee_excess_3, bool line_ground_2, float path_excess_1, float path_r_mu_1, float length_2, bool whole, float radius_14) {
     bool local_4 = false;
     float lowest_distance = 0.0;
     float lowest_excess = 0.0;
@@ -339,11 +344,11 @@ vec3 path_columns(mat2x3 layers_1, float line_perigee_excess_3, bool line_ground
         local_4 = false;
     }
     bool _e8 = local_4;
-    lowest_point(path_excess_1, path_r_mu_1, line_perigee_excess_3, _e8, length_2, radius_13, lowest_distance, lowest_excess, lowest_r_mu);
+    lowest_point(path_excess_1, path_r_mu_1, line_perigee_excess_3, _e8, length_2, radius_14, lowest_distance, lowest_excess, lowest_r_mu);
     float _e14 = lowest_distance;
     float _e15 = lowest_excess;
     float _e16 = lowest_r_mu;
-    vec3 _e20 = columns(layers_1, _e15, _e16, -(_e14), (length_2 - _e14), radius_13);
+    vec3 _e20 = columns(layers_1, _e15, _e16, -(_e14), (length_2 - _e14), radius_14);
     return _e20;
 }
 
@@ -358,9 +363,9 @@ float layer_part(float a, float b, float h_5, float p_2, float middle, float rat
     return ((b - a) * dot(WEIGHTS, (way * tent)));
 }
 
-float layer_column(float first_3, float last_3, float h_6, float p_3, vec3 edges) {
+float layer_column(float first_4, float last_4, float h_6, float p_3, vec3 edges) {
     float rate_1 = (1.0 / (edges.z - edges.y));
-    vec3 v_2 = clamp(sqrt(max((edges - vec3(h_6)), vec3(0.0))), vec3(first_3), vec3(max(last_3, first_3)));
+    vec3 v_2 = clamp(sqrt(max((edges - vec3(h_6)), vec3(0.0))), vec3(first_4), vec3(max(last_4, first_4)));
     float _e23 = layer_part(v_2.x, v_2.y, h_6, p_3, edges.y, rate_1);
     float _e27 = layer_part(v_2.y, v_2.z, h_6, p_3, edges.y, rate_1);
     return (_e23 + _e27);

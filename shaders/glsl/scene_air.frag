@@ -222,17 +222,17 @@ float half_chord2_(float r_mu_4, float above, float depth, float p) {
 void line_past(vec3 dir, float h_2, float radius_5, inout float out_r_mu_1, inout float out_perigee_1, inout float out_perigee_excess_1, inout bool out_ground_1) {
     bool local_2 = false;
     float r = (radius_5 + h_2);
-    float r_mu_14 = (r * dir.z);
+    float r_mu_15 = (r * dir.z);
     float p_1 = (r * sqrt(dot(dir.xy, dir.xy)));
     float _e15 = excess_of(h_2, radius_5);
-    float _e17 = half_chord2_(r_mu_14, _e15, (radius_5 - p_1), p_1);
-    if ((r_mu_14 < 0.0)) {
+    float _e17 = half_chord2_(r_mu_15, _e15, (radius_5 - p_1), p_1);
+    if ((r_mu_15 < 0.0)) {
         local_2 = (_e17 >= 0.0);
     } else {
         local_2 = false;
     }
     bool _e26 = local_2;
-    out_r_mu_1 = r_mu_14;
+    out_r_mu_1 = r_mu_15;
     out_perigee_1 = p_1;
     out_perigee_excess_1 = -(_e17);
     out_ground_1 = _e26;
@@ -241,8 +241,8 @@ void line_past(vec3 dir, float h_2, float radius_5, inout float out_r_mu_1, inou
 float top_half_chord2_(float line_r_mu_1, float line_perigee_excess_1, float h_3, float radius_6, float thickness_1) {
     float r_mu2_ = (line_r_mu_1 * line_r_mu_1);
     float _e5 = excess_of(thickness_1, radius_6);
-    float above_1 = ((h_3 - thickness_1) * (((2.0 * radius_6) + thickness_1) + h_3));
-    return ((r_mu2_ < _e5) ? (r_mu2_ - above_1) : (_e5 - line_perigee_excess_1));
+    float above_2 = ((h_3 - thickness_1) * (((2.0 * radius_6) + thickness_1) + h_3));
+    return ((r_mu2_ < _e5) ? (r_mu2_ - above_2) : (_e5 - line_perigee_excess_1));
 }
 
 void air_path(float line_r_mu_2, float line_perigee_excess_2, bool line_ground_1, float h_4, float radius_7, float thickness_2, inout float out_start, inout float out_length, inout float out_excess, inout float out_r_mu_2) {
@@ -259,7 +259,7 @@ void air_path(float line_r_mu_2, float line_perigee_excess_2, bool line_ground_1
         out_r_mu_2 = line_r_mu_2;
         return;
     }
-    float above_2 = ((h_4 - thickness_2) * (((2.0 * radius_7) + thickness_2) + h_4));
+    float above_3 = ((h_4 - thickness_2) * (((2.0 * radius_7) + thickness_2) + h_4));
     float _e27 = top_half_chord2_(line_r_mu_2, line_perigee_excess_2, h_4, radius_7, thickness_2);
     if (!((line_r_mu_2 >= 0.0))) {
         local_3 = (_e27 <= 0.0);
@@ -277,7 +277,7 @@ void air_path(float line_r_mu_2, float line_perigee_excess_2, bool line_ground_1
     float half_1 = sqrt(_e27);
     float _e45 = distance_to_ground(_e6, -(half_1), ground_root);
     float reach_2 = (line_ground_1 ? _e45 : (2.0 * half_1));
-    out_start = (above_2 / (half_1 - line_r_mu_2));
+    out_start = (above_3 / (half_1 - line_r_mu_2));
     out_length = reach_2;
     out_excess = _e6;
     out_r_mu_2 = -(half_1);
@@ -397,7 +397,7 @@ vec3 opacity(vec3 tau_1) {
     return (tau_1 * _e1);
 }
 
-mat3x3 taking_coefficients(vec3 m_rayleigh_1, vec3 luts_mie_extinction) {
+mat3x3 scatterer_coefficients(vec3 m_rayleigh_1, vec3 luts_mie_extinction) {
     return mat3x3(m_rayleigh_1, luts_mie_extinction, vec3(0.0));
 }
 
@@ -417,13 +417,13 @@ void aerial_point(highp sampler2D lut, uint luts_slices, float luts_aerial_groun
 }
 
 vec3 aerial_brightness(highp sampler2D lut_1, vec2 p_texel, vec2 p_size, float p_slices, float p_slice, int kind) {
-    float first_5 = min(floor(p_slice), (p_slices - 2.0));
+    float first_6 = min(floor(p_slice), (p_slices - 2.0));
     vec2 scale = (vec2(1.0) / vec2((p_size.x * p_slices), (p_size.y * 2.0)));
-    vec2 near = (((p_texel + (p_size * vec2(first_5, float(kind)))) + vec2(0.5)) * scale);
+    vec2 near = (((p_texel + (p_size * vec2(first_6, float(kind)))) + vec2(0.5)) * scale);
     vec2 far_1 = (near + vec2((p_size.x * scale.x), 0.0));
     vec4 _e35 = textureLod(lut_1, vec2(near), 0.0);
     vec4 _e38 = textureLod(lut_1, vec2(far_1), 0.0);
-    return mix(_e35.xyz, _e38.xyz, (p_slice - first_5));
+    return mix(_e35.xyz, _e38.xyz, (p_slice - first_6));
 }
 
 vec4 heights_after(float excess_5, float r_mu_6, vec4 t_2, float radius_10) {
@@ -436,67 +436,72 @@ float distance_at_height(float excess_6, float r_mu_7, float h_6, float radius_1
     return sqrt(max(((_e2 - excess_6) + (r_mu_7 * r_mu_7)), 0.0));
 }
 
-float exponential_column(float excess_7, float r_mu_8, float first, float last, float radius_12, float fall, float datum) {
+vec2 dense_part(float excess_7, float r_mu_8, float first, float last, float radius_12, float above_1, float datum) {
     float _e2 = altitude_of(excess_7, radius_12);
-    float highest = (max(_e2, datum) + (COLUMN_HEIGHTS / fall));
-    float _e10 = distance_at_height(excess_7, r_mu_8, highest, radius_12);
-    float begin = max(first, (-(_e10) - r_mu_8));
-    float half_2 = (0.5 * max((min(last, (_e10 - r_mu_8)) - begin), 0.0));
-    vec4 t_3 = (half_2 * COLUMN_NODES);
-    vec4 _e28 = heights_after(excess_7, r_mu_8, (vec4((begin + half_2)) - t_3), radius_12);
-    vec4 above_3 = max((_e28 - vec4(datum)), vec4(0.0));
-    vec4 _e37 = heights_after(excess_7, r_mu_8, (vec4((begin + half_2)) + t_3), radius_12);
-    vec4 beyond = max((_e37 - vec4(datum)), vec4(0.0));
-    return (half_2 * dot(COLUMN_WEIGHTS, (exp((-(above_3) * fall)) + exp((-(beyond) * fall)))));
+    float _e8 = distance_at_height(excess_7, r_mu_8, (max(_e2, datum) + above_1), radius_12);
+    float begin = max(first, (-(_e8) - r_mu_8));
+    float half_2 = (0.5 * max((min(last, (_e8 - r_mu_8)) - begin), 0.0));
+    return vec2((begin + half_2), half_2);
 }
 
-float slope_column(float excess_8, float r_mu_9, float first_1, float last_1, float radius_13, float fall_1, float tip, float datum_1) {
-    float span = max((last_1 - first_1), 0.0);
-    vec3 t_4 = (vec3(first_1) + (span * TENT_NODES));
-    float _e13 = altitude_after(excess_8, r_mu_9, t_4.x, radius_13);
-    float _e15 = altitude_after(excess_8, r_mu_9, t_4.y, radius_13);
-    float _e17 = altitude_after(excess_8, r_mu_9, t_4.z, radius_13);
+float exponential_column(float excess_8, float r_mu_9, float first_1, float last_1, float radius_13, float fall, float datum_1) {
+    vec2 _e9 = dense_part(excess_8, r_mu_9, first_1, last_1, radius_13, (COLUMN_HEIGHTS / fall), datum_1);
+    float half_3 = _e9.y;
+    vec4 t_3 = (half_3 * COLUMN_NODES);
+    vec4 _e16 = heights_after(excess_8, r_mu_9, (vec4(_e9.x) - t_3), radius_13);
+    vec4 above_4 = max((_e16 - vec4(datum_1)), vec4(0.0));
+    vec4 _e25 = heights_after(excess_8, r_mu_9, (vec4(_e9.x) + t_3), radius_13);
+    vec4 beyond = max((_e25 - vec4(datum_1)), vec4(0.0));
+    return (half_3 * dot(COLUMN_WEIGHTS, (exp((-(above_4) * fall)) + exp((-(beyond) * fall)))));
+}
+
+float slope_column(float excess_9, float r_mu_10, float first_2, float last_2, float radius_14, float fall_1, float tip, float datum_2) {
+    float span = max((last_2 - first_2), 0.0);
+    vec3 t_4 = (vec3(first_2) + (span * TENT_NODES));
+    float _e13 = altitude_after(excess_9, r_mu_10, t_4.x, radius_14);
+    float _e15 = altitude_after(excess_9, r_mu_10, t_4.y, radius_14);
+    float _e17 = altitude_after(excess_9, r_mu_10, t_4.z, radius_14);
     vec3 h_7 = vec3(_e13, _e15, _e17);
-    vec3 z_2 = max((h_7 - vec3(datum_1)), vec3(0.0));
+    vec3 z_2 = max((h_7 - vec3(datum_2)), vec3(0.0));
     return (span * dot(TENT_WEIGHTS, max((vec3(1.0) - (abs((z_2 - vec3(tip))) * fall_1)), vec3(0.0))));
 }
 
-float tent_column(float excess_9, float r_mu_10, float length_2, float radius_14, float fall_2, float tip_1, float datum_2) {
+float tent_column(float excess_10, float r_mu_11, float length_2, float radius_15, float fall_2, float tip_1, float datum_3) {
     float width = (1.0 / fall_2);
-    float low = ((datum_2 + tip_1) - width);
-    float _e10 = distance_at_height(excess_9, r_mu_10, low, radius_14);
-    float first_6 = ((tip_1 <= width) ? 0.0 : (_e10 - r_mu_10));
-    if ((first_6 >= length_2)) {
+    float low = ((datum_3 + tip_1) - width);
+    float _e10 = distance_at_height(excess_10, r_mu_11, low, radius_15);
+    float first_7 = ((tip_1 <= width) ? 0.0 : (_e10 - r_mu_11));
+    if ((first_7 >= length_2)) {
         return 0.0;
     }
-    float _e19 = distance_at_height(excess_9, r_mu_10, (datum_2 + tip_1), radius_14);
-    float _e23 = distance_at_height(excess_9, r_mu_10, ((datum_2 + tip_1) + width), radius_14);
-    vec3 edges = clamp(vec3(first_6, (_e19 - r_mu_10), (_e23 - r_mu_10)), vec3(0.0), vec3(length_2));
-    float _e32 = slope_column(excess_9, r_mu_10, edges.x, edges.y, radius_14, fall_2, tip_1, datum_2);
-    float _e35 = slope_column(excess_9, r_mu_10, edges.y, edges.z, radius_14, fall_2, tip_1, datum_2);
+    float _e19 = distance_at_height(excess_10, r_mu_11, (datum_3 + tip_1), radius_15);
+    float _e23 = distance_at_height(excess_10, r_mu_11, ((datum_3 + tip_1) + width), radius_15);
+    vec3 edges = clamp(vec3(first_7, (_e19 - r_mu_11), (_e23 - r_mu_11)), vec3(0.0), vec3(length_2));
+    float _e32 = slope_column(excess_10, r_mu_11, edges.x, edges.y, radius_15, fall_2, tip_1, datum_3);
+    float _e35 = slope_column(excess_10, r_mu_11, edges.y, edges.z, radius_15, fall_2, tip_1, datum_3);
     return (_e32 + _e35);
 }
 
-vec3 columns(mat2x3 layers, float excess_10, float r_mu_11, float first_2, float last_2, float radius_15) {
+vec3 columns(mat2x3 layers, float excess_11, float r_mu_12, float first_3, float last_3, float radius_16) {
     vec3 sum_1 = vec3(0.0);
     vec3 fall_5 = layers[0];
-    float datum_4 = layers[1].x;
+    float datum_5 = layers[1].x;
     if (RAYLEIGH) {
-        float _e15 = exponential_column(excess_10, r_mu_11, first_2, last_2, radius_15, fall_5.x, datum_4);
+        float _e15 = exponential_column(excess_11, r_mu_12, first_3, last_3, radius_16, fall_5.x, datum_5);
         sum_1.x = _e15;
     }
     if (MIE) {
-        float _e19 = exponential_column(excess_10, r_mu_11, first_2, last_2, radius_15, fall_5.y, datum_4);
+        float _e19 = exponential_column(excess_11, r_mu_12, first_3, last_3, radius_16, fall_5.y, datum_5);
         sum_1.y = _e19;
     }
     if (OZONE) {
         float tip_2 = layers[1].y;
-        float _e28 = tent_column(excess_10, abs(r_mu_11), max(-(first_2), last_2), radius_15, fall_5.z, tip_2, datum_4);
+        float _e28 = tent_column(excess_11, abs(r_mu_12), max(-(first_3), last_3), radius_16, fall_5.z, tip_2, datum_5);
         sum_1.z = _e28;
-        float other = min(-(first_2), last_2);
+        float other = min(-(first_3), last_3);
         if ((other > 0.0)) {
             float _e34 = sum_1.z;
-            float _e37 = tent_column(excess_10, 0.0, other, radius_15, fall_5.z, tip_2, datum_4);
+            float _e37 = tent_column(excess_11, 0.0, other, radius_16, fall_5.z, tip_2, datum_5);
             sum_1.z = (_e34 + _e37);
         }
     }
@@ -504,35 +509,7 @@ vec3 columns(mat2x3 layers, float excess_10, float r_mu_11, float first_2, float
     return _e39;
 }
 
-float rough_column(float excess_11, float r_mu_12, float first_3, float last_3, float radius_16, float fall_3, float datum_3) {
-    float _e2 = altitude_of(excess_11, radius_16);
-    float highest_1 = (max(_e2, datum_3) + (ROUGH_HEIGHTS / fall_3));
-    float _e10 = distance_at_height(excess_11, r_mu_12, highest_1, radius_16);
-    float begin_1 = max(first_3, (-(_e10) - r_mu_12));
-    float half_3 = (0.5 * max((min(last_3, (_e10 - r_mu_12)) - begin_1), 0.0));
-    vec2 t_5 = (half_3 * ROUGH_NODES);
-    vec4 _e30 = heights_after(excess_11, r_mu_12, (vec4((begin_1 + half_3)) + vec4(-(t_5), t_5)), radius_16);
-    vec4 density = exp((-(max((_e30 - vec4(datum_3)), vec4(0.0))) * fall_3));
-    return (half_3 * dot(ROUGH_WEIGHTS, (density.xy + density.zw)));
-}
-
-vec3 rough_opacity(mat2x3 layers_1, mat3x3 coefficients_1, float excess_12, float r_mu_13, float first_4, float last_4, float radius_17) {
-    vec3 sum_2 = vec3(0.0);
-    if (RAYLEIGH) {
-        float _e15 = rough_column(excess_12, r_mu_13, first_4, last_4, radius_17, layers_1[0].x, layers_1[1].x);
-        sum_2.x = _e15;
-    }
-    if (MIE) {
-        float _e22 = rough_column(excess_12, r_mu_13, first_4, last_4, radius_17, layers_1[0].y, layers_1[1].x);
-        sum_2.y = _e22;
-    }
-    vec3 _e23 = sum_2;
-    vec3 _e25 = extinction(coefficients_1, _e23);
-    vec3 _e26 = opacity(_e25);
-    return _e26;
-}
-
-vec3 path_columns(mat2x3 layers_2, float line_perigee_excess_4, bool line_ground_3, float path_excess, float path_r_mu_1, float length_3, bool whole, float radius_18) {
+vec3 path_columns(mat2x3 layers_1, float line_perigee_excess_4, bool line_ground_3, float path_excess, float path_r_mu_1, float length_3, bool whole, float radius_17) {
     bool local_4 = false;
     float lowest_distance = 0.0;
     float lowest_excess = 0.0;
@@ -543,12 +520,37 @@ vec3 path_columns(mat2x3 layers_2, float line_perigee_excess_4, bool line_ground
         local_4 = false;
     }
     bool _e8 = local_4;
-    lowest_point(path_excess, path_r_mu_1, line_perigee_excess_4, _e8, length_3, radius_18, lowest_distance, lowest_excess, lowest_r_mu);
+    lowest_point(path_excess, path_r_mu_1, line_perigee_excess_4, _e8, length_3, radius_17, lowest_distance, lowest_excess, lowest_r_mu);
     float _e14 = lowest_distance;
     float _e15 = lowest_excess;
     float _e16 = lowest_r_mu;
-    vec3 _e20 = columns(layers_2, _e15, _e16, -(_e14), (length_3 - _e14), radius_18);
+    vec3 _e20 = columns(layers_1, _e15, _e16, -(_e14), (length_3 - _e14), radius_17);
     return _e20;
+}
+
+float rough_column(float excess_12, float r_mu_13, float first_4, float last_4, float radius_18, float fall_3, float datum_4) {
+    vec2 _e9 = dense_part(excess_12, r_mu_13, first_4, last_4, radius_18, (ROUGH_HEIGHTS / fall_3), datum_4);
+    float half_4 = _e9.y;
+    vec2 t_5 = (half_4 * ROUGH_NODES);
+    vec4 _e18 = heights_after(excess_12, r_mu_13, (vec4(_e9.x) + vec4(-(t_5), t_5)), radius_18);
+    vec4 density = exp((-(max((_e18 - vec4(datum_4)), vec4(0.0))) * fall_3));
+    return (half_4 * dot(ROUGH_WEIGHTS, (density.xy + density.zw)));
+}
+
+vec3 rough_opacity(mat2x3 layers_2, mat3x3 coefficients_1, float excess_13, float r_mu_14, float first_5, float last_5, float radius_19) {
+    vec3 sum_2 = vec3(0.0);
+    if (RAYLEIGH) {
+        float _e15 = rough_column(excess_13, r_mu_14, first_5, last_5, radius_19, layers_2[0].x, layers_2[1].x);
+        sum_2.x = _e15;
+    }
+    if (MIE) {
+        float _e22 = rough_column(excess_13, r_mu_14, first_5, last_5, radius_19, layers_2[0].y, layers_2[1].x);
+        sum_2.y = _e22;
+    }
+    vec3 _e23 = sum_2;
+    vec3 _e25 = extinction(coefficients_1, _e23);
+    vec3 _e26 = opacity(_e25);
+    return _e26;
 }
 
 void air_before(highp sampler2D aerial_lut, vec3 m_rayleigh_2, float m_rayleigh_inv_height_1, float m_mie_inv_height_1, vec3 m_mie_extinction_1, float m_ozone_center_1, float m_ozone_inv_half_width_1, vec3 m_ozone_1, float m_radius, float m_datum_1, vec3 luts_mie_extinction_1, uint luts_slices_1, float luts_aerial_ground_rows_1, float line_perigee_excess_5, bool line_ground_4, float path_length_1, float path_excess_1, float path_r_mu_2, float u_2, float v_2, float distance_4, vec3 smooth_light, vec3 mie_light, inout vec3 out_transmittance, inout vec3 out_inscatter) {
@@ -567,7 +569,7 @@ void air_before(highp sampler2D aerial_lut, vec3 m_rayleigh_2, float m_rayleigh_
     light = smooth_light;
     mie = mie_light;
     if (!(to_end)) {
-        mat3x3 _e29 = taking_coefficients(m_rayleigh_2, luts_mie_extinction_1);
+        mat3x3 _e29 = scatterer_coefficients(m_rayleigh_2, luts_mie_extinction_1);
         lowest_point(path_excess_1, path_r_mu_2, line_perigee_excess_5, line_ground_4, path_length_1, m_radius, all_distance, all_excess, all_r_mu);
         float _e33 = all_distance;
         float _e34 = all_excess;

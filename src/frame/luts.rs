@@ -127,7 +127,7 @@ fn scattering_depths(p: &AtmosphereParams) -> [f64; 2] {
 /// at the horizon, though, and light that it turns is lost from there: a much smaller fraction is right in
 /// thin haze. Against the f64 reference the best power of g for Mars' dust is 5. For Earth's haze it is 10 by
 /// the sky (`thorough::accuracy`: of the light 0.23 % are wrong in the mean) and 40 by the air before near
-/// scenes (`thorough::near_air`: at most 1.9 % for 95 of 100 rays, where 10 has 3.7 %); 12 has 0.29 % and 2.8
+/// scenes (`thorough::near_air`: at most 1.9 % for 95 of 100 rays, where 10 has 3.7 %); 12 has 0.29 % and 2.9
 /// %.
 fn forward_fractions(p: &AtmosphereParams) -> [f64; 3] {
     let [_, depth] = scattering_depths(p);

@@ -255,10 +255,11 @@ impl AtmosphereParams {
     /// whole ray is also right within 0.1 % (or 1e-6 of the brightest channel) of the same sum in f64, for
     /// the ray and the air that 32-bit floats can tell from others (2^-22 relative, 1.5 m of the closest
     /// approach to a planet of Earth's size, the edge of its shadow included), where the planet's radius is 1
-    /// km to 70,000 km, the shell 1e-5 to 2 radii thick, the scale heights 1 m to 1000 km and the optical
-    /// depth, coefficients times scale heights, at most 10,000. A density or transmittance below 2^-126
-    /// (1.2e-38, the least normal 32-bit float) counts as 0, so light may be less by that times coefficient,
-    /// phase function and length: under 1e-24 of the sun's irradiance per steradian.
+    /// km to 70,000 km, the shell 1e-5 to 2 radii thick, the scale heights 1 m to 1000 km, the lowest ground
+    /// at most three of either deep, and the optical depth, coefficients times scale heights and that depth,
+    /// at most 10,000. A density or transmittance below 2^-126 (1.2e-38, the least normal 32-bit float)
+    /// counts as 0, so light may be less by that times coefficient, phase function and length: under 1e-24 of
+    /// the sun's irradiance per steradian.
     pub fn validate(&self) -> Result<()> {
         in_range("atmosphere.planet_radius", self.planet_radius, 1e2, 1e9, "m")?;
         let r = self.planet_radius;

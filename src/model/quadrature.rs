@@ -233,4 +233,28 @@ mod tests {
             assert!((got / exact - 1.0).abs() < 1e-8, "{c}: {got} {exact}");
         }
     }
+    /// What `lib/columns.wgsl` does in a pixel: a Gaussian along a line (distances in roots of a scale
+    /// height, which is then 1), from places before, at and behind its middle, over so many scale heights
+    /// from the lowest point on; and an exponential, as along a vertical line. The largest error, in parts.
+    #[test]
+    fn few_nodes_are_enough_for_the_columns_of_pixels() {
+        let sum = |n: usize, a: f64, b: f64, f: fn(f64) -> f64| -> f64 {
+            let (half, middle) = (0.5 * (b - a), 0.5 * (a + b));
+            gauss_legendre(n).iter().map(|(x, w)| half * w * f(middle + half * x)).sum()
+        };
+        let gauss = |t: f64| (-t * t).exp();
+        let worst = |nodes: usize, heights: f64| {
+            let mut most = (sum(nodes, 0.0, heights, |h| (-h).exp()) - 1.0).abs();
+            for from in [-f64::INFINITY, -2.0, -1.5, -1.0, -0.5, -0.2, 0.0, 0.5, 1.0, 2.0_f64] {
+                let reach = (from.max(0.0).powi(2) + heights).sqrt();
+                let all = sum(64, from.max(-8.0), 8.0, gauss);
+                most = most.max((sum(nodes, from.max(-reach), reach, gauss) / all - 1.0).abs());
+            }
+            println!("{nodes} nodes over {heights} scale heights: {most:.1e}");
+            most
+        };
+        let [six, seven, nine] = [6.0, 7.0, 9.0].map(|heights| worst(8, heights));
+        assert!(seven <= 9.2e-4 && six > seven && nine > seven, "{six} {seven} {nine}");
+        assert!((0.03..=0.06).contains(&worst(4, 5.0)));
+    }
 }

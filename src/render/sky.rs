@@ -31,7 +31,8 @@ pub struct FrameTargets {
     /// Where the sky behind the scene is drawn, before the scene: depth ALWAYS, no depth write. The colour is
     /// added to what is there (stars, say), which the air dims channel by channel, in a pass of its own. The
     /// first pass that draws here clears as the target says, and where none does, one that does nothing else;
-    /// opaque black is fastest: nothing is behind the sky then, which is just written.
+    /// opaque black is fastest: nothing is behind the sky then, which is just written. (In a pass of your own
+    /// something always may be.)
     pub background: Option<Target>,
     /// What the air before the scene reads and draws to, after the scene.
     pub aerial: Option<AerialTargets>,

@@ -112,9 +112,11 @@ static PARTS: &[&str] = &[
     "vec3 aces(vec3 a){mat3x3 b=mat3x3(vec3(0.59719,0.076,0.0284),vec3(0.35458,0.90834,0.13383),vec3(0.04823,0.01566,0.83777));mat3x3 c=mat3x3(vec3(1.60475,-0.10208,-0.00327),vec3(-0.53108,1.10813,-0.07276),vec3(-0.07367,-0.00605,1.07602));vec3 d=b*a;return c*((d*(d+vec3(0.0245786))-vec3(9.0537e-5))/(d*(0.983729*d+vec3(0.432951))+vec3(0.238081)));}\n",
     "vec3 aerial_brightness(highp sampler2D a,vec2 b,vec2 c,float d,float e,int f){float g=min(floor(e),d-2.0);vec2 h=vec2(1.0)/vec2(c.x*d,c.y*2.0);vec2 i=(b+c*vec2(g,float(f))+vec2(0.5))*h;return mix(textureLod(a,vec2(i),0.0).xyz,textureLod(a,vec2(i+vec2(c.x*h.x,0.0)),0.0).xyz,e-g);}\n",
     "void aerial_point(highp sampler2D a,uint b,float c,float d,float e,bool f,float g,float h,float i,inout vec2 j,inout vec2 k,inout float l,inout float m){float n=float(b);vec2 o=vec2(uvec2(textureSize(a,0).xy))/vec2(n,2.0);float p=v_to_row(e,f,o.y,c);float q=clamp(-h,0.0,g);float r=distance_to_u(q,0.0);float s=(distance_to_u(q,i)-r)/(distance_to_u(q,g)-r);j=vec2(d*(o.x-1.0),p);k=o;l=n;m=clamp(s,0.0,1.0)*(n-1.0);}\n",
+    "void aerial_ray(int a,int b,int c,int d,float e,float f,float g,float h,vec4 i,vec3 j,inout float k,inout float l,inout float m,inout float n,inout bool o){float p=float(b)/float(d-1);vec2 q=row_to_v(a,c,int(e));sky_view_ray(p,q.x,q.y>0.5,f,g,h,i,j,k,l,m,n,o);}\n",
+    "void aerial_ray(int a,int b,int c,int d,float e,float f,float g,float h,vec4 i,vec3 j,inout vec3 k,inout float l,inout float m,inout float n,inout float o,inout float p,inout float q,inout float r,inout float s,inout float t,inout float u,inout float v,inout bool w){float x=float(b)/float(d-1);vec2 y=row_to_v(a,c,int(e));sky_view_ray(x,y.x,y.y>0.5,f,g,h,i,j,k,l,m,n,o,p,q,r,s,t,u,v,w);}\n",
     "void aerial_texel(vec2 a,uvec2 b,uint c,int d,inout int e,inout int f,inout int g,inout int h,inout int i,inout int j){ivec2 k=ivec2(a);int l=int(b.x/c);int m=int(b.y)/d;e=k.y/m;f=k.y%m;g=k.x%l;h=k.x/l;i=m;j=l;}\n",
     "vec3 agx(vec3 a){mat3x3 b=mat3x3(vec3(0.84247905,0.042328242,0.042375654),vec3(0.0784336,0.87846863,0.0784336),vec3(0.079223745,0.07916613,0.879143));mat3x3 c=mat3x3(vec3(1.196879,-0.052896854,-0.052971635),vec3(-0.09802088,1.1519032,-0.09804345),vec3(-0.09902974,-0.098961174,1.1510737));vec3 d=(clamp(log2(max(b*a,vec3(1e-10))),vec3(-12.47393),vec3(4.026069))+vec3(12.47393))/vec3(16.499998);vec3 e=d*d;vec3 f=e*e;return pow(max(c*(15.5*f*e-40.14*f*d+31.96*f-6.868*e*d+0.4298*e+0.1191*d-vec3(0.00232)),vec3(0.0)),vec3(2.2));}\n",
-    "void air_before(highp sampler2D a,vec3 b,float c,float d,vec3 e,float f,float g,vec3 h,float i,float j,vec3 k,uint l,float m,float n,bool o,float p,float q,float r,float s,float t,float u,vec3 v,vec3 w,inout vec3 x,inout vec3 y){float z=0.0;float aa=0.0;float ab=0.0;vec2 ac=vec2(0.0);vec2 ad=vec2(0.0);float ae=0.0;float af=0.0;mat2x3 ag=layers_of(c,d,f,g,j);bool ah=u>=p;vec3 ai=path_columns(ag,n,o,q,r,min(u,p),ah,i);vec3 aj=v;vec3 ak=w;if(!ah){mat3x3 al=taking_coefficients(b,k);lowest_point(q,r,n,o,p,i,z,aa,ab);vec3 am=opacity(extinction(al,ai))/max(rough_opacity(ag,al,aa,ab,-z,p-z,i),vec3(1e-30));aerial_point(a,l,m,s,t,o,p,r,u,ac,ad,ae,af);aj=aj*min(am*aerial_brightness(a,ac,ad,ae,af,AIR_SMOOTH),vec3(1.0));if(MIE_SINGLE){ak=ak*min(am*aerial_brightness(a,ac,ad,ae,af,AIR_MIE),vec3(1.0));}}if(MIE_SINGLE){aj=aj+ak;}x=exp(-extinction(coefficients_of(b,e,h),ai));y=aj;}\n",
+    "void air_before(highp sampler2D a,vec3 b,float c,float d,vec3 e,float f,float g,vec3 h,float i,float j,vec3 k,uint l,float m,float n,bool o,float p,float q,float r,float s,float t,float u,vec3 v,vec3 w,inout vec3 x,inout vec3 y){float z=0.0;float aa=0.0;float ab=0.0;vec2 ac=vec2(0.0);vec2 ad=vec2(0.0);float ae=0.0;float af=0.0;mat2x3 ag=layers_of(c,d,f,g,j);bool ah=u>=p;vec3 ai=path_columns(ag,n,o,q,r,min(u,p),ah,i);vec3 aj=v;vec3 ak=w;if(!ah){mat3x3 al=scatterer_coefficients(b,k);lowest_point(q,r,n,o,p,i,z,aa,ab);vec3 am=opacity(extinction(al,ai))/max(rough_opacity(ag,al,aa,ab,-z,p-z,i),vec3(1e-30));aerial_point(a,l,m,s,t,o,p,r,u,ac,ad,ae,af);aj=aj*min(am*aerial_brightness(a,ac,ad,ae,af,AIR_SMOOTH),vec3(1.0));if(MIE_SINGLE){ak=ak*min(am*aerial_brightness(a,ac,ad,ae,af,AIR_MIE),vec3(1.0));}}if(MIE_SINGLE){aj=aj+ak;}x=exp(-extinction(coefficients_of(b,e,h),ai));y=aj;}\n",
     "void air_path(float a,float b,bool c,float d,float e,float f,inout float g,inout float h,inout float i){float j=excess_of(f,e);float k=sqrt(max(-b,0.0));if(d<=f){float l=excess_of(d,e);g=c?distance_to_ground(l,a,k):distance_to_top(l,a,j);h=l;i=a;return;}float m=top_half_chord2_(a,b,d,e,f);if(a>=0.0||m<=0.0){g=-1.0;h=0.0;i=0.0;return;}float n=sqrt(m);g=c?distance_to_ground(j,-n,k):2.0*n;h=j;i=-n;}\n",
     "void air_path(float a,float b,bool c,float d,float e,float f,inout float g,inout float h,inout float i,inout float j){float k=excess_of(f,e);float l=sqrt(max(-b,0.0));if(d<=f){float m=excess_of(d,e);float n=distance_to_top(m,a,k);float o=distance_to_ground(m,a,l);g=0.0;h=c?o:n;i=m;j=a;return;}float p=(d-f)*(2.0*e+f+d);float q=top_half_chord2_(a,b,d,e,f);if(a>=0.0||q<=0.0){g=0.0;h=-1.0;i=0.0;j=0.0;return;}float r=sqrt(q);float s=c?distance_to_ground(k,-r,l):2.0*r;g=p/(r-a);h=s;i=k;j=-r;}\n",
     "void air_ray(vec3 a,float b,float c,float d,vec3 e,inout float f,inout float g,inout float h,inout float i,inout float j,inout float k,inout float l,inout float m,inout float n,inout float o,inout float p,inout bool q){float r=0.0;float s=0.0;bool t=false;line_past(a,b,c,r,s,t);air_ray_of(r,s,t,a,b,c,d,e,f,g,h,i,j,k,l,m,n,o,p,q);}\n",
@@ -135,6 +137,7 @@ static PARTS: &[&str] = &[
     "float crowded(float a,float b,float c){return sqrt(max(a,0.0)/(c*(b+c)));}\n",
     "vec3 dark_part(vec2 a,float b,float c){float d=clamp(a.x,b,c);float e=clamp(a.y,b,c);return vec3(d,e,a.y>a.x?max(e-d,0.0):0.0);}\n",
     "vec3 decode_light(vec3 a){vec3 b=a*a;return b*b;}\n",
+    "vec2 dense_part(float a,float b,float c,float d,float e,float f,float g){float h=distance_at_height(a,b,max(altitude_of(a,e),g)+f,e);float i=max(c,-h-b);float j=0.5*max(min(d,h-b)-i,0.0);return vec2(i+j,j);}\n",
     "vec3 densities(mat2x3 a,float b){vec3 c=vec3(0.0);vec3 d=a[0];float e=max(b-a[1].x,0.0);if(RAYLEIGH){c.x=exp(-e*d.x);}if(MIE){c.y=exp(-e*d.y);}if(OZONE){c.z=max(0.0,1.0-abs(e-a[1].y)*d.z);}return c;}\n",
     "float depth_distance(float a,float b,float c,float d,float e,float f){if(e==d){return-1.0;}if(c>0.0){return(exp2(e*c)-1.0)*0.001*f;}float g=e*a+b;if(g<=0.0){return-1.0;}return f/g;}\n",
     "float depth_of(float a,float b,float c,float d){if(c>0.0){return log2(1.0+d*1000.0)/c;}return(1.0/d-b)/a;}\n",
@@ -148,7 +151,7 @@ static PARTS: &[&str] = &[
     "void eclipsed_light(highp sampler2D a,highp sampler2D b,vec3 c,float d,vec3 e,float f,vec3 g,float h,vec3 i,float j,vec3 k,float l,float m,float n,vec3 o,float p,vec3 q,float r,vec3 s,float t,vec3 u,float v,float w,float x,uint y,float z,float aa,float ab,float ac,float ad,float ae,float af,float ag,float ah,float ai,float aj,bool ak,vec3 al,vec3 am,float an,uint ao,uint ap,inout vec3 aq,inout vec3 ar){if(MULTI_SCATTERING){all_orders(a,b,c,d,e,f,g,h,i,j,k,l,m,n,o,p,q,r,s,t,u,v,w,x,y,z,aa,ab,ac,ad,ae,af,ag,ah,ai,aj,ak,al,am,an,aq,ar);return;}else{vec3 as=al-am;single_scattering(c,d,e,f,g,h,i,j,k,l,m,n,z,aa,ab,ac,ad,ae,af,ag,ah,ai,aj,ak,al,an,0.5*dot(as,as),ao,ap,aq,ar);return;}}\n",
     "vec3 encode_light(vec3 a){return sqrt(sqrt(a));}\n",
     "float excess_of(float a,float b){return a*(2.0*b+a);}\n",
-    "float exponential_column(float a,float b,float c,float d,float e,float f,float g){float h=distance_at_height(a,b,max(altitude_of(a,e),g)+COLUMN_HEIGHTS/f,e);float i=max(c,-h-b);float j=0.5*max(min(d,h-b)-i,0.0);vec4 k=j*COLUMN_NODES;return j*dot(COLUMN_WEIGHTS,exp(-max(heights_after(a,b,vec4(i+j)-k,e)-vec4(g),vec4(0.0))*f)+exp(-max(heights_after(a,b,vec4(i+j)+k,e)-vec4(g),vec4(0.0))*f));}\n",
+    "float exponential_column(float a,float b,float c,float d,float e,float f,float g){vec2 h=dense_part(a,b,c,d,e,COLUMN_HEIGHTS/f,g);float i=h.y;vec4 j=i*COLUMN_NODES;return i*dot(COLUMN_WEIGHTS,exp(-max(heights_after(a,b,vec4(h.x)-j,e)-vec4(g),vec4(0.0))*f)+exp(-max(heights_after(a,b,vec4(h.x)+j,e)-vec4(g),vec4(0.0))*f));}\n",
     "vec3 extinction(mat3x3 a,vec3 b){vec3 c=vec3(0.0);if(RAYLEIGH){c=c+a[0]*b.x;}if(MIE){c=c+a[1]*b.y;}if(OZONE){c=c+a[2]*b.z;}return c;}\n",
     "void gather(highp sampler2D a,highp sampler2D b,vec3 c,float d,vec3 e,float f,float g,float h,vec3 i,float j,float k,float l,vec3 m,float n,vec3 o,float p,vec3 q,float r,vec3 s,float t,float u,float v,float w,float x,float y,float z,float aa,float ab,float ac,vec3 ad,float ae,float af,float ag,float ah,float ai,uint aj,vec3 ak,vec3 al,float am,inout vec3 an,inout vec3 ao){uint ap=0u;float aq=0.0;vec3 ar=vec3(0.0);vec3 as=vec3(0.0);vec3 at=vec3(0.0);an=vec3(0.0);ao=vec3(1.0);mat2x3 au=layers_of(d,f,g,h,l);mat3x3 av=mat3x3(c,m,i);vec2 aw=shadow_stretch(x,y,z,aa,ab,ac);vec4 ax=sun_axis(r,t,u,v);vec2 ay=multi_scattering_span(b);mat3x3 az=mat3x3(e*o,e*q,e*s);float ba=(ai-ah)/float(aj);float bb=u_to_distance(ae,ah);bool bc=true;while(true){if(!bc){ap=ap+1u;}bc=false;if(ap<aj){}else{break;}{float bd=ah+ba*float(ap);float be=u_to_distance(ae,bd+ba);float bf=be-bb;float bg=u_to_distance(ae,bd+0.5*ba);float bh=altitude_after(af,ag,bg-ae,j);vec3 bi=densities(au,bh);vec3 bj=extinction(av,bi)*bf;vec3 bk=ao*mean_transmittance(bj);vec3 bl=dark_part(aw,bb,be);if(bl.z<bf){aq=bg;if(bl.z>0.0){aq=lit_middle(bl,ae,bb,be);}float bm=aq-ae;float bn=max(af+bm*(2.0*ag+bm),0.0);float bo=altitude_of(bn,j);vec3 bp=densities(au,bo);ar=(ak*bp.x+al*bp.y)*exp(-extinction(av,optical_path_to_top(a,j,k,bn,bo,x+y*aq)));ar=ar*sun_visibility(ad,w+aq);an=an+bk*ar*(bf-bl.z);}if(MULTI_SCATTERING){float bq=j+bh;float br=clamp((ag+bg-ae)/bq,-1.0,1.0);float bs=clamp((x+y*bg)/bq,-1.0,1.0);vec2 bt=vec2(mu_sun_to_u(ax,bs),altitude_to_v(n,p,bh,k))*ay;multi_scattering_source(b,bt,c,az,br,bs,y,as,at);vec3 bu=as;vec3 bv=at;vec3 bw=sun_visibility_around(ad,w+bg);an=an+bk*(bf*am)*(bu*bw*bi.x+bv*bw*bi.y);}ao=ao*exp(-bj);bb=be;}}}\n",
     "void gather(highp sampler2D a,highp sampler2D b,vec3 c,float d,vec3 e,float f,float g,float h,vec3 i,float j,float k,float l,vec3 m,float n,vec3 o,float p,vec3 q,float r,vec3 s,float t,float u,float v,float w,float x,float y,float z,float aa,float ab,float ac,vec3 ad,float ae,float af,float ag,float ah,float ai,uint aj,vec3 ak,vec3 al,float am,inout vec3 an,inout vec3 ao,inout vec3 ap){uint aq=0u;float ar=0.0;vec3 as=vec3(0.0);vec3 at=vec3(0.0);vec3 au=vec3(0.0);an=vec3(0.0);ao=vec3(1.0);ap=vec3(0.0);mat2x3 av=layers_of(d,f,g,h,l);mat3x3 aw=mat3x3(c,m,i);vec2 ax=shadow_stretch(x,y,z,aa,ab,ac);vec4 ay=sun_axis(r,t,u,v);vec2 az=multi_scattering_span(b);mat3x3 ba=mat3x3(e*o,e*q,e*s);float bb=(ai-ah)/float(aj);float bc=u_to_distance(ae,ah);bool bd=true;while(true){if(!bd){aq=aq+1u;}bd=false;if(aq<aj){}else{break;}{float be=ah+bb*float(aq);float bf=u_to_distance(ae,be+bb);float bg=bf-bc;float bh=u_to_distance(ae,be+0.5*bb);float bi=altitude_after(af,ag,bh-ae,j);vec3 bj=densities(av,bi);vec3 bk=extinction(aw,bj)*bg;vec3 bl=ao*mean_transmittance(bk);vec3 bm=dark_part(ax,bc,bf);if(bm.z<bg){ar=bh;if(bm.z>0.0){ar=lit_middle(bm,ae,bc,bf);}float bn=ar-ae;float bo=max(af+bn*(2.0*ag+bn),0.0);float bp=altitude_of(bo,j);vec3 bq=densities(av,bp);as=(ak*bq.x+al*bq.y)*exp(-extinction(aw,optical_path_to_top(a,j,k,bo,bp,x+y*ar)));as=as*sun_visibility(ad,w+ar);an=an+bl*as*(bg-bm.z);}if(MULTI_SCATTERING){float br=j+bi;float bs=clamp((ag+bh-ae)/br,-1.0,1.0);float bt=clamp((x+y*bh)/br,-1.0,1.0);vec2 bu=vec2(mu_sun_to_u(ay,bt),altitude_to_v(n,p,bi,k))*az;multi_scattering_source(b,bu,c,ba,bs,bt,y,at,au);vec3 bv=at;vec3 bw=au;vec3 bx=sun_visibility_around(ad,w+bh);an=an+bl*(bg*am)*(bv*bx*bj.x+bw*bx*bj.y);}ao=ao*exp(-bk);ap=ap+bj*bg;bc=bf;}}}\n",
@@ -199,9 +202,9 @@ static PARTS: &[&str] = &[
     "void main(){vec4 a=gl_FragCoord;float b=g0.medium.radius;float c=g0.medium.thickness;ivec2 d=ivec2(a.xy);int e=ivec2(uvec2(textureSize(g1,0).xy)).y/ZENITHS;bool f=d.y==e*MOMENTS;ivec2 g=ivec2(d.x,f?0:d.y/MOMENTS);float h=v_to_altitude(g0.luts.altitude_steepness,g0.luts.altitude_growth,float(g.y)/float(e-1),c);vec3 i=vec3(7.888609e-31);if(f){o0=vec4(log2(max(moment(g,h,b,MOMENTS),i)),0.0);return;}vec3 j=max(moment(g,h,b,0),i);int k=d.y%MOMENTS;if(k==0){o0=vec4(log2(j),0.0);return;}o0=vec4(moment(g,h,b,k)/j,0.0);return;}\n",
     "void main(){vec4 a=gl_FragCoord;float b=g0.medium.rayleigh_inv_height;float c=g0.medium.mie_inv_height;float d=g0.medium.ozone_center;float e=g0.medium.ozone_inv_half_width;float f=g0.medium.radius;float g=g0.medium.thickness;float h=g0.medium.datum;vec3 i=transmittance_texel_ray(floor(a.xy),vec2(g0.luts.size),f,g);o0=vec4(max(log2(max(path_densities(layers_of(b,c,d,e,h),f,i.x,i.y,i.z,g0.luts.steps),vec3(1e-37))),vec3(-100.0)),0.0);return;}\n",
     "void main(){vec4 a=gl_FragCoord;vec3 b=v0;vec3 c=v1;vec3 d=v2;vec3 e=vec3(0.0);vec3 f=g0.frame.medium.irradiance;vec3 g=g0.frame.sun;float h=g0.frame.depth.scale;float i=g0.frame.depth.bias;float j=g0.frame.depth.log_;uint k=g0.frame.flags;if(MOON){c=c*moon_shadow_visibility(g1,g0.moon_shadow.across,g0.moon_shadow.along,g0.moon_shadow.radius,g0.moon_shadow.tan_sun_radius,g0.moon_shadow.min_visibility,b,g);}if(SKY_LIGHT){e=ground_irradiance(g2,g0.luts.sun_middle,g0.luts.sun_width,g0.luts.sun_first,g0.luts.sun_span,d.z);e=e*(0.5+0.5*d.y);if(MOON){e=e*moon_shadow_visibility_around(g1,g0.moon_shadow.across,g0.moon_shadow.min_visibility,g0.moon_shadow.inv_extent,b,g);}c=c+e;}vec3 l=ground_albedo(d.x,d.y)*c*f*0.31830987;float m=depth_of(h,i,j,max(dot(b,g0.axis),1e-9));o0=vec4(min(l,vec3(most_light(k))),1.0);gl_FragDepth=clamp(m,0.0,1.0);return;}\n",
-    "void main(){vec4 a=gl_FragCoord;vec3 b=vec3(0.0);vec3 c=vec3(0.0);int d=0;int e=0;int f=0;int g=0;int h=0;int i=0;vec3 j=vec3(0.0);float k=0.0;float l=0.0;float m=0.0;float n=0.0;float o=0.0;float p=0.0;float q=0.0;float r=0.0;float s=0.0;float t=0.0;float u=0.0;bool v=false;float w=0.0;float x=0.0;float y=0.0;vec3 z=vec3(0.0);vec3 aa=vec3(0.0);vec3 ab=vec3(0.0);vec3 ac=g0.frame.medium.rayleigh;float ad=g0.frame.medium.rayleigh_inv_height;vec3 ae=g0.frame.medium.mie_scattering;float af=g0.frame.medium.mie_inv_height;float ag=g0.frame.medium.ozone_center;float ah=g0.frame.medium.ozone_inv_half_width;vec3 ai=g0.frame.medium.ozone;float aj=g0.frame.medium.radius;float ak=g0.frame.medium.thickness;float al=g0.frame.medium.datum;float am=g0.frame.altitude;vec3 an=g0.frame.sun;vec4 ao=g0.frame.sky_view_mapping;vec3 ap=g0.luts.mie_extinction;float aq=g0.luts.altitude_steepness;vec3 ar=g0.luts.mie_moment0_;float as=g0.luts.altitude_growth;vec3 at=g0.luts.mie_moment1_;float au=g0.luts.sun_middle;vec3 av=g0.luts.mie_moment2_;float aw=g0.luts.sun_width;float ax=g0.luts.sun_first;float ay=g0.luts.sun_span;float az=g0.luts.ground_rows;uvec2 ba=g0.luts.size;uint bb=g0.luts.steps;uint bc=g0.luts.slices;aerial_texel(a.xy,ba,bc,AIR_SUMMANDS,d,e,f,g,h,i);float bd=float(f)/float(i-1);vec2 be=row_to_v(e,h,int(az));sky_view_ray(bd,be.x,be.y>0.5,am,aj,ak,ao,an,j,k,l,m,n,o,p,q,r,s,t,u,v);if(l<=0.0){o0=vec4(0.0);return;}perigee_of(l,m,n,o,v,l,aj,w,x,y);float bf=distance_to_u(w,0.0);float bg=(distance_to_u(w,l)-bf)/float(bc-1u);vec2 bh=g==0?vec2(0.0,0.01):vec2(ivec2(g-1,g));float bi=g==1?FIRST_SLICE:bh.x;if(d==AIR_SMOOTH){b=ac*rayleigh_phase(q);}else{c=ae;}float bj=d==AIR_SMOOTH?1.0:0.0;gather(g1,g2,ac,ad,ae,af,ag,ah,ai,aj,ak,al,ap,aq,ar,as,at,au,av,aw,ax,ay,k,p,q,r,s,t,u,j,w,x,y,bf+bg*bi,bf+bg*bh.y,bb,b,c,bj,z,aa,ab);o0=vec4(d==AIR_PATH?ab:max(z,vec3(0.0)),0.0);return;}\n",
+    "void main(){vec4 a=gl_FragCoord;vec3 b=vec3(0.0);vec3 c=vec3(0.0);int d=0;int e=0;int f=0;int g=0;int h=0;int i=0;vec3 j=vec3(0.0);float k=0.0;float l=0.0;float m=0.0;float n=0.0;float o=0.0;float p=0.0;float q=0.0;float r=0.0;float s=0.0;float t=0.0;float u=0.0;bool v=false;float w=0.0;float x=0.0;float y=0.0;vec3 z=vec3(0.0);vec3 aa=vec3(0.0);vec3 ab=vec3(0.0);vec3 ac=g0.frame.medium.rayleigh;float ad=g0.frame.medium.rayleigh_inv_height;vec3 ae=g0.frame.medium.mie_scattering;float af=g0.frame.medium.mie_inv_height;float ag=g0.frame.medium.ozone_center;float ah=g0.frame.medium.ozone_inv_half_width;vec3 ai=g0.frame.medium.ozone;float aj=g0.frame.medium.radius;float ak=g0.frame.medium.thickness;float al=g0.frame.medium.datum;float am=g0.frame.altitude;vec3 an=g0.frame.sun;vec4 ao=g0.frame.sky_view_mapping;vec3 ap=g0.luts.mie_extinction;float aq=g0.luts.altitude_steepness;vec3 ar=g0.luts.mie_moment0_;float as=g0.luts.altitude_growth;vec3 at=g0.luts.mie_moment1_;float au=g0.luts.sun_middle;vec3 av=g0.luts.mie_moment2_;float aw=g0.luts.sun_width;float ax=g0.luts.sun_first;float ay=g0.luts.sun_span;float az=g0.luts.ground_rows;uvec2 ba=g0.luts.size;uint bb=g0.luts.steps;uint bc=g0.luts.slices;aerial_texel(a.xy,ba,bc,AIR_SUMMANDS,d,e,f,g,h,i);aerial_ray(e,f,h,i,az,am,aj,ak,ao,an,j,k,l,m,n,o,p,q,r,s,t,u,v);if(l<=0.0){o0=vec4(0.0);return;}perigee_of(l,m,n,o,v,l,aj,w,x,y);float bd=distance_to_u(w,0.0);float be=(distance_to_u(w,l)-bd)/float(bc-1u);vec2 bf=g==0?vec2(0.0,0.01):vec2(ivec2(g-1,g));float bg=g==1?FIRST_SLICE:bf.x;if(d==AIR_SMOOTH){b=ac*rayleigh_phase(q);}else{c=ae;}float bh=d==AIR_SMOOTH?1.0:0.0;gather(g1,g2,ac,ad,ae,af,ag,ah,ai,aj,ak,al,ap,aq,ar,as,at,au,av,aw,ax,ay,k,p,q,r,s,t,u,j,w,x,y,bd+be*bg,bd+be*bf.y,bb,b,c,bh,z,aa,ab);o0=vec4(d==AIR_PATH?ab:max(z,vec3(0.0)),0.0);return;}\n",
     "void main(){vec4 a=gl_FragCoord;vec3 b=vec3(0.0);vec3 c=vec3(0.0);vec3 d=vec3(0.0);float e=0.0;float f=0.0;float g=0.0;float h=0.0;float i=0.0;float j=0.0;float k=0.0;float l=0.0;float m=0.0;float n=0.0;float o=0.0;bool p=false;float q=0.0;float r=0.0;float s=0.0;vec3 t=vec3(0.0);vec3 u=vec3(0.0);vec3 v=vec3(0.0);vec3 w=g0.frame.medium.rayleigh;float x=g0.frame.medium.rayleigh_inv_height;vec3 y=g0.frame.medium.mie_scattering;float z=g0.frame.medium.mie_inv_height;vec3 aa=g0.frame.medium.mie_extinction;float ab=g0.frame.medium.ozone_center;float ac=g0.frame.medium.ozone_inv_half_width;vec3 ad=g0.frame.medium.ozone;float ae=g0.frame.medium.radius;float af=g0.frame.medium.thickness;float ag=g0.frame.medium.datum;float ah=g0.frame.altitude;vec3 ai=g0.frame.sun;vec4 aj=g0.frame.sky_view_mapping;vec3 ak=g0.luts.mie_extinction;float al=g0.luts.altitude_steepness;vec3 am=g0.luts.mie_moment0_;float an=g0.luts.altitude_growth;vec3 ao=g0.luts.mie_moment1_;float ap=g0.luts.sun_middle;vec3 aq=g0.luts.mie_moment2_;float ar=g0.luts.sun_width;float as=g0.luts.sun_first;float at=g0.luts.sun_span;float au=g0.luts.ground_rows;uvec2 av=g0.luts.size;uint aw=g0.luts.steps;ivec2 ax=ivec2(a.xy);ivec2 ay=ivec2(av);float az=float(ax.x)/float(ay.x-1);vec2 ba=row_to_v(ax.y,ay.y,int(au));bool bb=ba.y>0.5;sky_view_ray(az,ba.x,bb,ah,ae,af,aj,ai,d,e,f,g,h,i,j,k,l,m,n,o,p);if(f<=0.0){o0=vec4(0.0,0.0,0.0,1.0);return;}perigee_of(f,g,h,i,p,f,ae,q,r,s);float bc=distance_to_u(q,0.0);float bd=distance_to_u(q,f);if(MIE_SINGLE){c=y;}else{b=w*rayleigh_phase(k);}gather(g1,g2,w,x,y,z,ab,ac,ad,ae,af,ag,ak,al,am,an,ao,ap,aq,ar,as,at,e,j,k,l,m,n,o,d,q,r,s,bc,bd,aw,b,c,1.0,t,u,v);o0=vec4(encode_light(max(t,vec3(0.0))*(bb?1.0/f:1.0)),dot(exp(-extinction(coefficients_of(w,aa,ad),v)),vec3(0.33333334)));return;}\n",
-    "void main(){vec4 a=gl_FragCoord;vec3 b=vec3(0.0);vec3 c=vec3(0.0);vec3 d=vec3(0.0);vec3 e=vec3(0.0);int f=0;int g=0;int h=0;int i=0;int j=0;int k=0;int l=0;float m=0.0;float n=0.0;float o=0.0;float p=0.0;bool q=false;float r=0.0;float s=0.0;float t=0.0;vec3 u=g0.frame.medium.rayleigh;float v=g0.frame.medium.rayleigh_inv_height;float w=g0.frame.medium.mie_inv_height;float x=g0.frame.medium.ozone_center;float y=g0.frame.medium.ozone_inv_half_width;vec3 z=g0.frame.medium.ozone;float aa=g0.frame.medium.radius;float ab=g0.frame.medium.thickness;float ac=g0.frame.medium.datum;float ad=g0.frame.altitude;vec3 ae=g0.frame.sun;vec4 af=g0.frame.sky_view_mapping;vec3 ag=g0.luts.mie_extinction;float ah=g0.luts.ground_rows;uvec2 ai=g0.luts.size;uint aj=g0.luts.slices;aerial_texel(a.xy,ai,aj,AIR_KINDS,g,h,i,j,k,l);float ak=float(i)/float(l-1);vec2 al=row_to_v(h,k,int(ah));sky_view_ray(ak,al.x,al.y>0.5,ad,aa,ab,af,ae,m,n,o,p,q);if(m<=0.0){o0=vec4(1.0);return;}mat3x3 am=mat3x3(u,ag,z);bool an=true;while(true){if(!an){f=f+1;}an=false;if(f<int(aj)){}else{break;}{ivec2 ao=ivec2(f*l+i,h);b=b+exp(-extinction(am,c))*texelFetch(g1,ao+ivec2(0,g*k),0).xyz;c=c+texelFetch(g1,ao+ivec2(0,AIR_PATH*k),0).xyz;if(f==j){d=b;e=c;}}}mat3x3 ap=taking_coefficients(u,ag);vec3 aq=opacity(extinction(ap,e));vec3 ar=opacity(extinction(ap,c));perigee_of(m,n,o,p,q,m,aa,r,s,t);mat2x3 as=layers_of(v,w,x,y,ac);float at=-r;float au=m-r;o0=vec4(mix(vec3(1.0),d/max(b,vec3(1e-37))*(ar/max(aq,vec3(1e-37)))*(rough_opacity(as,ap,s,t,at,au,aa)/max(opacity(extinction(ap,columns(as,s,t,at,au,aa))),vec3(1e-37))),greaterThan(b*aq,vec3(1e-35))),0.0);return;}\n",
+    "void main(){vec4 a=gl_FragCoord;vec3 b=vec3(0.0);vec3 c=vec3(0.0);vec3 d=vec3(0.0);vec3 e=vec3(0.0);int f=0;int g=0;int h=0;int i=0;int j=0;int k=0;int l=0;float m=0.0;float n=0.0;float o=0.0;float p=0.0;bool q=false;float r=0.0;float s=0.0;float t=0.0;vec3 u=g0.frame.medium.rayleigh;float v=g0.frame.medium.rayleigh_inv_height;float w=g0.frame.medium.mie_inv_height;float x=g0.frame.medium.ozone_center;float y=g0.frame.medium.ozone_inv_half_width;vec3 z=g0.frame.medium.ozone;float aa=g0.frame.medium.radius;float ab=g0.frame.medium.thickness;float ac=g0.frame.medium.datum;float ad=g0.frame.altitude;vec3 ae=g0.frame.sun;vec4 af=g0.frame.sky_view_mapping;vec3 ag=g0.luts.mie_extinction;float ah=g0.luts.ground_rows;uvec2 ai=g0.luts.size;uint aj=g0.luts.slices;aerial_texel(a.xy,ai,aj,AIR_KINDS,g,h,i,j,k,l);aerial_ray(h,i,k,l,ah,ad,aa,ab,af,ae,m,n,o,p,q);if(m<=0.0){o0=vec4(1.0);return;}mat3x3 ak=mat3x3(u,ag,z);bool al=true;while(true){if(!al){f=f+1;}al=false;if(f<int(aj)){}else{break;}{ivec2 am=ivec2(f*l+i,h);b=b+exp(-extinction(ak,c))*texelFetch(g1,am+ivec2(0,g*k),0).xyz;c=c+texelFetch(g1,am+ivec2(0,AIR_PATH*k),0).xyz;if(f==j){d=b;e=c;}}}mat3x3 an=scatterer_coefficients(u,ag);vec3 ao=opacity(extinction(an,e));vec3 ap=opacity(extinction(an,c));perigee_of(m,n,o,p,q,m,aa,r,s,t);mat2x3 aq=layers_of(v,w,x,y,ac);float ar=-r;float as=m-r;o0=vec4(mix(vec3(1.0),d/max(b,vec3(1e-37))*(ap/max(ao,vec3(1e-37)))*(rough_opacity(aq,an,s,t,ar,as,aa)/max(opacity(extinction(an,columns(aq,s,t,ar,as,aa))),vec3(1e-37))),greaterThan(b*ao,vec3(1e-35))),0.0);return;}\n",
     "void main(){vec4 a=gl_FragCoord;vec4 b=vec4(0.0);float c=0.0;float d=0.0;float e=0.0;bool f=false;float g=0.0;float h=0.0;float i=0.0;bool j=false;float k=0.0;float l=0.0;float m=0.0;float n=0.0;float o=0.0;float p=0.0;bool q=false;vec3 r=vec3(0.0);vec3 s=vec3(0.0);vec3 t=vec3(0.0);vec3 u=vec3(0.0);vec3 v=g0.frame.medium.rayleigh;float w=g0.frame.medium.rayleigh_inv_height;float x=g0.frame.medium.mie_inv_height;vec3 y=g0.frame.medium.mie_extinction;float z=g0.frame.medium.ozone_center;vec3 aa=g0.frame.medium.mie_asymmetry;float ab=g0.frame.medium.ozone_inv_half_width;vec3 ac=g0.frame.medium.ozone;float ad=g0.frame.medium.radius;vec3 ae=g0.frame.medium.irradiance;float af=g0.frame.medium.thickness;float ag=g0.frame.medium.datum;vec3 ah=g0.frame.ray_forward;float ai=g0.frame.altitude;vec3 aj=g0.frame.ray_right;vec3 ak=g0.frame.ray_up;float al=g0.frame.shell_weight;vec3 am=g0.frame.sun;vec2 an=g0.frame.size;float ao=g0.frame.pixel_angle;float ap=g0.frame.depth.scale;float aq=g0.frame.depth.bias;float ar=g0.frame.depth.log_;float as=g0.frame.depth.background;uint at=g0.frame.flags;vec4 au=g0.frame.sky_view_mapping;vec3 av=g0.luts.mie_extinction;float aw=g0.luts.ground_rows;uint ax=g0.luts.slices;float ay=g0.luts.aerial_ground_rows;ivec2 az=ivec2(a.xy);if(BLEND){}else{b=texelFetch(g1,az,0);}vec3 ba=pixel_ray(a.xy,an,ah,aj,ak);float bb=length(ba);float bc=depth_distance(ap,aq,ar,as,texelFetch(g2,az,0).x,bb);vec3 bd=ba/vec3(bb);line_past(bd,ai,ad,c,d,e,f);line_to_scene(c,d,e,f,ai,bc,ad,af,ao,g,h,i,j);air_path(g,i,j,ai,ad,af,k,l,m,n);bool be=j&&l>=0.0;ray_end(k,l,n,be,bc,ad,ao,al,at,o,p,q);if(o<=0.0||p<=0.0){o0=b;return;}float bf=azimuth_to_u(bd);float bg=zenith_to_v(g,h,i,j,bd.z,ai,ad,af,au);vec2 bh=vec2(uvec2(textureSize(g3,0).xy));vec2 bi=sky_view_uv(bf,v_to_row(bg,be,bh.y,aw),bh);vec3 bj=mie_phase_between(bd,am,aa);path_light(g3,g5,bi,be,l,bj,r,s);air_before(g4,v,w,x,y,z,ab,ac,ad,ag,av,ax,ay,i,j,l,m,n,bf,bg,o,r,s,t,u);o0=compose(b,q?t:vec3(1.0),u*ae*(p*lit_fraction_at(g6,az)),most_light(at));return;}\n",
     "void main(){vec4 a=gl_FragCoord;vec4 b=vec4(0.0);float c=0.0;float d=0.0;float e=0.0;bool f=false;float g=0.0;float h=0.0;float i=0.0;bool j=false;float k=0.0;float l=0.0;float m=0.0;float n=0.0;float o=0.0;float p=0.0;float q=0.0;float r=0.0;float s=0.0;float t=0.0;float u=0.0;bool v=false;float w=0.0;float x=0.0;bool y=false;vec3 z=vec3(0.0);vec3 aa=vec3(0.0);vec3 ab=g0.frame.medium.rayleigh;float ac=g0.frame.medium.rayleigh_inv_height;vec3 ad=g0.frame.medium.mie_scattering;float ae=g0.frame.medium.mie_inv_height;vec3 af=g0.frame.medium.mie_extinction;float ag=g0.frame.medium.ozone_center;vec3 ah=g0.frame.medium.mie_asymmetry;float ai=g0.frame.medium.ozone_inv_half_width;vec3 aj=g0.frame.medium.ozone;float ak=g0.frame.medium.radius;vec3 al=g0.frame.medium.irradiance;float am=g0.frame.medium.thickness;float an=g0.frame.medium.datum;vec3 ao=g0.frame.ray_forward;float ap=g0.frame.altitude;vec3 aq=g0.frame.ray_right;vec3 ar=g0.frame.ray_up;float as=g0.frame.shell_weight;vec3 at=g0.frame.sun;vec2 au=g0.frame.size;float av=g0.frame.pixel_angle;float aw=g0.frame.depth.scale;float ax=g0.frame.depth.bias;float ay=g0.frame.depth.log_;float az=g0.frame.depth.background;uint ba=g0.frame.view_samples;uint bb=g0.frame.light_samples;uint bc=g0.frame.flags;ivec2 bd=ivec2(a.xy);if(BLEND){}else{b=texelFetch(g1,bd,0);}vec3 be=pixel_ray(a.xy,au,ao,aq,ar);float bf=length(be);float bg=depth_distance(aw,ax,ay,az,texelFetch(g2,bd,0).x,bf);vec3 bh=be/vec3(bf);line_past(bh,ap,ak,c,d,e,f);line_to_scene(c,d,e,f,ap,bg,ak,am,av,g,h,i,j);vec3 bi=line_direction(g,h,bh,ak+ap);air_ray_of(g,i,j,bi,ap,ak,am,at,k,l,m,n,o,p,q,r,s,t,u,v);ray_end(k,l,n,v,bg,ak,av,as,bc,w,x,y);if(w<=0.0||x<=0.0){o0=b;return;}vec3 bj=g0.luts.mie_extinction;float bk=g0.luts.altitude_steepness;vec3 bl=g0.luts.mie_moment0_;float bm=g0.luts.altitude_growth;vec3 bn=g0.luts.mie_moment1_;float bo=g0.luts.sun_middle;vec3 bp=g0.luts.mie_moment2_;float bq=g0.luts.sun_width;float br=g0.luts.sun_first;float bs=g0.luts.sun_span;uint bt=g0.luts.steps;eclipsed_light(g4,g5,ab,ac,ad,ae,af,ag,ah,ai,aj,ak,am,an,bj,bk,bl,bm,bn,bo,bp,bq,br,bs,bt,k,l,m,n,o,p,q,r,s,t,u,v,bi,at,w,ba,bb,z,aa);o0=compose(b,y?aa:vec3(1.0),z*al*(x*lit_fraction_at(g6,bd)),most_light(bc));return;}\n",
     "void main(){vec4 a=gl_FragCoord;vec4 b=vec4(0.0);float c=0.0;float d=0.0;float e=0.0;bool f=false;float g=0.0;float h=0.0;float i=0.0;bool j=false;float k=0.0;float l=0.0;float m=0.0;float n=0.0;float o=0.0;float p=0.0;float q=0.0;float r=0.0;float s=0.0;float t=0.0;float u=0.0;bool v=false;float w=0.0;float x=0.0;bool y=false;vec3 z=vec3(0.0);vec3 aa=vec3(0.0);vec3 ab=g0.medium.rayleigh;float ac=g0.medium.rayleigh_inv_height;vec3 ad=g0.medium.mie_scattering;float ae=g0.medium.mie_inv_height;vec3 af=g0.medium.mie_extinction;float ag=g0.medium.ozone_center;vec3 ah=g0.medium.mie_asymmetry;float ai=g0.medium.ozone_inv_half_width;vec3 aj=g0.medium.ozone;float ak=g0.medium.radius;vec3 al=g0.medium.irradiance;float am=g0.medium.thickness;float an=g0.medium.datum;ivec2 ao=ivec2(a.xy);if(BLEND){}else{b=texelFetch(g1,ao,0);}vec3 ap=pixel_ray(a.xy,g0.size,g0.ray_forward,g0.ray_right,g0.ray_up);float aq=length(ap);float ar=depth_distance(g0.depth.scale,g0.depth.bias,g0.depth.log_,g0.depth.background,texelFetch(g2,ao,0).x,aq);vec3 as=ap/vec3(aq);float at=g0.altitude;line_past(as,at,ak,c,d,e,f);float au=g0.altitude;float av=g0.pixel_angle;line_to_scene(c,d,e,f,au,ar,ak,am,av,g,h,i,j);vec3 aw=line_direction(g,h,as,ak+g0.altitude);float ax=g0.altitude;vec3 ay=g0.sun;air_ray_of(g,i,j,aw,ax,ak,am,ay,k,l,m,n,o,p,q,r,s,t,u,v);float az=g0.pixel_angle;float ba=g0.shell_weight;uint bb=g0.flags;ray_end(k,l,n,v,ar,ak,az,ba,bb,w,x,y);if(w<=0.0||x<=0.0){o0=b;return;}vec3 bc=aw-g0.sun;uint bd=g0.view_samples;uint be=g0.light_samples;single_scattering(ab,ac,ad,ae,af,ag,ah,ai,aj,ak,am,an,k,l,m,n,o,p,q,r,s,t,u,v,aw,w,0.5*dot(bc,bc),bd,be,z,aa);o0=compose(b,y?aa:vec3(1.0),z*al*(x*lit_fraction_at(g3,ao)),most_light(g0.flags));return;}\n",
@@ -236,9 +239,10 @@ static PARTS: &[&str] = &[
     "float rayleigh_phase(float a){return 0.0596831*(1.0+a*a);}\n",
     "float resolved(float a,float b){return smoothstep(1.0,4.0,a/b);}\n",
     "float rise_to_distance(float a,float b){return a*sqrt(a*a+2.0*b);}\n",
-    "float rough_column(float a,float b,float c,float d,float e,float f,float g){float h=distance_at_height(a,b,max(altitude_of(a,e),g)+ROUGH_HEIGHTS/f,e);float i=max(c,-h-b);float j=0.5*max(min(d,h-b)-i,0.0);vec2 k=j*ROUGH_NODES;vec4 l=exp(-max(heights_after(a,b,vec4(i+j)+vec4(-k,k),e)-vec4(g),vec4(0.0))*f);return j*dot(ROUGH_WEIGHTS,l.xy+l.zw);}\n",
+    "float rough_column(float a,float b,float c,float d,float e,float f,float g){vec2 h=dense_part(a,b,c,d,e,ROUGH_HEIGHTS/f,g);float i=h.y;vec2 j=i*ROUGH_NODES;vec4 k=exp(-max(heights_after(a,b,vec4(h.x)+vec4(-j,j),e)-vec4(g),vec4(0.0))*f);return i*dot(ROUGH_WEIGHTS,k.xy+k.zw);}\n",
     "vec3 rough_opacity(mat2x3 a,mat3x3 b,float c,float d,float e,float f,float g){vec3 h=vec3(0.0);if(RAYLEIGH){h.x=rough_column(c,d,e,f,g,a[0].x,a[1].x);}if(MIE){h.y=rough_column(c,d,e,f,g,a[0].y,a[1].x);}return opacity(extinction(b,h));}\n",
     "vec2 row_to_v(int a,int b,int c){bool d=a<c;return vec2(float(a-(d?0:c))/float((d?c:b-c)-1),d?1.0:0.0);}\n",
+    "mat3x3 scatterer_coefficients(vec3 a,vec3 b){return mat3x3(a,b,vec3(0.0));}\n",
     "float scene_reach(float a,float b,float c,bool d,float e,float f,float g){float h=min(b,e-a);if(!d){return h;}float i=snapped(e,g,abs(c+b)/f);float j=smoothstep(0.5*i,i,b-h);return b*(1.0-j)+h*j;}\n",
     "float segment(vec2 a){float b=2.0*quarter_atan(a.x,a.y);if(b<0.5){float c=4.0*b*b;return b*c*0.16666667*(1.0-c*0.05*(1.0-c*0.023809524*(1.0-c*0.013888889)));}float d=dot(a,a);return b-2.0*a.x*a.y*(a.y*a.y-a.x*a.x)/(d*d);}\n",
     "float shadow_half2_(float a,float b,float c,float d,float e,float f){float g=max(sqrt(a),1e-18);float h=e*abs(d)/g;return half_chord2_(b/g,c,f-h,h);}\n",
@@ -262,7 +266,6 @@ static PARTS: &[&str] = &[
     "vec3 sun_visibility_around(vec3 a,float b){return moon_shadow_visibility_around(g1,g0.moon_shadow.across,g0.moon_shadow.min_visibility,g0.moon_shadow.inv_extent,a*b,g0.frame.sun);}\n",
     "vec3 sun_visibility_around(vec3 a,float b){return moon_shadow_visibility_around(g3,g0.moon_shadow.across,g0.moon_shadow.min_visibility,g0.moon_shadow.inv_extent,a*b,g0.frame.sun);}\n",
     "vec3 sun_visibility_around(vec3 a,float b){return vec3(1.0);}\n",
-    "mat3x3 taking_coefficients(vec3 a,vec3 b){return mat3x3(a,b,vec3(0.0));}\n",
     "float tent_column(float a,float b,float c,float d,float e,float f,float g){float h=1.0/e;float i=f<=h?0.0:distance_at_height(a,b,g+f-h,d)-b;if(i>=c){return 0.0;}vec3 j=clamp(vec3(i,distance_at_height(a,b,g+f,d)-b,distance_at_height(a,b,g+f+h,d)-b),vec3(0.0),vec3(c));return slope_column(a,b,j.x,j.y,d,e,f,g)+slope_column(a,b,j.y,j.z,d,e,f,g);}\n",
     "vec3 tone_curve(vec3 a){if(ACES){return aces(a);}if(AGX){return agx(a);}return neutral(a);}\n",
     "float top_half_chord2_(float a,float b,float c,float d,float e){float f=a*a;float g=excess_of(e,d);return f<g?f-(c-e)*(2.0*d+e+c):g-b;}\n",
@@ -315,8 +318,8 @@ pub mod aerial_lut {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 28, 126],
-            fragment: &[0, 28, 33, 34, 31, 32, 39, 2, 26, 43, 21, 61, 87, 60, 82, 99, 181, 191, 193, 81, 106, 122, 169, 208, 211, 184, 178, 111, 89, 146, 164, 52, 202, 102, 80, 88, 187, 203, 68, 176, 177, 141],
+            vertex: &[0, 28, 129],
+            fragment: &[0, 28, 33, 34, 31, 32, 39, 2, 26, 43, 21, 63, 90, 62, 85, 102, 185, 195, 197, 84, 109, 125, 172, 211, 214, 188, 181, 114, 92, 149, 167, 54, 52, 182, 105, 83, 77, 91, 191, 206, 70, 179, 180, 144],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["g1"],
         },
@@ -362,8 +365,8 @@ pub mod aerial_lut_summands {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 28, 126],
-            fragment: &[0, 28, 34, 31, 32, 33, 39, 5, 26, 43, 44, 21, 61, 87, 60, 82, 99, 181, 192, 194, 81, 107, 122, 169, 182, 111, 75, 89, 209, 83, 146, 73, 120, 70, 65, 207, 165, 62, 190, 157, 159, 100, 158, 198, 201, 91, 208, 212, 185, 178, 52, 173, 139],
+            vertex: &[0, 28, 129],
+            fragment: &[0, 28, 34, 31, 32, 33, 39, 5, 26, 43, 44, 21, 63, 90, 62, 85, 102, 185, 196, 198, 84, 110, 125, 172, 186, 114, 78, 92, 212, 86, 149, 75, 123, 72, 67, 210, 168, 64, 194, 160, 162, 103, 161, 202, 205, 94, 211, 215, 189, 181, 54, 53, 176, 142],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["g1", "g2"],
         },
@@ -409,8 +412,8 @@ pub mod aerial_march {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 28, 126],
-            fragment: &[0, 28, 34, 31, 32, 8, 22, 43, 44, 45, 21, 156, 170, 76, 215, 188, 87, 81, 118, 179, 172, 119, 69, 61, 60, 82, 99, 181, 192, 194, 117, 114, 205, 56, 58, 122, 169, 182, 111, 67, 75, 89, 209, 83, 167, 146, 73, 120, 173, 103, 71, 147, 195, 198, 183, 144],
+            vertex: &[0, 28, 129],
+            fragment: &[0, 28, 34, 31, 32, 8, 22, 43, 44, 45, 21, 159, 173, 79, 218, 192, 90, 84, 121, 183, 175, 122, 71, 63, 62, 85, 102, 185, 196, 198, 120, 117, 208, 58, 60, 125, 172, 186, 114, 69, 78, 92, 212, 86, 170, 149, 75, 123, 176, 106, 73, 150, 199, 202, 187, 147],
             blocks: ["", "Frame_block_0Fragment"],
             samplers: &["g1", "g2", "g3"],
         },
@@ -459,8 +462,8 @@ pub mod aerial_march_eclipse {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 28, 126],
-            fragment: &[0, 28, 34, 31, 32, 33, 35, 38, 9, 45, 26, 43, 44, 46, 47, 48, 21, 156, 170, 76, 215, 188, 87, 81, 118, 179, 172, 119, 69, 61, 60, 82, 99, 181, 192, 194, 117, 114, 205, 56, 58, 122, 169, 182, 111, 67, 75, 89, 209, 83, 167, 146, 73, 120, 70, 65, 207, 165, 62, 190, 157, 159, 100, 158, 150, 98, 171, 180, 216, 153, 151, 154, 197, 155, 200, 91, 173, 103, 71, 147, 148, 195, 183, 59, 85, 143],
+            vertex: &[0, 28, 129],
+            fragment: &[0, 28, 34, 31, 32, 33, 35, 38, 9, 45, 26, 43, 44, 46, 47, 48, 21, 159, 173, 79, 218, 192, 90, 84, 121, 183, 175, 122, 71, 63, 62, 85, 102, 185, 196, 198, 120, 117, 208, 58, 60, 125, 172, 186, 114, 69, 78, 92, 212, 86, 170, 149, 75, 123, 72, 67, 210, 168, 64, 194, 160, 162, 103, 161, 153, 101, 174, 184, 219, 156, 154, 157, 201, 158, 204, 94, 176, 106, 73, 150, 151, 199, 187, 61, 88, 146],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["g1", "g2", "g3", "g4", "g5", "g6"],
         },
@@ -512,8 +515,8 @@ pub mod aerial_perspective {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 28, 126],
-            fragment: &[0, 28, 34, 31, 32, 33, 39, 10, 26, 43, 44, 45, 46, 47, 48, 21, 156, 170, 76, 215, 188, 87, 81, 118, 179, 172, 119, 69, 61, 60, 82, 99, 117, 205, 56, 122, 72, 63, 217, 214, 186, 74, 111, 67, 89, 83, 146, 164, 202, 51, 50, 102, 80, 88, 187, 203, 68, 176, 177, 166, 54, 168, 103, 71, 147, 148, 142],
+            vertex: &[0, 28, 129],
+            fragment: &[0, 28, 34, 31, 32, 33, 39, 10, 26, 43, 44, 45, 46, 47, 48, 21, 159, 173, 79, 218, 192, 90, 84, 121, 183, 175, 122, 71, 63, 62, 85, 102, 120, 208, 58, 125, 74, 65, 220, 217, 190, 76, 114, 69, 92, 86, 149, 167, 182, 51, 50, 105, 83, 77, 91, 191, 206, 70, 169, 179, 180, 56, 171, 106, 73, 150, 151, 145],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["g1", "g2", "g3", "g4", "g5", "g6"],
         },
@@ -557,8 +560,8 @@ pub mod airglow {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 28, 126],
-            fragment: &[0, 28, 34, 31, 32, 40, 19, 26, 43, 21, 170, 76, 61, 87, 60, 82, 99, 117, 205, 81, 55, 122, 111, 67, 89, 102, 80, 88, 187, 203, 68, 166, 175, 110, 109, 128],
+            vertex: &[0, 28, 129],
+            fragment: &[0, 28, 34, 31, 32, 40, 19, 26, 43, 21, 173, 79, 63, 90, 62, 85, 102, 120, 208, 84, 57, 125, 114, 69, 92, 105, 83, 77, 91, 191, 206, 70, 169, 178, 113, 112, 131],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["g1"],
         },
@@ -596,8 +599,8 @@ pub mod behind_air {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 28, 126],
-            fragment: &[0, 28, 34, 31, 32, 18, 22, 21, 170, 61, 87, 60, 82, 99, 116, 205, 81, 55, 122, 111, 67, 89, 102, 80, 88, 187, 203, 68, 166, 130],
+            vertex: &[0, 28, 129],
+            fragment: &[0, 28, 34, 31, 32, 18, 22, 21, 173, 63, 90, 62, 85, 102, 119, 208, 84, 57, 125, 114, 69, 92, 105, 83, 77, 91, 191, 206, 70, 169, 133],
             blocks: ["", "Frame_block_0Fragment"],
             samplers: &[],
         },
@@ -620,8 +623,8 @@ pub mod copy {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 28, 126],
-            fragment: &[0, 28, 43, 21, 124],
+            vertex: &[0, 28, 129],
+            fragment: &[0, 28, 43, 21, 127],
             blocks: ["", ""],
             samplers: &["g1"],
         },
@@ -665,8 +668,8 @@ pub mod moon_disk {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 28, 34, 31, 32, 41, 14, 27, 125],
-            fragment: &[0, 28, 34, 31, 32, 41, 15, 26, 21, 156, 170, 61, 87, 60, 82, 99, 116, 205, 81, 55, 111, 67, 75, 89, 209, 167, 79, 78, 121, 152, 132],
+            vertex: &[0, 28, 34, 31, 32, 41, 14, 27, 128],
+            fragment: &[0, 28, 34, 31, 32, 41, 15, 26, 21, 159, 173, 63, 90, 62, 85, 102, 119, 208, 84, 57, 114, 69, 78, 92, 212, 170, 82, 81, 124, 155, 135],
             blocks: ["Uniforms_block_0Vertex", "Uniforms_block_0Fragment"],
             samplers: &[],
         },
@@ -710,8 +713,8 @@ pub mod multi_scattering_gather {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 28, 126],
-            fragment: &[0, 28, 34, 33, 42, 3, 26, 43, 44, 21, 61, 87, 60, 82, 99, 181, 192, 81, 107, 122, 169, 182, 111, 75, 89, 209, 83, 146, 73, 120, 70, 65, 207, 165, 62, 213, 190, 157, 210, 159, 100, 158, 95, 198, 201, 90, 173, 103, 92, 161, 97, 129],
+            vertex: &[0, 28, 129],
+            fragment: &[0, 28, 34, 33, 42, 3, 26, 43, 44, 21, 63, 90, 62, 85, 102, 185, 196, 84, 110, 125, 172, 186, 114, 78, 92, 212, 86, 149, 75, 123, 72, 67, 210, 168, 64, 216, 194, 160, 213, 162, 103, 161, 98, 202, 205, 93, 176, 106, 95, 164, 100, 132],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["g1", "g2"],
         },
@@ -746,8 +749,8 @@ pub mod multi_scattering_lut {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 28, 126],
-            fragment: &[0, 28, 34, 33, 42, 6, 26, 43, 21, 213, 100, 87, 92, 162, 149, 136],
+            vertex: &[0, 28, 129],
+            fragment: &[0, 28, 34, 33, 42, 6, 26, 43, 21, 216, 103, 90, 95, 165, 152, 139],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["g1"],
         },
@@ -791,8 +794,8 @@ pub mod sky_march {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 28, 126],
-            fragment: &[0, 28, 34, 31, 32, 11, 22, 21, 156, 170, 64, 61, 87, 60, 82, 99, 181, 192, 194, 116, 205, 81, 56, 58, 57, 122, 169, 105, 182, 111, 67, 75, 89, 209, 83, 167, 146, 73, 120, 173, 103, 71, 147, 195, 198, 183, 135],
+            vertex: &[0, 28, 129],
+            fragment: &[0, 28, 34, 31, 32, 11, 22, 21, 159, 173, 66, 63, 90, 62, 85, 102, 185, 196, 198, 119, 208, 84, 58, 60, 59, 125, 172, 108, 186, 114, 69, 78, 92, 212, 86, 170, 149, 75, 123, 176, 106, 73, 150, 199, 202, 187, 138],
             blocks: ["", "Frame_block_0Fragment"],
             samplers: &[],
         },
@@ -838,8 +841,8 @@ pub mod sky_march_eclipse {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 28, 126],
-            fragment: &[0, 28, 34, 31, 32, 33, 35, 38, 12, 43, 26, 44, 45, 21, 156, 170, 64, 61, 87, 60, 82, 99, 181, 192, 194, 116, 205, 81, 56, 58, 57, 122, 169, 105, 182, 111, 67, 75, 89, 209, 83, 167, 146, 73, 120, 70, 65, 207, 165, 62, 190, 157, 159, 100, 158, 150, 98, 171, 180, 216, 153, 151, 154, 196, 155, 199, 91, 173, 103, 71, 147, 148, 195, 183, 59, 85, 134],
+            vertex: &[0, 28, 129],
+            fragment: &[0, 28, 34, 31, 32, 33, 35, 38, 12, 43, 26, 44, 45, 21, 159, 173, 66, 63, 90, 62, 85, 102, 185, 196, 198, 119, 208, 84, 58, 60, 59, 125, 172, 108, 186, 114, 69, 78, 92, 212, 86, 170, 149, 75, 123, 72, 67, 210, 168, 64, 194, 160, 162, 103, 161, 153, 101, 174, 184, 219, 156, 154, 157, 200, 158, 203, 94, 176, 106, 73, 150, 151, 199, 187, 61, 88, 137],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["g1", "g2", "g3"],
         },
@@ -879,8 +882,8 @@ pub mod sky_view {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 28, 126],
-            fragment: &[0, 28, 34, 31, 32, 33, 39, 13, 26, 43, 44, 21, 156, 170, 64, 87, 99, 117, 205, 72, 63, 217, 214, 186, 74, 103, 71, 147, 148, 133],
+            vertex: &[0, 28, 129],
+            fragment: &[0, 28, 34, 31, 32, 33, 39, 13, 26, 43, 44, 21, 159, 173, 66, 90, 102, 120, 208, 74, 65, 220, 217, 190, 76, 106, 73, 150, 151, 136],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["g1", "g2"],
         },
@@ -926,8 +929,8 @@ pub mod sky_view_lut {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 28, 126],
-            fragment: &[0, 28, 34, 31, 32, 33, 39, 4, 26, 43, 44, 21, 61, 87, 60, 82, 99, 181, 192, 194, 81, 107, 122, 169, 182, 111, 67, 75, 89, 209, 83, 146, 73, 120, 70, 65, 207, 165, 62, 190, 157, 159, 100, 158, 198, 201, 91, 208, 212, 185, 178, 86, 173, 140],
+            vertex: &[0, 28, 129],
+            fragment: &[0, 28, 34, 31, 32, 33, 39, 4, 26, 43, 44, 21, 63, 90, 62, 85, 102, 185, 196, 198, 84, 110, 125, 172, 186, 114, 69, 78, 92, 212, 86, 149, 75, 123, 72, 67, 210, 168, 64, 194, 160, 162, 103, 161, 202, 205, 94, 211, 215, 189, 181, 89, 176, 143],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &["g1", "g2"],
         },
@@ -972,8 +975,8 @@ pub mod sun_disk {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 28, 34, 31, 32, 41, 14, 27, 125],
-            fragment: &[0, 28, 34, 31, 32, 41, 16, 26, 21, 156, 170, 61, 87, 60, 82, 99, 116, 205, 81, 55, 111, 67, 75, 89, 209, 167, 79, 174, 78, 113, 112, 131],
+            vertex: &[0, 28, 34, 31, 32, 41, 14, 27, 128],
+            fragment: &[0, 28, 34, 31, 32, 41, 16, 26, 21, 159, 173, 63, 90, 62, 85, 102, 119, 208, 84, 57, 114, 69, 78, 92, 212, 170, 82, 177, 81, 116, 115, 134],
             blocks: ["Uniforms_block_0Vertex", "Uniforms_block_0Fragment"],
             samplers: &[],
         },
@@ -1020,8 +1023,8 @@ pub mod terrain {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 28, 34, 31, 32, 33, 35, 36, 17, 24, 30, 61, 87, 60, 82, 111, 67, 75, 89, 209, 167, 195, 108, 163, 101, 93, 96, 66, 127],
-            fragment: &[0, 28, 34, 31, 32, 33, 35, 36, 17, 23, 43, 44, 29, 156, 77, 70, 65, 190, 157, 95, 171, 98, 180, 216, 150, 153, 151, 154, 155, 94, 138],
+            vertex: &[0, 28, 34, 31, 32, 33, 35, 36, 17, 24, 30, 63, 90, 62, 85, 114, 69, 78, 92, 212, 170, 199, 111, 166, 104, 96, 99, 68, 130],
+            fragment: &[0, 28, 34, 31, 32, 33, 35, 36, 17, 23, 43, 44, 29, 159, 80, 72, 67, 194, 160, 98, 174, 101, 184, 219, 153, 156, 154, 157, 158, 97, 141],
             blocks: ["Terrain_block_0Vertex", "Terrain_block_0Fragment"],
             samplers: &["g1", "g2"],
         },
@@ -1051,8 +1054,8 @@ pub mod tone_map {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 28, 126],
-            fragment: &[0, 28, 37, 1, 25, 43, 21, 49, 53, 160, 204, 189, 84, 123],
+            vertex: &[0, 28, 129],
+            fragment: &[0, 28, 37, 1, 25, 43, 21, 49, 55, 163, 207, 193, 87, 126],
             blocks: ["", "Tone_block_0Fragment"],
             samplers: &["g1"],
         },
@@ -1090,8 +1093,8 @@ pub mod transmittance_lut {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 28, 126],
-            fragment: &[0, 28, 34, 33, 42, 20, 26, 21, 61, 87, 60, 206, 111, 75, 209, 167, 137],
+            vertex: &[0, 28, 129],
+            fragment: &[0, 28, 34, 33, 42, 20, 26, 21, 63, 90, 62, 209, 114, 78, 212, 170, 140],
             blocks: ["", "Uniforms_block_0Fragment"],
             samplers: &[],
         },
@@ -1123,8 +1126,8 @@ pub mod upsample {
         #[cfg(feature = "webgl")]
         glsl: crate::gpu::Glsl {
             parts: PARTS,
-            vertex: &[0, 28, 126],
-            fragment: &[0, 28, 34, 31, 32, 7, 22, 43, 21, 170, 87, 99, 115, 104, 145],
+            vertex: &[0, 28, 129],
+            fragment: &[0, 28, 34, 31, 32, 7, 22, 43, 21, 173, 90, 102, 118, 107, 148],
             blocks: ["", "Frame_block_0Fragment"],
             samplers: &["g1"],
         },

@@ -37,9 +37,18 @@ fn aerial_texel(position: vec2f, luts: Luts, kinds: i32) -> AerialTexel {
     return AerialTexel(texel.y / rows, texel.y % rows, texel.x % columns, texel.x / columns, rows, columns);
 }
 
+// The ray of a texel's direction: see `sky_view_ray`. ground_rows: how many rows of the LUT look down.
+fn aerial_ray(
+    a: AerialTexel, ground_rows: f32, h: f32, radius: f32, thickness: f32, mapping: vec4f, sun: vec3f,
+) -> SkyViewRay {
+    let u = f32(a.column) / f32(a.columns - 1);
+    let row = row_to_v(a.row, a.rows, i32(ground_rows));
+    return sky_view_ray(u, row.x, row.y > 0.5, h, radius, thickness, mapping, sun);
+}
+
 // Coefficients of what counts as taken from light on its way (1/km): what gas and aerosol take, but for what
 // the aerosol turns by small angles only. The absorber would be a step where rays begin to pass it.
-fn taking_coefficients(m: Medium, luts: Luts) -> mat3x3f {
+fn scatterer_coefficients(m: Medium, luts: Luts) -> mat3x3f {
     return mat3x3f(m.rayleigh, luts.mie_extinction, vec3f(0.0));
 }
 

@@ -3,9 +3,10 @@
 //#include path
 // Densities integrated along a path by eight nodes: what a pixel can afford, for any part of a ray that has
 // one lowest point. Along a line densities are nearly Gaussian in the distance from its perigee, for which
-// Gauss-Legendre's rule with 8 points (Abramowitz & Stegun 1964, table 25.4) is off by at most 7e-4 of the
-// integral, on one side of the perigee and across it, where it ends 7 scale heights above the lowest point
-// (6: 1.7e-3, 9: 2.0e-3). Transmittances are right to 5e-4 (`thorough::near_air`).
+// Gauss-Legendre's rule with 8 points (Abramowitz & Stegun 1964, table 25.4) is off by at most 9.1e-4 of the
+// integral, on one side of the perigee, across it and straight up, where it ends 7 scale heights above the
+// lowest point (6: 2.5e-3, 9: 2.0e-3; the tests of `model::quadrature` print these). Transmittances are right
+// to 5e-4 (`thorough::near_air`).
 
 const COLUMN_NODES: vec4f = vec4f(0.1834346425, 0.5255324099, 0.7966664774, 0.9602898565);
 const COLUMN_WEIGHTS: vec4f = vec4f(0.3626837834, 0.3137066459, 0.2223810345, 0.1012285363);
@@ -23,19 +24,28 @@ fn distance_at_height(excess: f32, r_mu: f32, h: f32, radius: f32) -> f32 {
     return sqrt(max(excess_of(h, radius) - excess + r_mu * r_mu, 0.0));
 }
 
-// An exponential of altitude integrated (km) from one distance to another, both counted from the path's
-// lowest point, whose excess and r mu are given. fall: 1 / scale height, 1/km; datum: height of altitude 0,
-// km.
+// Middle and half length (km) of the part of a way from one distance to another that lies at most so far (km)
+// above its lowest point, or above altitude 0 where that is higher. Distances count from the lowest point,
+// whose excess and r mu are given; datum: height of altitude 0, km.
+fn dense_part(
+    excess: f32, r_mu: f32, first: f32, last: f32, radius: f32, above: f32, datum: f32,
+) -> vec2f {
+    let reach = distance_at_height(excess, r_mu, max(altitude_of(excess, radius), datum) + above, radius);
+    let begin = max(first, -reach - r_mu);
+    let half = 0.5 * max(min(last, reach - r_mu) - begin, 0.0);
+    return vec2f(begin + half, half);
+}
+
+// An exponential of altitude integrated (km) from one distance to another, counted as there. fall: 1 / scale
+// height, 1/km.
 fn exponential_column(
     excess: f32, r_mu: f32, first: f32, last: f32, radius: f32, fall: f32, datum: f32,
 ) -> f32 {
-    let highest = max(altitude_of(excess, radius), datum) + COLUMN_HEIGHTS / fall;
-    let reach = distance_at_height(excess, r_mu, highest, radius);
-    let begin = max(first, -reach - r_mu);
-    let half = 0.5 * max(min(last, reach - r_mu) - begin, 0.0);
+    let part = dense_part(excess, r_mu, first, last, radius, COLUMN_HEIGHTS / fall, datum);
+    let half = part.y;
     let t = half * COLUMN_NODES;
-    let above = max(heights_after(excess, r_mu, begin + half - t, radius) - datum, vec4f(0.0));
-    let beyond = max(heights_after(excess, r_mu, begin + half + t, radius) - datum, vec4f(0.0));
+    let above = max(heights_after(excess, r_mu, part.x - t, radius) - datum, vec4f(0.0));
+    let beyond = max(heights_after(excess, r_mu, part.x + t, radius) - datum, vec4f(0.0));
     return half * dot(COLUMN_WEIGHTS, exp(-above * fall) + exp(-beyond * fall));
 }
 
@@ -105,21 +115,29 @@ fn columns(
     return sum;
 }
 
+// The same over the first `length` km of a path. whole: all of the path, which may end on the ground.
+fn path_columns(
+    layers: mat2x3f, line: Line, path: AirPath, length: f32, whole: bool, radius: f32,
+) -> vec3f {
+    let lowest = lowest_point(
+        path.excess, path.r_mu, line.perigee_excess, line.ground && whole, length, radius);
+    return columns(
+        layers, lowest.excess, lowest.r_mu, -lowest.distance, length - lowest.distance, radius);
+}
+
 // The rule with 4 points on -1..1: for what two passes have to agree in, see `rough_opacity`.
 const ROUGH_NODES: vec2f = vec2f(0.3399810436, 0.8611363116);
 const ROUGH_WEIGHTS: vec2f = vec2f(0.6521451549, 0.3478548451);
 const ROUGH_HEIGHTS: f32 = 5.0; // scale heights
 
-// An exponential of altitude, as in `exponential_column`, within 6 %.
+// An exponential of altitude, as in `exponential_column`, within 6 % (the same test).
 fn rough_column(
     excess: f32, r_mu: f32, first: f32, last: f32, radius: f32, fall: f32, datum: f32,
 ) -> f32 {
-    let highest = max(altitude_of(excess, radius), datum) + ROUGH_HEIGHTS / fall;
-    let reach = distance_at_height(excess, r_mu, highest, radius);
-    let begin = max(first, -reach - r_mu);
-    let half = 0.5 * max(min(last, reach - r_mu) - begin, 0.0);
+    let part = dense_part(excess, r_mu, first, last, radius, ROUGH_HEIGHTS / fall, datum);
+    let half = part.y;
     let t = half * ROUGH_NODES;
-    let h = heights_after(excess, r_mu, begin + half + vec4f(-t, t), radius);
+    let h = heights_after(excess, r_mu, part.x + vec4f(-t, t), radius);
     let density = exp(-max(h - datum, vec4f(0.0)) * fall);
     return half * dot(ROUGH_WEIGHTS, density.xy + density.zw);
 }
@@ -137,14 +155,4 @@ fn rough_opacity(
         sum.y = rough_column(excess, r_mu, first, last, radius, layers[0].y, layers[1].x);
     }
     return opacity(extinction(coefficients, sum));
-}
-
-// The same over the first `length` km of a path. whole: all of the path, which may end on the ground.
-fn path_columns(
-    layers: mat2x3f, line: Line, path: AirPath, length: f32, whole: bool, radius: f32,
-) -> vec3f {
-    let lowest = lowest_point(
-        path.excess, path.r_mu, line.perigee_excess, line.ground && whole, length, radius);
-    return columns(
-        layers, lowest.excess, lowest.r_mu, -lowest.distance, length - lowest.distance, radius);
 }

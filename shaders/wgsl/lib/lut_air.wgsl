@@ -24,13 +24,13 @@ fn air_before(
     var light = smooth_light;
     var mie = mie_light;
     if !to_end {
-        let taking = taking_coefficients(m, luts);
+        let scatterers = scatterer_coefficients(m, luts);
         let all = lowest_point(
             path.excess, path.r_mu, line.perigee_excess, line.ground, path.length, m.radius);
         let rough = rough_opacity(
-            layers, taking, all.excess, all.r_mu, -all.distance, path.length - all.distance, m.radius);
+            layers, scatterers, all.excess, all.r_mu, -all.distance, path.length - all.distance, m.radius);
         // A camera far away enters air so thin that there is none.
-        let part = opacity(extinction(taking, near)) / max(rough, vec3f(1e-30));
+        let part = opacity(extinction(scatterers, near)) / max(rough, vec3f(1e-30));
         let point = aerial_point(aerial_lut, luts, u, v, line.ground, path, distance);
         light *= min(part * aerial_brightness(aerial_lut, linear, point, AIR_SMOOTH), vec3f(1.0));
         if MIE_SINGLE {

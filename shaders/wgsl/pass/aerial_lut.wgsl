@@ -16,10 +16,8 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let luts = uniforms.luts;
     let m = f.medium;
     let a = aerial_texel(position.xy, luts, AIR_KINDS);
-    let u = f32(a.column) / f32(a.columns - 1);
-    let row = row_to_v(a.row, a.rows, i32(luts.ground_rows));
-    let view = sky_view_ray(
-        u, row.x, row.y > 0.5, f.altitude, m.radius, m.thickness, f.sky_view_mapping, f.sun);
+    let view = aerial_ray(
+        a, luts.ground_rows, f.altitude, m.radius, m.thickness, f.sky_view_mapping, f.sun);
     let ray = view.ray;
     if ray.length <= 0.0 {
         return vec4f(1.0);
@@ -40,16 +38,16 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
         }
     }
     // What is taken away by the sums' own steps, whose errors cancel.
-    let taking = taking_coefficients(m, luts);
-    let taken = opacity(extinction(taking, near));
-    let taken_in_all = opacity(extinction(taking, passed));
+    let scatterers = scatterer_coefficients(m, luts);
+    let taken = opacity(extinction(scatterers, near));
+    let taken_in_all = opacity(extinction(scatterers, passed));
     let perigee = perigee_of(ray, ray.length, m.radius);
     let layers = layers_of(m);
     let first = -perigee.distance;
     let last = ray.length - perigee.distance;
     let sums = columns(layers, perigee.excess, perigee.r_mu, first, last, m.radius);
-    let rough = rough_opacity(layers, taking, perigee.excess, perigee.r_mu, first, last, m.radius)
-        / max(opacity(extinction(taking, sums)), vec3f(1e-37));
+    let rough = rough_opacity(layers, scatterers, perigee.excess, perigee.r_mu, first, last, m.radius)
+        / max(opacity(extinction(scatterers, sums)), vec3f(1e-37));
     // Where there is no light, or no air, the brightness is even.
     let there = whole * taken > vec3f(1e-35);
     let share = light / max(whole, vec3f(1e-37));

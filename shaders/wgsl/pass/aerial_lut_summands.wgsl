@@ -22,10 +22,8 @@ fn fragment_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let luts = uniforms.luts;
     let m = f.medium;
     let a = aerial_texel(position.xy, luts, AIR_SUMMANDS);
-    let u = f32(a.column) / f32(a.columns - 1);
-    let row = row_to_v(a.row, a.rows, i32(luts.ground_rows));
-    let view = sky_view_ray(
-        u, row.x, row.y > 0.5, f.altitude, m.radius, m.thickness, f.sky_view_mapping, f.sun);
+    let view = aerial_ray(
+        a, luts.ground_rows, f.altitude, m.radius, m.thickness, f.sky_view_mapping, f.sun);
     let ray = view.ray;
     if ray.length <= 0.0 {
         return vec4f(0.0);
